@@ -2,28 +2,23 @@
 
 use crate::args;
 use crate::outcome::Failure;
-use crate::quantity::{self, QuantityError};
-use crate::units::Dimension;
+use crate::units::Dimension::{self, Length};
 use clap::Args;
 use rough_contact::compare::WorkOfAdhesion;
 
 #[derive(Args, Clone, Copy, Debug, Default)]
-pub(crate) struct Adhesion {
+pub(crate) struct AdhesionOptions {
     /// Work of adhesion, as 50mJ/m^2: whether the bodies stick is said, by formulas; a contact that does is
     /// not modelled
-    #[arg(long, value_name = "W", value_parser = work, allow_hyphen_values = true)]
+    #[arg(long, value_name = "W", value_parser = args::one(Dimension::Adhesion), allow_hyphen_values = true)]
     work_of_adhesion: Option<f64>,
     /// Distance over which the surfaces attract [default: 0.3nm]
-    #[arg(long, value_name = "L", value_parser = args::length, allow_hyphen_values = true)]
+    #[arg(long, value_name = "L", value_parser = args::one(Length), allow_hyphen_values = true)]
     #[arg(requires = "work_of_adhesion")]
     attraction_range: Option<f64>,
 }
 
-fn work(text: &str) -> Result<f64, QuantityError> {
-    quantity::parse(text, Dimension::Adhesion)
-}
-
-impl Adhesion {
+impl AdhesionOptions {
     /// What was given; refused before any work if it is none.
     pub(crate) fn asked(self) -> Result<Option<WorkOfAdhesion>, Failure> {
         let Some(work) = self.work_of_adhesion else { return Ok(None) };

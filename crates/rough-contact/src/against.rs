@@ -2,11 +2,9 @@
 
 use crate::args;
 use crate::cleaning::CleaningOptions;
-use crate::input::{Complete, Reading};
+use crate::input::{Complete, ReadingOptions};
 use crate::outcome::Failure;
-use crate::quantity;
 use crate::surfaces::{One, from_file, pressed};
-use crate::units::Dimension;
 use clap::{Args, Parser};
 use rough_contact::compare::{
     Body, Cleaning, Flip, Level, Origin, PairOrigin, Placing, Settings, Surface,
@@ -24,7 +22,7 @@ pub(crate) struct Against {
     second: Option<PathBuf>,
     /// How it is turned over: columns, as a book is closed; rows, as a page of a wall calendar is
     /// turned; none, its map already stands as it lies [default: columns]
-    #[arg(long, value_name = "HOW", value_parser = args::flip())]
+    #[arg(long, value_name = "HOW", value_parser = args::one_of::<Flip>())]
     flip: Option<Flip>,
     /// Move it then along columns and rows, in whole points
     #[arg(long, value_name = "DX,DY", value_parser = shift, allow_hyphen_values = true)]
@@ -41,7 +39,7 @@ pub(crate) struct Against {
 #[command(no_binary_name = true, disable_help_flag = true)]
 struct Own {
     #[command(flatten)]
-    reading: Reading,
+    reading: ReadingOptions,
     #[command(flatten)]
     cleaning: CleaningOptions,
 }
@@ -77,7 +75,7 @@ fn words(text: &str) -> Result<Vec<String>, String> {
 
 /// `DX,DY` as `[dy, dx]` in metres.
 fn shift(text: &str) -> Result<[f64; 2], String> {
-    match quantity::parse_list(text, Dimension::Length).map_err(|e| e.to_string())?[..] {
+    match args::lengths(text)?[..] {
         [dx, dy] => Ok([dy, dx]),
         _ => Err(format!("'{text}' is not DX,DY; write for example 10um,0um")),
     }
@@ -105,7 +103,7 @@ impl Against {
     pub(crate) fn pressed_on(
         &self,
         mut first: Surface,
-        how: (&Reading, Cleaning),
+        how: (&ReadingOptions, Cleaning),
         level: Level,
     ) -> Result<Surface, Failure> {
         let Some(path) = self.given()? else { return Ok(first) };
@@ -136,7 +134,7 @@ impl Against {
     pub(crate) fn complete(
         &self,
         path: &Path,
-        how: (&Reading, Cleaning),
+        how: (&ReadingOptions, Cleaning),
         level: Level,
     ) -> Result<(Complete, PairOrigin), Failure> {
         let first = match from_file(path, how.0, how.1)? {
@@ -198,7 +196,7 @@ mod tests {
     fn options_of_the_second_body_are_read_as_those_of_the_first() {
         let said = own("--fill harmonic --channel 'Z Axis' --outliers 8").unwrap();
         assert_eq!(said.reading.channel.as_deref(), Some("Z Axis"));
-        assert_eq!(said.reading.fill.name(), "harmonic");
+        assert_eq!(said.reading.fill_name(), "harmonic");
         assert_eq!(said.cleaning.asked().outliers, Some(8.0));
         for bad in ["--fill some", "--channel 'Z", "--pressure 1MPa", "b.x3p"] {
             assert!(own(bad).is_err(), "{bad}");

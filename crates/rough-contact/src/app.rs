@@ -1,6 +1,6 @@
 //! `rough-contact app`: the page in a browser, with this program as its engine.
 
-use crate::args::Common;
+use crate::args::CommonOptions;
 use crate::outcome::{self, Failure, Reply, tell};
 use crate::serve::Site;
 use clap::Args;
@@ -17,7 +17,7 @@ pub(crate) struct App {
 
 impl App {
     /// Serves the page on the loopback address until it is ended.
-    pub(crate) fn run(&self, common: &Common) -> Result<Reply, Failure> {
+    pub(crate) fn run(&self, common: &CommonOptions) -> Result<Reply, Failure> {
         let refused = |e: std::io::Error| {
             let message = format!("no port of 127.0.0.1 can be listened to: {e}");
             Failure::incomplete("io", message)

@@ -1,20 +1,16 @@
 //! Options that several commands share.
 
-pub(crate) use crate::bodies::Bodies;
 use crate::outcome::Failure;
 use crate::quantity::{self, QuantityError};
-use crate::units::Dimension;
+use crate::units::Dimension::{self, Length, Number, Pressure};
 use clap::Args;
 use clap::builder::{PossibleValuesParser, TypedValueParser};
-use rough_contact::compare::{
-    AccuracyRequest, EdgesName, Flip, Level, Method, Precision, built_in,
-};
+use rough_contact::compare::{AccuracyRequest, EdgesName, Method, Precision, built_in};
 use rough_contact::contact_types::Named;
-use rough_contact::surface_io::{DecimalMark, Layout};
 
 /// Options of every command.
 #[derive(Args)]
-pub(crate) struct Common {
+pub(crate) struct CommonOptions {
     /// One JSON object on standard output, nothing else there
     #[arg(long, global = true)]
     pub(crate) json: bool,
@@ -29,7 +25,7 @@ pub(crate) struct Common {
     pub(crate) force: bool,
 }
 
-impl Common {
+impl CommonOptions {
     /// Threads asked for, or as many as the machine has.
     pub(crate) fn threads(&self) -> usize {
         let all = || std::thread::available_parallelism().map_or(1, usize::from);
@@ -48,54 +44,34 @@ fn threads(text: &str) -> Result<usize, String> {
 #[derive(Clone, Debug)]
 pub(crate) struct List(pub(crate) Vec<f64>);
 
-pub(crate) fn pressure(text: &str) -> Result<f64, QuantityError> {
-    quantity::parse(text, Dimension::Pressure)
+/// A quantity of this kind.
+pub(crate) fn one(
+    dimension: Dimension,
+) -> impl Fn(&str) -> Result<f64, QuantityError> + Clone + Send + Sync + 'static {
+    move |text| quantity::parse(text, dimension)
+}
+
+/// A list of them.
+pub(crate) fn list(
+    dimension: Dimension,
+) -> impl Fn(&str) -> Result<List, QuantityError> + Clone + Send + Sync + 'static {
+    move |text| quantity::parse_list(text, dimension).map(List)
 }
 
 /// A hardness, or `elastic` for bodies that do not yield, as infinity.
 pub(crate) fn hardness(text: &str) -> Result<f64, QuantityError> {
-    if text.trim().eq_ignore_ascii_case("elastic") { Ok(f64::INFINITY) } else { pressure(text) }
+    let is_elastic = text.trim().eq_ignore_ascii_case("elastic");
+    if is_elastic { Ok(f64::INFINITY) } else { quantity::parse(text, Pressure) }
 }
 
-pub(crate) fn length(text: &str) -> Result<f64, QuantityError> {
-    quantity::parse(text, Dimension::Length)
-}
-
-pub(crate) fn area(text: &str) -> Result<f64, QuantityError> {
-    quantity::parse(text, Dimension::Area)
-}
-
-pub(crate) fn per_area(text: &str) -> Result<f64, QuantityError> {
-    quantity::parse(text, Dimension::PerArea)
-}
-
-pub(crate) fn per_areas(text: &str) -> Result<List, QuantityError> {
-    quantity::parse_list(text, Dimension::PerArea).map(List)
-}
-
-pub(crate) fn numbers(text: &str) -> Result<List, QuantityError> {
-    quantity::parse_list(text, Dimension::Number).map(List)
-}
-
-pub(crate) fn number(text: &str) -> Result<f64, QuantityError> {
-    quantity::parse(text, Dimension::Number)
-}
-
-pub(crate) fn pressures(text: &str) -> Result<List, QuantityError> {
-    quantity::parse_list(text, Dimension::Pressure).map(List)
-}
-
-pub(crate) fn forces(text: &str) -> Result<List, QuantityError> {
-    quantity::parse_list(text, Dimension::Force).map(List)
-}
-
-pub(crate) fn lengths(text: &str) -> Result<List, QuantityError> {
-    quantity::parse_list(text, Dimension::Length).map(List)
+/// Lengths in metres, in the order in which they were typed.
+pub(crate) fn lengths(text: &str) -> Result<Vec<f64>, String> {
+    quantity::parse_list(text, Length).map_err(|e| e.to_string())
 }
 
 /// `DX` or `DX,DY` as `[dy, dx]` in metres.
 pub(crate) fn pixel(text: &str) -> Result<[f64; 2], String> {
-    match quantity::parse_list(text, Dimension::Length).map_err(|e| e.to_string())?[..] {
+    match lengths(text)?[..] {
         [d] => Ok([d, d]),
         [dx, dy] => Ok([dy, dx]),
         _ => Err(format!("'{text}' is not DX or DX,DY; write for example 1um or 1um,2um")),
@@ -104,24 +80,19 @@ pub(crate) fn pixel(text: &str) -> Result<[f64; 2], String> {
 
 /// `SHORT,LONG`: two wavelengths in metres.
 pub(crate) fn range(text: &str) -> Result<[f64; 2], String> {
-    match quantity::parse_list(text, Dimension::Length).map_err(|e| e.to_string())?[..] {
-        [short, long] => Ok([short, long]),
-        _ => Err(format!("'{text}' is not two wavelengths; write for example 4um,100um")),
-    }
+    let two = <[f64; 2]>::try_from(lengths(text)?);
+    two.map_err(|_| format!("'{text}' is not two wavelengths; write for example 4um,100um"))
 }
 
 /// `NY,NX`: two counts.
 pub(crate) fn shape(text: &str) -> Result<[usize; 2], String> {
-    counts(text).ok_or_else(|| format!("'{text}' is not NY,NX; write for example 512,512"))
-}
-
-fn counts<const N: usize>(text: &str) -> Option<[usize; N]> {
-    let numbers: Result<Vec<usize>, _> = text.split(',').map(|n| n.trim().parse()).collect();
-    numbers.ok()?.try_into().ok()
+    let counts: Result<Vec<usize>, _> = text.split(',').map(|n| n.trim().parse()).collect();
+    let two = counts.ok().and_then(|counts| counts.try_into().ok());
+    two.ok_or_else(|| format!("'{text}' is not NY,NX; write for example 512,512"))
 }
 
 /// One of a list of names that the library knows.
-fn one_of<T: Named + Send + Sync>() -> impl TypedValueParser<Value = T> {
+pub(crate) fn one_of<T: Named + Send + Sync>() -> impl TypedValueParser<Value = T> {
     PossibleValuesParser::new(T::all().map(T::name)).map(move |text| {
         T::of_name(&text.to_ascii_lowercase()).expect("clap accepts only these names")
     })
@@ -129,10 +100,6 @@ fn one_of<T: Named + Send + Sync>() -> impl TypedValueParser<Value = T> {
 
 /// The form taken off where nothing is said, by every command: the tilt of a mounting, unless the map repeats.
 pub(crate) const LEVEL: &str = "auto";
-
-pub(crate) fn level() -> impl TypedValueParser<Value = Level> {
-    one_of::<Level>()
-}
 
 /// How a map is solved.
 #[derive(Args, Clone, Debug)]
@@ -142,13 +109,13 @@ pub(crate) struct SolverOptions {
     #[arg(long, value_name = "EDGES", value_parser = one_of::<EdgesName>(), default_value = "periodic")]
     pub(crate) edges: EdgesName,
     /// Method of the solver
-    #[arg(long, value_parser = method(), default_value = "auto")]
+    #[arg(long, value_parser = one_of::<Method>(), default_value = "auto")]
     pub(crate) method: Method,
     /// Floating-point type of the iteration; results are always f64
     #[arg(long, value_parser = one_of::<Precision>(), default_value = "f64")]
     pub(crate) precision: Precision,
     /// Relative rms error of the pressure to reach
-    #[arg(long, value_name = "T", value_parser = number, allow_hyphen_values = true)]
+    #[arg(long, value_name = "T", value_parser = one(Number), allow_hyphen_values = true)]
     #[arg(default_value = "1e-4")]
     pub(crate) tolerance: f64,
     /// Uncertainty of the area to stay within, as 2%: grid, precision and tolerance are chosen for it
@@ -158,10 +125,6 @@ pub(crate) struct SolverOptions {
     /// Every second point of the map at once, with its wider uncertainty
     #[arg(long, conflicts_with = "accuracy")]
     pub(crate) fast: bool,
-}
-
-pub(crate) fn method() -> impl TypedValueParser<Value = Method> {
-    one_of::<Method>()
 }
 
 /// Mirror images at the edges are for periodic maps.
@@ -179,18 +142,6 @@ pub(crate) fn refine_is_gone(_: &str) -> Result<bool, String> {
     Err("twice the points are solved where the answer depends on them, unasked; --accuracy A% climbs \
          until the area is known as well"
         .to_owned())
-}
-
-pub(crate) fn flip() -> impl TypedValueParser<Value = Flip> {
-    one_of::<Flip>()
-}
-
-pub(crate) fn layout() -> impl TypedValueParser<Value = Layout> {
-    one_of::<Layout>()
-}
-
-pub(crate) fn decimal() -> impl TypedValueParser<Value = DecimalMark> {
-    one_of::<DecimalMark>()
 }
 
 /// A model that a study can ask.

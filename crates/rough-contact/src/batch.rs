@@ -1,11 +1,11 @@
 //! One command over many files: every file by itself, nothing aborted, answers kept as they come.
 
-use crate::args::Common;
+use crate::args::CommonOptions;
 use crate::files::{Files, Kept, expand};
 use crate::outcome::{Failure, Reply};
 use crate::output::Folder;
-use crate::progress::Progress;
-use crate::rows::{self, Outcome, Shown};
+use crate::progress::ProgressDisplay;
+use crate::rows::{self, FileOutcome, Shown};
 use rough_contact::compare::sha256_hex;
 use serde_json::{Value, json};
 use std::fmt::{Debug, Write as _};
@@ -29,7 +29,7 @@ pub(crate) trait PerFile: Clone + Debug + Sync {
     fn on(&self, file: &Path) -> Self;
 
     /// The answer for the one file.
-    fn answer(&self, common: &Common) -> Result<Reply, Failure>;
+    fn answer(&self, common: &CommonOptions) -> Result<Reply, Failure>;
 
     /// Content of other files that an answer depends on, as a hash.
     fn beside(&self) -> String {
@@ -56,7 +56,7 @@ pub(crate) trait PerFile: Clone + Debug + Sync {
 pub(crate) fn run<C: PerFile>(
     command: &C,
     files: &Files,
-    common: &Common,
+    common: &CommonOptions,
 ) -> Result<Reply, Failure> {
     if files.paths.is_empty() {
         let message = format!(
@@ -68,7 +68,10 @@ pub(crate) fn run<C: PerFile>(
     if let Some(file) = files.only() {
         return command.on(file).answer(common);
     }
-    let store = Store::open(&files.kept, &["table.csv", "results.json"], common.force)?;
+    let Kept { out, resume } = &files.kept;
+    let open =
+        |out: &PathBuf| Store::at(out, &["table.csv", "results.json"], *resume, common.force);
+    let store = out.as_ref().map(open).transpose()?;
     let outcomes = outcomes(command, &files.paths, store.as_ref(), common)?;
     let mut reply =
         Reply::new(rows::table(&outcomes, C::SHOWN), json!({ "files": objects(&outcomes) }));
@@ -83,17 +86,15 @@ pub(crate) fn run<C: PerFile>(
 }
 
 /// One object for each file, or why there is none.
-pub(crate) fn objects(outcomes: &[Outcome]) -> Vec<Value> {
-    let one = |outcome: &Outcome| {
-        let mut object = match &outcome.result {
-            Ok((answer, None)) => answer.clone(),
-            Ok((answer, Some(trouble))) => {
-                let mut answer = answer.clone();
-                answer["error"] = trouble.json();
-                answer
-            }
-            Err(failure) => json!({ "error": failure.json() }),
+pub(crate) fn objects(outcomes: &[FileOutcome]) -> Vec<Value> {
+    let one = |outcome: &FileOutcome| {
+        let (mut object, trouble) = match &outcome.result {
+            Ok((answer, trouble)) => (answer.clone(), trouble.as_ref()),
+            Err(failure) => (json!({}), Some(failure)),
         };
+        if let Some(trouble) = trouble {
+            object["error"] = trouble.json();
+        }
         object["file"] = json!(outcome.file.display().to_string());
         object
     };
@@ -101,7 +102,7 @@ pub(crate) fn objects(outcomes: &[Outcome]) -> Vec<Value> {
 }
 
 /// Exit status 1 if a file has no complete answer.
-pub(crate) fn trouble(outcomes: &[Outcome]) -> Option<Failure> {
+pub(crate) fn trouble(outcomes: &[FileOutcome]) -> Option<Failure> {
     let failed = outcomes.iter().filter(|o| o.why().is_some()).count();
     let message = format!("{failed} of {} files without a complete answer", outcomes.len());
     (failed > 0).then(|| Failure::incomplete("files_failed", message))
@@ -116,8 +117,8 @@ pub(crate) fn outcomes<C: PerFile>(
     command: &C,
     paths: &[PathBuf],
     store: Option<&Store>,
-    common: &Common,
-) -> Result<Vec<Outcome>, Failure> {
+    common: &CommonOptions,
+) -> Result<Vec<FileOutcome>, Failure> {
     let files = expand(paths)?;
     let threads = common.threads();
     let settings = format!(
@@ -129,8 +130,8 @@ pub(crate) fn outcomes<C: PerFile>(
     );
     let next = AtomicUsize::new(0);
     let alone = RwLock::new(());
-    let done: Vec<Mutex<Option<Outcome>>> = files.iter().map(|_| Mutex::new(None)).collect();
-    let progress = Mutex::new(Progress::new(common.quiet, files.len()));
+    let done: Vec<Mutex<Option<FileOutcome>>> = files.iter().map(|_| Mutex::new(None)).collect();
+    let progress = Mutex::new(ProgressDisplay::new(common.quiet, files.len()));
     let work = || {
         while let (index, Some(file)) = {
             let index = next.fetch_add(1, Ordering::Relaxed);
@@ -142,7 +143,7 @@ pub(crate) fn outcomes<C: PerFile>(
             } else {
                 (None, Some(alone.write()))
             };
-            let common = Common {
+            let common = CommonOptions {
                 json: common.json,
                 quiet: true,
                 threads: Some(if whole.is_some() { threads } else { 1 }),
@@ -166,17 +167,17 @@ pub(crate) fn outcomes<C: PerFile>(
 }
 
 /// A refusal that is the same for all files is one of the command.
-fn alike(outcomes: Vec<Outcome>) -> Result<Vec<Outcome>, Failure> {
-    let reason = outcomes.first().and_then(|o| o.result.is_err().then(|| o.why()).flatten());
-    let same = |o: &Outcome| o.result.is_err() && o.why() == reason;
-    if outcomes.len() > 1 && reason.is_some() && outcomes.iter().all(same) {
-        let failure = outcomes.into_iter().find_map(|o| o.result.err());
-        return Err(failure.unwrap_or_else(|| Failure::refused("files_failed", "")));
+fn alike(outcomes: Vec<FileOutcome>) -> Result<Vec<FileOutcome>, Failure> {
+    let reason = outcomes.first().and_then(FileOutcome::why);
+    let same = |o: &FileOutcome| o.result.is_err() && o.why() == reason;
+    let is_one = outcomes.len() > 1 && outcomes.iter().all(same);
+    match outcomes.first().and_then(|first| first.result.as_ref().err()) {
+        Some(failure) if is_one => Err(failure.clone()),
+        _ => Ok(outcomes),
     }
-    Ok(outcomes)
 }
 
-fn said(outcome: &Outcome) -> String {
+fn said(outcome: &FileOutcome) -> String {
     let how = match (&outcome.result, outcome.is_kept) {
         (Ok((_, None)), false) => "",
         (Ok((_, None)), true) => ", kept",
@@ -191,40 +192,33 @@ fn one<C: PerFile>(
     file: &Path,
     settings: &str,
     store: Option<&Store>,
-    common: &Common,
-) -> Outcome {
-    let mut outcome = Outcome {
-        file: file.to_owned(),
-        result: Err(Failure::refused("", "")),
-        is_kept: false,
-        kept_as: None,
-    };
+    common: &CommonOptions,
+) -> FileOutcome {
+    let outcome =
+        |result, kept_as| FileOutcome { file: file.to_owned(), result, is_kept: false, kept_as };
+    let digest = |reply: Reply| (C::digest(reply.json), reply.trouble);
     let Some(store) = store else {
-        let reply = command.on(file).answer(common);
-        outcome.result = reply.map(|r| (C::digest(r.json), r.trouble));
-        return outcome;
+        return outcome(command.on(file).answer(common).map(digest), None);
     };
     let content = match std::fs::read(file) {
         Ok(content) => sha256_hex(&content),
         Err(e) => {
             let message = format!("{}: {e}", file.display());
-            outcome.result = Err(Failure::refused("io", message));
-            return outcome;
+            return outcome(Err(Failure::refused("io", message)), None);
         }
     };
     let name = Store::name(file, &content, settings);
     if let Some((answer, trouble)) = store.kept(&name)
         && command.is_complete(file)
     {
-        let result = Ok((C::digest(answer), trouble));
-        return Outcome { result, is_kept: true, kept_as: Some(name), ..outcome };
+        let kept = outcome(Ok((C::digest(answer), trouble)), Some(name));
+        return FileOutcome { is_kept: true, ..kept };
     }
-    outcome.result = command.on(file).answer(common).and_then(|reply| {
+    let result = command.on(file).answer(common).and_then(|reply| {
         store.keep(&name, &reply)?;
-        Ok((C::digest(reply.json), reply.trouble))
+        Ok(digest(reply))
     });
-    outcome.kept_as = Some(name);
-    outcome
+    outcome(result, Some(name))
 }
 
 /// The folder of a run: its results, and under `answers` what each file gave.
@@ -235,13 +229,7 @@ pub(crate) struct Store {
 }
 
 impl Store {
-    /// Prepares the folder, if one is asked for. Results that are there are replaced by a run that goes on
-    /// with them.
-    pub(crate) fn open(kept: &Kept, names: &[&str], force: bool) -> Result<Option<Self>, Failure> {
-        kept.out.as_ref().map(|out| Self::at(out, names, kept.resume, force)).transpose()
-    }
-
-    /// The same at a folder.
+    /// Prepares the folder. Results that are there are replaced by a run that goes on with them.
     pub(crate) fn at(
         out: &Path,
         names: &[&str],
@@ -255,11 +243,13 @@ impl Store {
     }
 
     /// The whole answer of a file, as it was kept.
-    pub(crate) fn whole(&self, outcome: &Outcome) -> std::io::Result<Value> {
-        let name = outcome.kept_as.as_deref().unwrap_or_default();
+    pub(crate) fn whole(&self, outcome: &FileOutcome) -> std::io::Result<Value> {
+        Ok(self.read(outcome.kept_as.as_deref().unwrap_or_default())?["answer"].take())
+    }
+
+    fn read(&self, name: &str) -> std::io::Result<Value> {
         let text = std::fs::read_to_string(self.answers.path().join(name))?;
-        let mut kept: Value = serde_json::from_str(&text).map_err(std::io::Error::other)?;
-        Ok(kept["answer"].take())
+        serde_json::from_str(&text).map_err(std::io::Error::other)
     }
 
     /// The name of an answer: of the file, and a hash of its content, of where it lies and of everything
@@ -278,8 +268,7 @@ impl Store {
         if !self.resume {
             return None;
         }
-        let text = std::fs::read_to_string(self.answers.path().join(name)).ok()?;
-        let mut kept: Value = serde_json::from_str(&text).ok()?;
+        let mut kept = self.read(name).ok()?;
         let trouble = kept.get("trouble").and_then(Failure::of_json);
         let answer = kept.get_mut("answer")?.take();
         answer.is_object().then_some((answer, trouble))
@@ -302,8 +291,7 @@ mod tests {
     use super::*;
 
     fn store(dir: &Path, resume: bool) -> Store {
-        let kept = Kept { out: Some(dir.join("out")), resume };
-        Store::open(&kept, &["table.csv"], false).expect("a folder").expect("asked for")
+        Store::at(&dir.join("out"), &["table.csv"], resume, false).expect("a folder")
     }
 
     #[test]

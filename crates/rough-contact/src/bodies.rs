@@ -1,23 +1,24 @@
 //! `--modulus`, `--young`, `--poisson`, `--material`: what the bodies are made of.
 
-use crate::args::{number, pressure};
+use crate::args;
 use crate::outcome::Failure;
+use crate::units::Dimension::{Number, Pressure};
 use clap::Args;
 use rough_contact::compare::STEEL;
-use rough_contact::front_end::bodies::{self, BothBodies};
+use rough_contact::front_end::bodies::{Bodies, BodyInput, BothBodies};
 
 /// The elastic constants, given or those of the table.
 #[derive(Args, Clone, Debug)]
-pub(crate) struct Bodies {
+pub(crate) struct BodyOptions {
     /// Contact modulus E*, 1/E* = sum of (1 - nu^2)/E over both bodies
-    #[arg(long, value_name = "E", value_parser = pressure, allow_hyphen_values = true)]
+    #[arg(long, value_name = "E", value_parser = args::one(Pressure), allow_hyphen_values = true)]
     #[arg(conflicts_with_all = ["young", "poisson"])]
     modulus: Option<f64>,
     /// Young's modulus, instead of --modulus; twice for two elastic bodies
-    #[arg(long, value_name = "E", value_parser = pressure, allow_hyphen_values = true)]
+    #[arg(long, value_name = "E", value_parser = args::one(Pressure), allow_hyphen_values = true)]
     young: Vec<f64>,
     /// Poisson's ratio to each --young
-    #[arg(long, value_name = "NU", value_parser = number, allow_hyphen_values = true)]
+    #[arg(long, value_name = "NU", value_parser = args::one(Number), allow_hyphen_values = true)]
     poisson: Vec<f64>,
     /// Material, as copper, in place of these, with its hardness; two for two bodies, as steel-304,copper. Own numbers override
     /// those of the table that `rough-contact materials` shows
@@ -25,7 +26,7 @@ pub(crate) struct Bodies {
     material: Vec<String>,
 }
 
-impl Bodies {
+impl BodyOptions {
     /// Steel on steel, with the same materials.
     pub(crate) fn steel(&self) -> Self {
         let [young, poisson] = [STEEL.young, STEEL.poisson].map(|number| vec![number; 2]);
@@ -33,14 +34,14 @@ impl Bodies {
     }
 
     /// In numbers, with this hardness of the softer body, infinite for `elastic`; `None` if nothing was given of them.
-    pub(crate) fn given(&self, hardness: Option<f64>) -> Result<Option<bodies::Bodies>, Failure> {
+    pub(crate) fn given(&self, hardness: Option<f64>) -> Result<Option<Bodies>, Failure> {
         let found = self.asked(hardness)?.resolve();
         let way_out = "`rough-contact materials` shows the table; --young, --poisson, --hardness take any number";
         found.map_err(|failure| failure.adding(if self.material.is_empty() { "" } else { way_out }))
     }
 
     /// The same; an error if they were not given.
-    pub(crate) fn required(&self, hardness: Option<f64>) -> Result<bodies::Bodies, Failure> {
+    pub(crate) fn required(&self, hardness: Option<f64>) -> Result<Bodies, Failure> {
         self.given(hardness)?.ok_or_else(|| {
             Failure::refused(
                 "usage",
@@ -72,7 +73,7 @@ impl Bodies {
                 ));
             }
         }
-        let body = |i: usize| bodies::BodyInput {
+        let body = |i: usize| BodyInput {
             material: self.material.get(i).cloned(),
             young: self.young.get(i).copied(),
             poisson: self.poisson.get(i).copied(),

@@ -2,6 +2,8 @@
 
 use crate::args;
 use crate::outcome::Failure;
+use crate::quantity;
+use crate::units::Dimension::{self, Length};
 use clap::Args;
 use rough_contact::compare::Cleaning;
 use rough_contact::surface_stats::clean::Form;
@@ -20,15 +22,15 @@ pub(crate) struct CleaningOptions {
     #[arg(long, value_name = "FORM", value_parser = str::parse::<Form>)]
     form: Option<Form>,
     /// Take waves shorter than this off (Gaussian, ISO 16610-61)
-    #[arg(long, value_name = "CUTOFF", value_parser = args::length, allow_hyphen_values = true)]
+    #[arg(long, value_name = "CUTOFF", value_parser = args::one(Length), allow_hyphen_values = true)]
     s_filter: Option<f64>,
     /// Take waves longer than this off (Gaussian, ISO 16610-61)
-    #[arg(long, value_name = "CUTOFF", value_parser = args::length, allow_hyphen_values = true)]
+    #[arg(long, value_name = "CUTOFF", value_parser = args::one(Length), allow_hyphen_values = true)]
     l_filter: Option<f64>,
 }
 
 fn threshold(text: &str) -> Result<f64, String> {
-    match args::number(text) {
+    match quantity::parse(text, Dimension::Number) {
         Ok(value) if value > 0.0 => Ok(value),
         Ok(value) => Err(format!("the threshold {value} must be greater than 0; 8 is usual")),
         Err(error) => Err(error.to_string()),

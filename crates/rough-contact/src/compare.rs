@@ -1,20 +1,22 @@
 //! `rough-contact compare`: the study and its report.
 
-use crate::adhesion::Adhesion;
+use crate::adhesion::AdhesionOptions;
 use crate::against::{self, Against};
-use crate::args::{self, Bodies, Common, List, SolverOptions};
+use crate::args::{self, CommonOptions, List, SolverOptions};
+use crate::bodies::BodyOptions;
 use crate::cleaning::CleaningOptions;
 use crate::compare_profiles;
-use crate::conduction::Conduction;
-use crate::input::Reading;
+use crate::conduction::ConductionOptions;
+use crate::input::ReadingOptions;
 use crate::leak::{self, LeakOptions};
 use crate::loads::Forces;
 use crate::outcome::{Failure, Reply};
 use crate::output::Folder;
-use crate::progress::Progress;
+use crate::progress::ProgressDisplay;
 use crate::shell::quoted;
-use crate::surfaces::{Given, One, from_file, from_recipe, repeat};
+use crate::surfaces::{Given, One, from_file, repeat};
 use crate::text::{self, Columns, plain};
+use crate::units::Dimension::{Number, Pressure};
 use clap::Args;
 use rough_contact::compare::{
     AccuracyRequest, Comparison, Level, Origin, Refused, Registry, RunFile, RunSurface, Settings,
@@ -25,7 +27,6 @@ use rough_contact::front_end::run_file_in;
 use rough_contact::report::Provenance;
 use rough_contact::{compare, front_end, report};
 use std::fmt::Write as _;
-use std::io::Write as _;
 use std::ops::ControlFlow;
 use std::path::{Path, PathBuf};
 
@@ -37,23 +38,23 @@ pub(crate) struct Compare {
     /// Surface files, and folders whose files are taken; without any, three built-in surfaces:
     /// polished, ground, blasted
     #[arg(value_name = "FILE")]
-    files: Vec<PathBuf>,
+    pub(crate) files: Vec<PathBuf>,
     #[command(flatten)]
-    bodies: Bodies,
+    bodies: BodyOptions,
     /// Nominal pressures [default: chosen so that about 0.1 % to half of the surface touches]
-    #[arg(long, value_name = "LIST", value_parser = args::pressures, allow_hyphen_values = true)]
+    #[arg(long, value_name = "LIST", value_parser = args::list(Pressure), allow_hyphen_values = true)]
     pressure: Option<List>,
     #[command(flatten)]
     forces: Forces,
     /// Pressure of headline and contact map, one of --pressure [default: at about 2 % contact]
-    #[arg(long, value_name = "P", value_parser = args::pressure, allow_hyphen_values = true)]
+    #[arg(long, value_name = "P", value_parser = args::one(Pressure), allow_hyphen_values = true)]
     headline: Option<f64>,
     /// Models to ask, such as gw,persson [default: every one that a surface gives all it needs]
     #[arg(long, value_name = "LIST", value_parser = args::study_models(), value_delimiter = ',')]
     #[arg(ignore_case = true)]
     models: Option<Vec<String>>,
     /// Form to remove by least squares first
-    #[arg(long, value_name = "FORM", value_parser = args::level(), default_value = args::LEVEL)]
+    #[arg(long, value_name = "FORM", value_parser = args::one_of::<Level>(), default_value = args::LEVEL)]
     level: Level,
     /// Shortest and longest wavelength of the fractal fit [default: cut-off to roll-off as found]
     #[arg(long, value_name = "L,L", value_parser = args::range, allow_hyphen_values = true)]
@@ -64,14 +65,14 @@ pub(crate) struct Compare {
     hardness: Option<f64>,
     /// Weight of partial contact in Persson's mean gap: 0.45 (Yang & Persson 2008) or 1 (Persson 2007); given, the
     /// gap is among the results [default: 0.45, where his stiffness is asked for]
-    #[arg(long, value_name = "G", value_parser = args::number, allow_hyphen_values = true)]
+    #[arg(long, value_name = "G", value_parser = args::one(Number), allow_hyphen_values = true)]
     gamma: Option<f64>,
     #[command(flatten)]
-    conduction: Conduction,
+    conduction: ConductionOptions,
     #[command(flatten)]
     leak: LeakOptions,
     #[command(flatten)]
-    adhesion: Adhesion,
+    adhesion: AdhesionOptions,
     #[command(flatten)]
     solver: SolverOptions,
     /// Repeat the run that wrote this run.toml
@@ -84,56 +85,58 @@ pub(crate) struct Compare {
     from: Option<PathBuf>,
     /// Folder for report.html, results.json, curves.csv, area.svg, pressure.svg and run.toml
     #[arg(long, value_name = "DIR")]
-    out: PathBuf,
+    pub(crate) out: PathBuf,
     /// Each file by itself, and a page of distributions in place of a section for each [default: for
     /// a folder, or more than 10 files]
     #[arg(long)]
     summary: bool,
     /// Go on with a summary in --out: answers to the same content and the same options are kept
     #[arg(long, conflicts_with = "from")]
-    resume: bool,
+    pub(crate) resume: bool,
     #[command(flatten)]
-    against: Against,
+    pub(crate) against: Against,
     #[command(flatten)]
-    reading: Reading,
+    reading: ReadingOptions,
     #[command(flatten)]
     cleaning: CleaningOptions,
 }
 
 impl Compare {
-    pub(crate) fn run(&self, common: &Common) -> Result<Reply, Failure> {
+    pub(crate) fn run(&self, common: &CommonOptions) -> Result<Reply, Failure> {
         let mut unread = Vec::new();
         let (mut settings, surfaces) = if let Some(path) = &self.from {
             repeat(path)?
         } else {
             let (settings, surfaces) = (self.settings()?, self.surfaces(&mut unread)?);
-            (self.loaded(settings, &surfaces)?, surfaces)
+            let maps = if let Given::Maps(maps) = &surfaces { &maps[..] } else { &[] };
+            (self.loaded(settings, maps)?, surfaces)
         };
         settings.threads = common.threads();
+        let named = |name: &String, origin: &Origin| RunSurface {
+            name: name.clone(),
+            origin: origin.clone(),
+        };
+        let run_file = RunFile {
+            program: env!("CARGO_PKG_VERSION").to_owned(),
+            settings: settings.clone(),
+            surfaces: match &surfaces {
+                Given::Maps(maps) => maps.iter().map(|s| named(&s.name, &s.origin)).collect(),
+                Given::Profiles(all) => all.iter().map(|s| named(&s.name, &s.origin)).collect(),
+            },
+        };
+        let (run_file, repeat) = (run_file_in(run_file, &self.out), repeat_command(&self.out));
         let surfaces = match surfaces {
             Given::Maps(surfaces) => surfaces,
             Given::Profiles(profiles) => {
-                let listed = profiles.iter().map(|p| (p.name.clone(), p.origin.clone()));
-                let run_file = run_file_in(run_file(&settings, listed), &self.out);
                 let out = &self.out;
-                return compare_profiles::run(
-                    profiles,
-                    &settings,
-                    &run_file,
-                    out,
-                    repeat_command,
-                    common,
-                );
+                return compare_profiles::run(profiles, &settings, &run_file, out, &repeat, common);
             }
         };
         let names = front_end::DOCUMENTS.map(str::to_owned);
         let folder = Folder::prepare(&self.out, &names, common.force)?;
-        let listed = surfaces.iter().map(|s| (s.name.clone(), s.origin.clone()));
-        let run_file = run_file_in(run_file(&settings, listed), &self.out);
         on_threads(settings.threads, || {
             let mut comparison = study(surfaces, settings, common)?;
             comparison.refused.extend(unread);
-            let repeat = repeat_command(folder.path());
             let provenance = Provenance::here(repeat);
             let mut reply = Reply::new(
                 describe(&comparison, folder.path()),
@@ -141,7 +144,8 @@ impl Compare {
             );
             reply.trouble = not_met(&comparison);
             // What was computed is printed even if it cannot be written.
-            if let Err(failure) = write(&folder, &comparison, &provenance, &run_file) {
+            let documents = front_end::documents(&comparison, &provenance, &run_file);
+            if let Err(failure) = documents.and_then(|files| folder.write_all(files)) {
                 reply.trouble = Some(failure);
             }
             Ok(reply)
@@ -191,12 +195,9 @@ impl Compare {
     }
 
     /// With --load, its pressures on the area that carries it.
-    pub(crate) fn loaded(&self, settings: Settings, surfaces: &Given) -> Result<Settings, Failure> {
-        let areas: Vec<f64> = match surfaces {
-            Given::Maps(maps) => maps.iter().map(|s| s.heights.grid().area()).collect(),
-            Given::Profiles(_) => Vec::new(),
-        };
-        Ok(match self.forces.spread(areas)? {
+    pub(crate) fn loaded(&self, settings: Settings, maps: &[Surface]) -> Result<Settings, Failure> {
+        let spread = self.forces.spread(maps.iter().map(|s| s.heights.grid().area()))?;
+        Ok(match spread {
             None => settings,
             Some(spread) => Settings {
                 pressures: Some(spread.pressures),
@@ -217,24 +218,10 @@ impl Compare {
         self.against.pressed_on(*map, how, self.level).map(|s| One::Map(Box::new(s)))
     }
 
-    /// Content of a second body, as a hash.
-    pub(crate) fn second_body(&self) -> String {
-        self.against.content()
-    }
-
     /// The same command with no file and no folder: what every answer depends on.
     pub(crate) fn on(&self, file: &Path) -> Self {
         let files = vec![file.to_owned()];
         Self { files, out: PathBuf::new(), summary: false, resume: false, ..self.clone() }
-    }
-
-    pub(crate) fn files(&self) -> &[PathBuf] {
-        &self.files
-    }
-
-    /// The folder, and whether to go on with what is there.
-    pub(crate) fn out(&self) -> (&Path, bool) {
-        (&self.out, self.resume)
     }
 
     /// What is in the files. One that cannot be read costs the others nothing: it goes to `unread`.
@@ -269,15 +256,8 @@ impl Compare {
             return Err(Failure::refused("usage", message));
         }
         let recipes = compare::built_in_recipes().map_err(|e| Failure::from_error(&e))?;
-        recipes.iter().map(from_recipe).collect::<Result<_, _>>().map(Given::Maps)
-    }
-}
-
-fn run_file(settings: &Settings, surfaces: impl Iterator<Item = (String, Origin)>) -> RunFile {
-    RunFile {
-        program: env!("CARGO_PKG_VERSION").to_owned(),
-        settings: settings.clone(),
-        surfaces: surfaces.map(|(name, origin)| RunSurface { name, origin }).collect(),
+        let made = recipes.iter().map(compare::Recipe::make).collect::<Result<_, _>>();
+        made.map(Given::Maps).map_err(|e| Failure::from_error(&e))
     }
 }
 
@@ -292,9 +272,9 @@ fn repeat_command(out: &Path) -> String {
 fn study(
     surfaces: Vec<Surface>,
     settings: Settings,
-    common: &Common,
+    common: &CommonOptions,
 ) -> Result<Comparison, Failure> {
-    let mut progress = Progress::new(common.quiet, 0);
+    let mut progress = ProgressDisplay::new(common.quiet, 0);
     let mut current = String::new();
     let comparison = Comparison::run(surfaces, settings, &Registry::built_in(), &mut |news| {
         match news {
@@ -328,18 +308,6 @@ fn study(
     front_end::look_around(&mut comparison, &mut watch)?;
     drop(progress);
     Ok(comparison)
-}
-
-fn write(
-    folder: &Folder,
-    comparison: &Comparison,
-    provenance: &Provenance,
-    run_file: &RunFile,
-) -> Result<(), Failure> {
-    for (name, bytes) in front_end::documents(comparison, provenance, run_file)? {
-        folder.write(name, |out| out.write_all(&bytes))?;
-    }
-    Ok(())
 }
 
 /// A short table per surface, and where the report is.
@@ -401,18 +369,18 @@ fn models(reference: &report::Reference<'_>) -> Columns {
     let mut columns = Columns::new(&heads);
     let dash = || "–".to_owned();
     for (_, model) in &reference.models {
-        let label = model.card.title.to_string();
-        let applies = model.verdict.answer.word().to_owned();
-        let Ok(curve) = &model.outcome else {
-            columns.row([label, dash(), dash(), dash(), applies]);
-            continue;
-        };
-        let mean = curve.worst_and_mean();
-        let mean = mean.map_or_else(dash, |(_, mean)| plain(&report::numbers::percent(mean)));
+        let curve = model.outcome.as_ref().ok();
+        let percent = |(_, mean)| plain(&report::numbers::percent(mean));
         let range = |(low, high)| plain(&report::numbers::signed_range(low, high));
-        let range = curve.range().map_or_else(dash, range);
-        let [once, each] = [curve.preparation, curve.seconds].map(text::seconds);
-        columns.row([label, mean, range, format!("{once} + {each}"), applies]);
+        columns.row([
+            model.card.title.to_string(),
+            text::or_dash(curve.and_then(|c| c.worst_and_mean()), percent),
+            text::or_dash(curve.and_then(|c| c.range()), range),
+            text::or_dash(curve, |c| {
+                format!("{} + {}", text::seconds(c.preparation), text::seconds(c.seconds))
+            }),
+            model.verdict.answer.word().to_owned(),
+        ]);
     }
     let solved: Vec<f64> =
         reference.points.iter().filter_map(|p| Some(p.answer.as_ref()?.seconds)).collect();

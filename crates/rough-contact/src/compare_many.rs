@@ -1,12 +1,12 @@
 //! `rough-contact compare` of many maps: each by itself, and a page of how they are spread.
 
-use crate::args::Common;
+use crate::args::CommonOptions;
 use crate::batch::{self, PerFile, Store};
 use crate::compare::Compare;
 use crate::outcome::{Failure, Reply};
-use crate::rows::{self, How, Outcome, Shown};
+use crate::rows::{self, FileOutcome, How, Shown};
 use crate::shell::quoted;
-use crate::surfaces::{Given, One};
+use crate::surfaces::One;
 use rough_contact::compare::{Comparison, Registry, Settings, Surface};
 use rough_contact::report::{Provenance, Summary};
 use rough_contact::{compare, report};
@@ -45,18 +45,17 @@ impl PerFile for Compare {
     }
 
     fn beside(&self) -> String {
-        self.second_body()
+        self.against.content()
     }
 
-    fn answer(&self, common: &Common) -> Result<Reply, Failure> {
-        let path = self.files().first().map_or(Path::new(""), PathBuf::as_path);
+    fn answer(&self, common: &CommonOptions) -> Result<Reply, Failure> {
+        let path = self.files.first().map_or(Path::new(""), PathBuf::as_path);
         let One::Map(map) = self.read(path)? else {
             return Err(Failure::refused("profile", format!("{}: {PROFILE}", path.display())));
         };
         let settings = Settings { threads: common.threads(), ..self.settings()? };
-        let given = Given::Maps(vec![Surface { name: path.display().to_string(), ..*map }]);
-        let settings = self.loaded(settings, &given)?;
-        let Given::Maps(surface) = given else { return Err(Failure::refused("profile", PROFILE)) };
+        let surface = vec![Surface { name: path.display().to_string(), ..*map }];
+        let settings = self.loaded(settings, &surface)?;
         let go_on = &mut |_: compare::Progress<'_>| ControlFlow::Continue(());
         let study = Comparison::run(surface, settings, &Registry::built_in(), go_on)
             .map_err(|e| Failure::in_file(path, &e))?;
@@ -72,15 +71,14 @@ impl PerFile for Compare {
 }
 
 /// Runs the studies and writes the page; the report with a section each where they are few.
-pub(crate) fn run(command: &Compare, common: &Common) -> Result<Reply, Failure> {
+pub(crate) fn run(command: &Compare, common: &CommonOptions) -> Result<Reply, Failure> {
     if !command.is_summary() {
         return command.run(common);
     }
-    let (out, resume) = command.out();
     let start = Instant::now();
     let settings = Settings { threads: common.threads(), ..command.settings()? };
-    let store = Store::at(out, &OUTPUTS, resume, common.force)?;
-    let outcomes = batch::outcomes(command, command.files(), Some(&store), common)?;
+    let store = Store::at(&command.out, &OUTPUTS, command.resume, common.force)?;
+    let outcomes = batch::outcomes(command, &command.files, Some(&store), common)?;
     let mut reply = Reply::new(
         rows::table(&outcomes, Compare::SHOWN),
         json!({ "files": batch::objects(&outcomes), "settings": settings }),
@@ -98,11 +96,13 @@ pub(crate) fn run(command: &Compare, common: &Common) -> Result<Reply, Failure> 
     Ok(reply)
 }
 
-fn summary<'a>(outcomes: &'a [Outcome], settings: &'a Settings, seconds: f64) -> Summary<'a> {
+fn summary<'a>(outcomes: &'a [FileOutcome], settings: &'a Settings, seconds: f64) -> Summary<'a> {
     let folder = rows::common_folder(outcomes);
-    let name = |o: &Outcome| o.file.strip_prefix(&folder).unwrap_or(&o.file).display().to_string();
-    let map = |o: &'a Outcome| Some((name(o), &o.result.as_ref().ok()?.0));
-    let failed = |o: &Outcome| o.result.is_err().then(|| (name(o), o.why().unwrap_or_default()));
+    let name =
+        |o: &FileOutcome| o.file.strip_prefix(&folder).unwrap_or(&o.file).display().to_string();
+    let map = |o: &'a FileOutcome| Some((name(o), &o.result.as_ref().ok()?.0));
+    let failed =
+        |o: &FileOutcome| o.result.is_err().then(|| (name(o), o.why().unwrap_or_default()));
     Summary {
         maps: outcomes.iter().filter_map(map).collect(),
         failed: outcomes.iter().filter_map(failed).collect(),
@@ -113,7 +113,7 @@ fn summary<'a>(outcomes: &'a [Outcome], settings: &'a Settings, seconds: f64) ->
 
 fn write(
     store: &Store,
-    outcomes: &[Outcome],
+    outcomes: &[FileOutcome],
     summary: &Summary<'_>,
     provenance: &Provenance,
 ) -> Result<(), Failure> {

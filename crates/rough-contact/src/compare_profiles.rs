@@ -1,7 +1,7 @@
 //! `rough-contact compare` of profiles.
 
 use crate::against;
-use crate::args::Common;
+use crate::args::CommonOptions;
 use crate::outcome::{Failure, Reply};
 use crate::output::Folder;
 use crate::profiles::uneven_line;
@@ -14,7 +14,6 @@ use rough_contact::contact_types::ContactState;
 use rough_contact::report::Provenance;
 use rough_contact::{front_end, report};
 use std::fmt::Write as _;
-use std::io::Write as _;
 use std::path::Path;
 
 /// Options that say how to solve for a map.
@@ -39,39 +38,25 @@ pub(crate) fn run(
     settings: &Settings,
     run_file: &RunFile,
     out: &Path,
-    repeat: impl Fn(&Path) -> String,
-    common: &Common,
+    repeat: &str,
+    common: &CommonOptions,
 ) -> Result<Reply, Failure> {
     refuse_solver(settings)?;
     let names = front_end::profile_documents_named(surfaces.len());
     let folder = Folder::prepare(out, &names, common.force)?;
     let registry = Registry::built_in();
-    let mut studies = Vec::with_capacity(surfaces.len());
-    for surface in surfaces {
-        let study = ProfileComparison::run(surface, settings.clone(), &registry);
-        studies.push(study.map_err(|e| Failure::from_error(&e))?);
-    }
-    let provenance = Provenance::here(repeat(folder.path()));
+    let study = |surface| ProfileComparison::run(surface, settings.clone(), &registry);
+    let studies = surfaces.into_iter().map(study).collect::<Result<Vec<_>, _>>();
+    let studies = studies.map_err(|e| Failure::from_error(&e))?;
+    let provenance = Provenance::here(repeat);
     let mut reply = Reply::new(
         describe(&studies, folder.path()),
         report::profile_comparison_json(&studies, &provenance),
     );
-    if let Err(failure) = write(&folder, &studies, &provenance, run_file) {
-        reply.trouble = Some(failure);
-    }
+    let documents = front_end::profile_documents(&studies, &provenance, run_file);
+    // What was computed is printed even if it cannot be written.
+    reply.trouble = documents.and_then(|files| folder.write_all(files)).err();
     Ok(reply)
-}
-
-fn write(
-    folder: &Folder,
-    studies: &[ProfileComparison],
-    provenance: &Provenance,
-    run_file: &RunFile,
-) -> Result<(), Failure> {
-    for (name, bytes) in front_end::profile_documents(studies, provenance, run_file)? {
-        folder.write(&name, |out| out.write_all(&bytes))?;
-    }
-    Ok(())
 }
 
 fn describe(studies: &[ProfileComparison], folder: &Path) -> String {
@@ -92,14 +77,13 @@ fn describe(studies: &[ProfileComparison], folder: &Path) -> String {
         for model in &study.models {
             let state =
                 model.outcome.as_ref().ok().and_then(|c| c.points[study.headline].as_ref().ok());
-            let dash = || "–".to_owned();
             columns.row([
                 model.card.title.to_string(),
-                state.map_or_else(dash, |s| text::percent(s.area_fraction)),
-                model.intervals[study.headline].map_or_else(dash, |[low, high]| {
+                text::or_dash(state, |s| text::percent(s.area_fraction)),
+                text::or_dash(model.intervals[study.headline], |[low, high]| {
                     format!("{} to {}", text::percent(low), text::percent(high))
                 }),
-                state.and_then(ContactState::real_pressure).map_or_else(dash, text::pressure),
+                text::or_dash(state.and_then(ContactState::real_pressure), text::pressure),
                 model.verdict.answer.word().to_owned(),
             ]);
         }

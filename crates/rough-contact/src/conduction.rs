@@ -4,7 +4,7 @@ use crate::args;
 use crate::outcome::Failure;
 use crate::quantity::{self, QuantityError};
 use crate::text;
-use crate::units::Dimension;
+use crate::units::Dimension::{self, Conductivity, Pressure, Resistivity};
 use clap::Args;
 use rough_contact::compare::{Conductance, Conducted, Estimate, GapGas, Gas, Joint, Property};
 use rough_contact::contact_types::Named;
@@ -27,20 +27,20 @@ enum Filling {
 }
 
 #[derive(Args, Clone, Copy, Debug, Default)]
-pub(crate) struct Conduction {
+pub(crate) struct ConductionOptions {
     /// Resistivity of both bodies, or of each, as 22nohm.m,70nohm.m; `table` for that of two materials: the
     /// resistance to current
-    #[arg(long, value_name = "RHO[,RHO]", value_parser = resistivities, allow_hyphen_values = true)]
+    #[arg(long, value_name = "RHO[,RHO]", value_parser = both(Resistivity), allow_hyphen_values = true)]
     resistivity: Option<Both>,
     /// Thermal conductivity of both bodies, or of each, as 400W/m/K,50W/m/K; `table` for that of two
     /// materials: the resistance to heat
-    #[arg(long, value_name = "K[,K]", value_parser = conductivities, allow_hyphen_values = true)]
+    #[arg(long, value_name = "K[,K]", value_parser = both(Conductivity), allow_hyphen_values = true)]
     conductivity: Option<Both>,
     /// Gas in the gap, which conducts heat beside the contact: vacuum, air, helium, argon or nitrogen [default: vacuum]
     #[arg(long, value_name = "GAS", value_parser = filling, ignore_case = true)]
     gas: Option<Filling>,
     /// Its pressure [default: 1 atm]
-    #[arg(long, value_name = "P", value_parser = args::pressure, allow_hyphen_values = true)]
+    #[arg(long, value_name = "P", value_parser = args::one(Pressure), allow_hyphen_values = true)]
     #[arg(requires = "gas")]
     gas_pressure: Option<f64>,
     /// Its temperature, as 350K or 80degC [default: 25degC]
@@ -53,7 +53,7 @@ pub(crate) struct Conduction {
     accommodation: Option<[f64; 2]>,
 }
 
-impl Conduction {
+impl ConductionOptions {
     /// What is asked of the joint, of a part of this area (m²) if that is given.
     pub(crate) fn asked(self, bodies: &mut Bodies, area: Option<f64>) -> Result<Joint, Failure> {
         let mut of = |both: Option<Both>, property, option: &str| match both {
@@ -145,15 +145,13 @@ fn pair(values: &[f64]) -> Option<[f64; 2]> {
     }
 }
 
-fn resistivities(text: &str) -> Result<Both, QuantityError> {
-    both(text, Dimension::Resistivity)
+fn both(
+    dimension: Dimension,
+) -> impl Fn(&str) -> Result<Both, QuantityError> + Clone + Send + Sync + 'static {
+    move |text| of_both(text, dimension)
 }
 
-fn conductivities(text: &str) -> Result<Both, QuantityError> {
-    both(text, Dimension::Conductivity)
-}
-
-fn both(text: &str, dimension: Dimension) -> Result<Both, QuantityError> {
+fn of_both(text: &str, dimension: Dimension) -> Result<Both, QuantityError> {
     if text.trim().eq_ignore_ascii_case("table") {
         return Ok(Both::Table);
     }
@@ -182,7 +180,7 @@ pub(crate) fn first_headings(asked: &Joint, has_area: bool) -> Vec<&'static str>
 /// What is said first of a load: the resistances of the part, and of one spot.
 pub(crate) fn first_cells(found: &Conducted, has_spot: bool) -> Vec<String> {
     let of = |r: report::ResistanceWords| {
-        let spot = has_spot.then(|| r.one_spot.unwrap_or_else(|| "–".to_owned()));
+        let spot = has_spot.then(|| text::or_dash(r.one_spot, |spot| spot));
         [Some(r.value), spot].into_iter().flatten().map(|t| text::plain(&t)).collect::<Vec<_>>()
     };
     report::resistances(found).into_iter().flat_map(of).collect()
@@ -212,24 +210,21 @@ pub(crate) fn line(asked: &Joint, gaps: &[f64]) -> String {
 
 /// Conductances per nominal area, with what is stated of them.
 pub(crate) fn cells(found: &Conducted) -> Vec<String> {
-    let per_area = |h: Option<Conductance>, unit: &str| {
+    let each = [
+        (found.electrical, "S/m²"),
+        (found.thermal, "W/m²/K"),
+        (found.gas, "W/m²/K"),
+        (found.joint, "W/m²/K"),
+    ];
+    let per_area = |(h, unit): (Option<Conductance>, &str)| {
         let h = h?;
         let stated = h.estimate.as_ref().and_then(Estimate::stated);
-        let value = shown(h.value, |value| format!("{value:.3e} {unit}"));
+        let is_finite = h.value.is_finite();
+        let value = if is_finite { format!("{:.3e} {unit}", h.value) } else { "∞".to_owned() };
         Some(match text::relative(h.value, stated, |v| format!("{v:.2e}")) {
             dash if dash == "–" => value,
             bar => format!("{value} {bar}"),
         })
     };
-    let each = [
-        per_area(found.electrical, "S/m²"),
-        per_area(found.thermal, "W/m²/K"),
-        per_area(found.gas, "W/m²/K"),
-        per_area(found.joint, "W/m²/K"),
-    ];
-    each.into_iter().flatten().collect()
-}
-
-fn shown(value: f64, text: impl Fn(f64) -> String) -> String {
-    if value.is_finite() { text(value) } else { "∞".to_owned() }
+    each.into_iter().filter_map(per_area).collect()
 }

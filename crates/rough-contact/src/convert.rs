@@ -1,12 +1,12 @@
 //! `rough-contact convert`: the heights of a file, cleaned and levelled as asked, in another format.
 
-use crate::args::{self, Common};
+use crate::args::{self, CommonOptions};
 use crate::cleaning::CleaningOptions;
-use crate::export::Format;
-use crate::input::{Complete, Measured, Reading};
+use crate::export::MapFormat;
+use crate::input::{Complete, MapOrTraces, ReadingOptions};
 use crate::outcome::{Failure, Reply};
 use crate::output;
-use crate::text::{self, Table};
+use crate::text::{self, TwoColumns};
 use clap::Args;
 use rough_contact::compare::Level;
 use rough_contact::contact_types::Named;
@@ -21,31 +21,29 @@ pub(crate) struct Convert {
     #[arg(value_name = "FILE")]
     file: PathBuf,
     /// Form to remove by least squares; without it the heights stay as they are
-    #[arg(long, value_name = "FORM", value_parser = args::level(), default_value = "none")]
+    #[arg(long, value_name = "FORM", value_parser = args::one_of::<Level>(), default_value = "none")]
     level: Level,
     /// File to write; its ending chooses the format: .x3p, .npy, .sdf, .txt, .vti or .h5
     #[arg(long, value_name = "FILE")]
     out: PathBuf,
     #[command(flatten)]
-    reading: Reading,
+    reading: ReadingOptions,
     #[command(flatten)]
     cleaning: CleaningOptions,
 }
 
 impl Convert {
-    pub(crate) fn run(&self, common: &Common) -> Result<Reply, Failure> {
-        let format = Format::of(&self.out)?;
+    pub(crate) fn run(&self, common: &CommonOptions) -> Result<Reply, Failure> {
+        let format = MapFormat::of(&self.out)?;
         output::check(&self.out, common.force)?;
         let shown = self.file.display().to_string();
-        let Complete { map, missing, cleaned, .. } =
-            match self.reading.measured(&self.file, self.cleaning.asked())? {
-                Measured::Surface(complete) => complete,
-                Measured::Profile(_) => {
-                    let message =
-                        format!("{shown}: a profile is no map, and maps are what is written");
-                    return Err(Failure::refused("profile", message));
-                }
-            };
+        let MapOrTraces::Map(complete) =
+            self.reading.measured(&self.file, self.cleaning.asked())?
+        else {
+            let message = format!("{shown}: a profile is no map, and maps are what is written");
+            return Err(Failure::refused("profile", message));
+        };
+        let Complete { map, missing, cleaned, .. } = complete;
         let refused = |e| Failure::in_file(&self.file, &e);
         let form = self.level.on(&map).map_err(refused)?;
         let map = level(&map, form).map_err(refused)?;
@@ -59,7 +57,7 @@ impl Convert {
         let [ny, nx] = map.grid().shape();
         let [dy, dx] = map.grid().pixel();
         let (low, high) = map.range();
-        let mut table = Table::default();
+        let mut table = TwoColumns::default();
         table.row("wrote", self.out.display().to_string());
         table.row("points", format!("{ny} rows × {nx} columns, {missing} filled in"));
         table.row("pixel", format!("{} × {} (dy × dx)", text::length(dy), text::length(dx)));

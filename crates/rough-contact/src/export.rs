@@ -8,7 +8,7 @@ use std::path::Path;
 
 /// What a file name asks for.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(crate) enum Format {
+pub(crate) enum MapFormat {
     Npy,
     X3p,
     Sdf,
@@ -18,27 +18,26 @@ pub(crate) enum Format {
 }
 
 /// Every format and its endings.
-const ENDINGS: [(Format, &[&str]); 6] = [
-    (Format::X3p, &["x3p"]),
-    (Format::Npy, &["npy"]),
-    (Format::Sdf, &["sdf"]),
-    (Format::Text, &["txt", "asc"]),
-    (Format::Vti, &["vti"]),
-    (Format::Hdf5, &["h5", "hdf5"]),
+const ENDINGS: [(MapFormat, &[&str]); 6] = [
+    (MapFormat::X3p, &["x3p"]),
+    (MapFormat::Npy, &["npy"]),
+    (MapFormat::Sdf, &["sdf"]),
+    (MapFormat::Text, &["txt", "asc"]),
+    (MapFormat::Vti, &["vti"]),
+    (MapFormat::Hdf5, &["h5", "hdf5"]),
 ];
 
-impl Format {
+impl MapFormat {
     /// By the ending.
     pub(crate) fn of(path: &Path) -> Result<Self, Failure> {
         let ending = path.extension().unwrap_or_default().to_string_lossy().to_lowercase();
         let found = ENDINGS.iter().find(|(_, endings)| endings.contains(&ending.as_str()));
         found.map(|(format, _)| *format).ok_or_else(|| {
-            let all: Vec<String> =
-                ENDINGS.iter().flat_map(|(_, e)| e.iter().map(|e| format!(".{e}"))).collect();
+            let all: Vec<&str> = ENDINGS.iter().flat_map(|(_, e)| *e).copied().collect();
             let message = format!(
-                "{}: the ending '{ending}' is no format this command writes; use {}",
+                "{}: the ending '{ending}' is no format this command writes; use .{}",
                 path.display(),
-                all.join(", ")
+                all.join(", .")
             );
             Failure::refused("unknown_format", message)
         })

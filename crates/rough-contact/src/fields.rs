@@ -28,7 +28,7 @@ pub(crate) enum Field {
 
 /// Of what kind the files of fields are.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
-pub(crate) enum Kind {
+pub(crate) enum FieldFormat {
     /// One file for each field, f64, [ny, nx]
     Npy,
     /// One file for all fields of a load: VTK image data, for `ParaView`
@@ -39,7 +39,7 @@ pub(crate) enum Kind {
 
 /// What to write, and where.
 #[derive(Args, Clone, Debug)]
-pub(crate) struct Fields {
+pub(crate) struct FieldOptions {
     /// Folder for what --fields names, of each load: pressure-000.npy, gap-000.npy, …
     #[arg(long, value_name = "DIR")]
     pub(crate) maps: Option<PathBuf>,
@@ -55,10 +55,10 @@ pub(crate) struct Fields {
     asked: Vec<Field>,
     /// How to write fields to --maps
     #[arg(long, value_name = "KIND", value_enum, default_value = "npy", requires = "maps")]
-    map_format: Kind,
+    map_format: FieldFormat,
 }
 
-impl Fields {
+impl FieldOptions {
     /// The same into another folder.
     pub(crate) fn to(&self, maps: Option<PathBuf>) -> Self {
         Self { maps, ..self.clone() }
@@ -66,20 +66,25 @@ impl Fields {
 
     /// The files for so many loads.
     pub(crate) fn names(&self, loads: usize) -> Vec<String> {
-        let mut all = Vec::new();
-        for load in 0..loads {
-            let drawn: Vec<_> = self.asked.iter().filter(|f| **f != Field::Spots).collect();
-            match self.map_format {
-                Kind::Npy => all.extend(drawn.iter().map(|f| file(f.name(), load, "npy"))),
-                _ if drawn.is_empty() => {}
-                Kind::Vti => all.push(file("contact", load, "vti")),
-                Kind::Hdf5 => all.push(file("contact", load, "h5")),
+        (0..loads).flat_map(|load| self.files(load)).map(|(name, _)| name).collect()
+    }
+
+    /// The files of a load, and which fields go into each.
+    fn files(&self, load: usize) -> Vec<(String, Vec<Field>)> {
+        let file = |name: &str, ending: &str| format!("{name}-{load:03}.{ending}");
+        let drawn: Vec<Field> = self.asked.iter().copied().filter(|f| *f != Field::Spots).collect();
+        let mut files = match self.map_format {
+            FieldFormat::Npy => {
+                drawn.into_iter().map(|f| (file(f.name(), "npy"), vec![f])).collect()
             }
-            if self.asked.contains(&Field::Spots) {
-                all.push(file("spots", load, "csv"));
-            }
+            _ if drawn.is_empty() => Vec::new(),
+            FieldFormat::Vti => vec![(file("contact", "vti"), drawn)],
+            FieldFormat::Hdf5 => vec![(file("contact", "h5"), drawn)],
+        };
+        if self.asked.contains(&Field::Spots) {
+            files.push((file("spots", "csv"), vec![Field::Spots]));
         }
-        all
+        files
     }
 
     /// True if the gap has to be kept.
@@ -93,10 +98,6 @@ impl Fields {
         let needs = |f: &Field| matches!(f, Field::Heights | Field::Displacement);
         self.maps.is_some() && self.asked.iter().any(needs)
     }
-}
-
-fn file(name: &str, load: usize, ending: &str) -> String {
-    format!("{name}-{load:03}.{ending}")
 }
 
 impl Field {
@@ -121,19 +122,19 @@ impl Field {
 }
 
 /// A folder, and what goes there.
-pub(crate) struct Sink {
+pub(crate) struct FieldFolder {
     folder: Folder,
-    fields: Fields,
+    fields: FieldOptions,
     /// The levelled heights, where they are needed.
     pub(crate) surface: Option<HeightMap>,
     /// True if a spot at one edge goes on at the other.
     repeats: bool,
 }
 
-impl Sink {
+impl FieldFolder {
     /// Nothing without `--maps`. Looks for what is in the way, before any work is done.
     pub(crate) fn prepare(
-        fields: &Fields,
+        fields: &FieldOptions,
         loads: usize,
         repeats: bool,
         force: bool,
@@ -150,35 +151,24 @@ impl Sink {
         grid: Grid,
         solution: &Solution,
     ) -> Result<(), Failure> {
-        let drawn: Vec<Field> =
-            self.fields.asked.iter().copied().filter(|f| *f != Field::Spots).collect();
-        let values = |field| self.values(field, solution);
-        match self.fields.map_format {
-            Kind::Npy => {
-                for field in drawn {
-                    let (name, values) = (file(field.name(), load, "npy"), values(field));
-                    self.folder.write(&name, |out| write::npy_array(out, grid.shape(), &values))?;
+        for (name, fields) in self.fields.files(load) {
+            if fields == [Field::Spots] {
+                let spots = spot_list(&solution.pressure, grid, self.repeats);
+                self.folder.write(&name, |out| report::write_spots_csv(&spots, out))?;
+                continue;
+            }
+            let values: Vec<_> = fields.iter().map(|&f| self.values(f, solution)).collect();
+            let all = || fields.iter().zip(&values).map(|(f, v)| (f, v.as_ref()));
+            self.folder.write(&name, |out| match self.fields.map_format {
+                FieldFormat::Npy => write::npy_array(out, grid.shape(), &values[0]),
+                FieldFormat::Vti => {
+                    write::vti(out, grid, &all().map(|(f, v)| (f.name(), v)).collect::<Vec<_>>())
                 }
-            }
-            _ if drawn.is_empty() => {}
-            Kind::Vti => {
-                let all: Vec<_> = drawn.iter().map(|&f| (f.name(), values(f))).collect();
-                let all: Vec<(&str, &[f64])> = all.iter().map(|(n, v)| (*n, v.as_ref())).collect();
-                self.folder
-                    .write(&file("contact", load, "vti"), |out| write::vti(out, grid, &all))?;
-            }
-            Kind::Hdf5 => {
-                let all: Vec<_> = drawn.iter().map(|&f| (f.name(), f.unit(), values(f))).collect();
-                let all: Vec<(&str, &str, &[f64])> =
-                    all.iter().map(|(n, u, v)| (*n, *u, v.as_ref())).collect();
-                self.folder
-                    .write(&file("contact", load, "h5"), |out| write::hdf5(out, grid, &all, ""))?;
-            }
-        }
-        if self.fields.asked.contains(&Field::Spots) {
-            let spots = spot_list(&solution.pressure, grid, self.repeats);
-            let name = file("spots", load, "csv");
-            self.folder.write(&name, |out| report::write_spots_csv(&spots, out))?;
+                FieldFormat::Hdf5 => {
+                    let all: Vec<_> = all().map(|(f, v)| (f.name(), f.unit(), v)).collect();
+                    write::hdf5(out, grid, &all, "")
+                }
+            })?;
         }
         Ok(())
     }

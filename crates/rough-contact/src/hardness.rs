@@ -65,7 +65,7 @@ pub(crate) fn forecast(
     object["greenwood_williamson"] = json!(found.greenwood_williamson);
     object["mikic"] = json!(found.mikic);
     object["warning"] = json!(unusual_hardness(given));
-    let number = |value: Option<f64>| value.map_or_else(|| "–".to_owned(), text::number);
+    let number = |value: Option<f64>| text::or_dash(value, text::number);
     let verdict = if found.modulus_gradient_over_hardness.is_some_and(|r| r <= 1.0) {
         "the area of elastic contact is right to 2 % at any load"
     } else {

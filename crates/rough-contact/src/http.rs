@@ -36,14 +36,14 @@ pub(crate) struct Head {
 
 /// A status, and why.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub(crate) struct Refused(pub(crate) u16, pub(crate) &'static str);
+pub(crate) struct HttpRefusal(pub(crate) u16, pub(crate) &'static str);
 
-const MALFORMED: Refused = Refused(400, "This is not a question in HTTP/1.1.");
+const MALFORMED: HttpRefusal = HttpRefusal(400, "This is not a question in HTTP/1.1.");
 
 /// What comes before the body; nothing if nothing came. Browsers open connections that they may need, and would take a
 /// refusal for the answer to what they ask next.
-pub(crate) fn head(stream: &mut TcpStream) -> Result<Option<Head>, Refused> {
-    let late = Refused(408, "The question took too long to come.");
+pub(crate) fn head(stream: &mut TcpStream) -> Result<Option<Head>, HttpRefusal> {
+    let late = HttpRefusal(408, "The question took too long to come.");
     let end = Instant::now() + HEAD_WITHIN;
     let mut bytes = Vec::new();
     loop {
@@ -51,7 +51,7 @@ pub(crate) fn head(stream: &mut TcpStream) -> Result<Option<Head>, Refused> {
             return Ok(Some(head));
         }
         if bytes.len() >= MOST_HEAD {
-            return Err(Refused(431, "The question has too long a head."));
+            return Err(HttpRefusal(431, "The question has too long a head."));
         }
         let left = end.saturating_duration_since(Instant::now());
         if left.is_zero() || stream.set_read_timeout(Some(left)).is_err() {
@@ -69,14 +69,14 @@ pub(crate) fn head(stream: &mut TcpStream) -> Result<Option<Head>, Refused> {
 }
 
 /// The head, if it is complete.
-fn parse(bytes: &[u8]) -> Result<Option<Head>, Refused> {
+fn parse(bytes: &[u8]) -> Result<Option<Head>, HttpRefusal> {
     let mut headers = [httparse::EMPTY_HEADER; MOST_HEADERS];
     let mut request = httparse::Request::new(&mut headers);
     let end = match request.parse(bytes) {
         Ok(httparse::Status::Complete(end)) => end,
         Ok(httparse::Status::Partial) => return Ok(None),
         Err(httparse::Error::TooManyHeaders) => {
-            return Err(Refused(431, "The question has too many headers."));
+            return Err(HttpRefusal(431, "The question has too many headers."));
         }
         Err(_) => return Err(MALFORMED),
     };
@@ -89,11 +89,11 @@ fn parse(bytes: &[u8]) -> Result<Option<Head>, Refused> {
                 let text = std::str::from_utf8(header.value).map_err(|_| MALFORMED)?;
                 Ok(Some(text.trim().to_owned()))
             }
-            (Some(_), Some(_)) => Err(Refused(400, "The question says a header twice.")),
+            (Some(_), Some(_)) => Err(HttpRefusal(400, "The question says a header twice.")),
         }
     };
     if once("transfer-encoding")?.is_some() {
-        return Err(Refused(501, "A body has to say its length."));
+        return Err(HttpRefusal(501, "A body has to say its length."));
     }
     let length = match once("content-length")? {
         None => None,
@@ -115,13 +115,13 @@ fn parse(bytes: &[u8]) -> Result<Option<Head>, Refused> {
 
 /// The body, which has to have its announced length and at most `most` bytes. No memory is taken for what is only
 /// announced.
-pub(crate) fn body(stream: &mut TcpStream, head: Head, most: u64) -> Result<Vec<u8>, Refused> {
-    let length = head.length.ok_or(Refused(411, "A body has to say its length."))?;
+pub(crate) fn body(stream: &mut TcpStream, head: Head, most: u64) -> Result<Vec<u8>, HttpRefusal> {
+    let length = head.length.ok_or(HttpRefusal(411, "A body has to say its length."))?;
     if length > most {
-        return Err(Refused(413, "The file is larger than the program takes."));
+        return Err(HttpRefusal(413, "The file is larger than the program takes."));
     }
     let mut body = head.rest;
-    let cut = Refused(400, "The body does not have the length that was announced.");
+    let cut = HttpRefusal(400, "The body does not have the length that was announced.");
     let missing = length.checked_sub(body.len() as u64).ok_or(cut)?;
     stream.set_read_timeout(Some(PAUSE)).map_err(|_| cut)?;
     stream.take(missing).read_to_end(&mut body).map_err(|_| cut)?;
@@ -150,7 +150,10 @@ pub(crate) fn answer(stream: &mut TcpStream, content: &str, text: &str) -> std::
 
 /// Says why there is none. Who still sends is heard for a moment: an unread rest would break the connection before the
 /// reason is read.
-pub(crate) fn refuse(stream: &mut TcpStream, Refused(status, why): Refused) -> std::io::Result<()> {
+pub(crate) fn refuse(
+    stream: &mut TcpStream,
+    HttpRefusal(status, why): HttpRefusal,
+) -> std::io::Result<()> {
     begin(stream, status, "text/plain")?;
     stream.write_all(why.as_bytes())?;
     stream.shutdown(Shutdown::Write)?;

@@ -1,13 +1,13 @@
 //! `rough-contact info`: what a surface file holds.
 
-use crate::args::Common;
+use crate::args::CommonOptions;
 use crate::batch::{self, PerFile};
 use crate::files::Files;
-use crate::input::Reading;
+use crate::input::ReadingOptions;
 use crate::needs;
 use crate::outcome::{Failure, Reply};
 use crate::rows::{How, Shown};
-use crate::text::{self, Table};
+use crate::text::{self, TwoColumns};
 use clap::Args;
 use rough_contact::front_end;
 use rough_contact::surface_io::{FORMATS, Measurement, Need};
@@ -25,11 +25,11 @@ pub(crate) struct Info {
     #[arg(long, conflicts_with_all = ["paths", "out", "resume"])]
     list: bool,
     #[command(flatten)]
-    reading: Reading,
+    reading: ReadingOptions,
 }
 
 impl Info {
-    pub(crate) fn run(&self, common: &Common) -> Result<Reply, Failure> {
+    pub(crate) fn run(&self, common: &CommonOptions) -> Result<Reply, Failure> {
         if self.list { Ok(formats()) } else { batch::run(self, &self.files, common) }
     }
 }
@@ -50,28 +50,24 @@ impl PerFile for Info {
         Self { file: file.to_owned(), ..self.clone() }
     }
 
-    fn answer(&self, _: &Common) -> Result<Reply, Failure> {
+    fn answer(&self, _: &CommonOptions) -> Result<Reply, Failure> {
         let file = &self.file;
         match self.reading.measurement(file) {
-            Ok(measurement) => Ok(Reply::new(describe(&measurement), object(&measurement))),
-            Err(failure) => match self.reading.raw(file) {
+            Ok(measurement) => {
+                let mut json = front_end::info(&measurement);
+                json["ambiguity"] = json!(measurement.ambiguity().map(needs::reading));
+                Ok(Reply::new(describe(&measurement), json))
+            }
+            Err(failure) => {
                 // The refusal says what to give; the numbers help to find it.
-                Some((measurement, missing)) => {
-                    let mut reply =
-                        Reply::new(raw_text(&measurement, &missing), raw(&measurement, &missing));
-                    reply.trouble = Some(failure);
-                    Ok(reply)
-                }
-                None => Err(failure),
-            },
+                let Some((measurement, missing)) = self.reading.raw(file) else {
+                    return Err(failure);
+                };
+                let (text, json) = (raw_text(&measurement, &missing), raw(&measurement, &missing));
+                Ok(Reply { text, json, trouble: Some(failure) })
+            }
         }
     }
-}
-
-fn object(m: &Measurement) -> Value {
-    let mut json = front_end::info(m);
-    json["ambiguity"] = json!(m.ambiguity().map(needs::reading));
-    json
 }
 
 /// A file without units: points, and its numbers as they stand there.
@@ -89,7 +85,7 @@ fn raw(m: &Measurement, missing: &[Need]) -> Value {
 
 fn raw_text(m: &Measurement, missing: &[Need]) -> String {
     let [ny, nx] = m.grid().shape();
-    let mut table = Table::default();
+    let mut table = TwoColumns::default();
     table.row("format", m.format().name());
     table.row("points", format!("{ny} rows × {nx} columns"));
     if m.missing() > 0 {
@@ -113,19 +109,16 @@ fn describe(m: &Measurement) -> String {
     let [dy, dx] = m.grid().pixel();
     let [ly, lx] = m.grid().size();
     let points = (ny * nx) as f64;
-    let mut table = Table::default();
+    let mut table = TwoColumns::default();
     table.row("format", m.format().name());
     table.row("points", format!("{ny} rows × {nx} columns"));
     table.row("pixel", format!("{} × {} (dy × dx)", text::length(dy), text::length(dx)));
     table.row("size", format!("{} × {}", text::length(ly), text::length(lx)));
-    let percent = 100.0 * m.missing() as f64 / points;
-    table.row(
-        "missing points",
-        match m.missing() {
-            0 => "none".to_owned(),
-            n => format!("{n} ({percent:.2} %)"),
-        },
-    );
+    let missing = match m.missing() {
+        0 => "none".to_owned(),
+        n => format!("{n} ({:.2} %)", 100.0 * n as f64 / points),
+    };
+    table.row("missing points", missing);
     if let Some((low, high, mean)) = m.height_summary() {
         table.row("heights", text::length_range(low, high));
         table.row("mean height", text::length(mean));
@@ -160,7 +153,7 @@ fn describe(m: &Measurement) -> String {
 }
 
 fn formats() -> Reply {
-    let mut table = Table::default();
+    let mut table = TwoColumns::default();
     let mut list = Vec::new();
     for spec in FORMATS {
         let name = spec.format.name();

@@ -7,53 +7,42 @@ use crate::needs;
 use crate::outcome::{self, Failure};
 use crate::profiles::{self, Traces};
 use crate::quantity;
-use clap::{Args, ValueEnum};
-use rough_contact::compare::{Cleaning, FileOrigin, Origin};
+use clap::Args;
+use clap::builder::{PossibleValue, PossibleValuesParser, TypedValueParser};
+use rough_contact::compare::{Cleaning, FileOrigin};
 use rough_contact::contact_types::Named;
 pub(crate) use rough_contact::front_end::Complete;
 use rough_contact::surface_io::{
-    Cut, DecimalMark, HeightUnit, Layout, Measurement, Need, ReadError, ReadOptions,
+    Cut, DecimalMark, Fill, HeightUnit, Layout, Measurement, Need, ReadError, ReadOptions,
 };
 use rough_contact::{front_end, surface_io};
 use std::path::{Path, PathBuf};
 
-/// How missing points are filled.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, ValueEnum)]
-pub(crate) enum Fill {
-    /// Missing points are an error
-    #[default]
-    Refuse,
-    /// A smooth surface through the neighbours: the solution of Laplace's equation
-    Harmonic,
-    /// The height of the nearest point
-    Nearest,
+/// How missing points can be filled: the rule, its name, what it does.
+const FILLS: [(Fill, &str, &str); 3] = [
+    (Fill::Refuse, "refuse", "Missing points are an error"),
+    (
+        Fill::Harmonic,
+        "harmonic",
+        "A smooth surface through the neighbours: the solution of Laplace's equation",
+    ),
+    (Fill::Nearest, "nearest", "The height of the nearest point"),
+];
+
+/// The rule of this name.
+pub(crate) fn fill_of(name: &str) -> Option<Fill> {
+    FILLS.iter().find(|(_, known, _)| *known == name).map(|(fill, ..)| *fill)
 }
 
-impl Fill {
-    pub(crate) fn name(self) -> &'static str {
-        match self {
-            Self::Refuse => "refuse",
-            Self::Harmonic => "harmonic",
-            Self::Nearest => "nearest",
-        }
-    }
-
-    pub(crate) fn of_name(name: &str) -> Option<Self> {
-        Self::value_variants().iter().copied().find(|fill| fill.name() == name)
-    }
-
-    pub(crate) fn rule(self) -> surface_io::Fill {
-        match self {
-            Self::Refuse => surface_io::Fill::Refuse,
-            Self::Harmonic => surface_io::Fill::Harmonic,
-            Self::Nearest => surface_io::Fill::Nearest,
-        }
-    }
+fn fills() -> impl TypedValueParser<Value = Fill> {
+    let shown = |(_, name, about)| PossibleValue::new(name).help(about);
+    PossibleValuesParser::new(FILLS.map(shown))
+        .map(|name| fill_of(&name).expect("clap accepts only these names"))
 }
 
 /// What the file does not say, and which part of it is wanted.
 #[derive(Args, Clone, Debug)]
-pub(crate) struct Reading {
+pub(crate) struct ReadingOptions {
     /// Channel to read: its name, a part of it, or #2 [default: the topography]
     #[arg(long, value_name = "NAME")]
     pub(crate) channel: Option<String>,
@@ -71,17 +60,17 @@ pub(crate) struct Reading {
     #[arg(conflicts_with = "height_unit")]
     pub(crate) override_height_unit: Option<f64>,
     /// What the columns of a text file are [default: what its header and numbers say]
-    #[arg(long, value_name = "WHAT", value_parser = args::layout())]
+    #[arg(long, value_name = "WHAT", value_parser = args::one_of::<Layout>())]
     pub(crate) layout: Option<Layout>,
     /// Decimal mark of a text file, where 1,855 can be below two or thousands
-    #[arg(long, value_name = "MARK", value_parser = args::decimal())]
+    #[arg(long, value_name = "MARK", value_parser = args::one_of::<DecimalMark>())]
     pub(crate) decimal: Option<DecimalMark>,
     /// What stands where a point is missing: a word of a text, or a number in the unit of the file; can be
     /// repeated [default: NaN, empty cells and the usual words]
     #[arg(long, value_name = "MARK", allow_hyphen_values = true)]
     pub(crate) missing: Vec<String>,
     /// What to do with missing points
-    #[arg(long, value_enum, default_value_t, value_name = "RULE")]
+    #[arg(long, value_parser = fills(), default_value = "refuse", value_name = "RULE")]
     pub(crate) fill: Fill,
     /// Cut out NY x NX points from row Y0, column X0; `complete`: the largest part without missing
     /// points; `middle`: the middle half of each side
@@ -89,7 +78,7 @@ pub(crate) struct Reading {
     pub(crate) crop: Option<Cut>,
 }
 
-impl Reading {
+impl ReadingOptions {
     /// What the options say of the file.
     fn options(&self) -> ReadOptions {
         let mut options = ReadOptions::default();
@@ -147,49 +136,41 @@ impl Reading {
             return Err(Failure::refused("empty", format!("{}: nothing is there", path.display())));
         };
         if let Some(unit) = measurement.kept_unit() {
-            outcome::tell(&format!(
-                "rough-contact: {}: the file gives its heights in {unit}, which is kept; \
-                 --override-height-unit U would overrule it",
-                path.display()
-            ));
+            let kept = "which is kept; --override-height-unit U would overrule it";
+            tell_of(path, &format!("the file gives its heights in {unit}, {kept}"));
         }
         if let Some(what) = measurement.metadata().get("left out") {
-            outcome::tell(&format!("rough-contact: {}: {what} are left out", path.display()));
+            tell_of(path, &format!("{what} are left out"));
         }
         let readable =
             |c: &&surface_io::ChannelInfo| c.is_height && c.fault.is_none() && !c.is_trace;
         let heights = measurement.channels().iter().filter(readable).count();
         if self.channel.is_none() && heights > 1 {
-            outcome::tell(&format!(
-                "rough-contact: {}: {:?} is read, one of {heights} channels in units of length; \
+            let what = format!(
+                "{:?} is read, one of {heights} channels in units of length; \
                  `info` lists them, --channel NAME reads another",
-                path.display(),
                 measurement.channel()
-            ));
+            );
+            tell_of(path, &what);
         }
-        match self.crop {
-            None => Ok(all),
-            Some(crop) => {
-                let cut = |m: Measurement| m.crop(crop).map_err(|e| needs::unread(path, &e));
-                let all: Vec<Measurement> = all.into_iter().map(cut).collect::<Result<_, _>>()?;
-                if let (Some(part), false) = (all[0].cropped(), matches!(crop, Cut::Rectangle(_))) {
-                    let said = Cut::Rectangle(part);
-                    let path = path.display();
-                    outcome::tell(&format!(
-                        "rough-contact: {path}: --crop {crop} is --crop {said}"
-                    ));
-                }
-                Ok(all)
-            }
+        let Some(crop) = self.crop else { return Ok(all) };
+        let cut = |m: Measurement| m.crop(crop).map_err(|e| needs::unread(path, &e));
+        let all: Vec<Measurement> = all.into_iter().map(cut).collect::<Result<_, _>>()?;
+        if let (Some(part), false) = (all[0].cropped(), matches!(crop, Cut::Rectangle(_))) {
+            tell_of(path, &format!("--crop {crop} is --crop {}", Cut::Rectangle(part)));
         }
+        Ok(all)
     }
 
-    /// Where traces come from, for findings and for a run that is to be repeated.
-    pub(crate) fn origin(&self, path: &Path, traces: &Traces, sha256: String) -> Origin {
-        Origin::File(FileOrigin {
+    /// The name of the rule for missing points.
+    pub(crate) fn fill_name(&self) -> &'static str {
+        FILLS.iter().find(|(fill, ..)| *fill == self.fill).map_or("", |(_, name, _)| name)
+    }
+
+    /// What the options say of a file, for findings and for a run that is to be repeated.
+    pub(crate) fn origin(&self, path: &Path, cleaning: Cleaning) -> FileOrigin {
+        FileOrigin {
             path: path.display().to_string(),
-            sha256,
-            format: traces.format.clone(),
             channel: self.channel.clone(),
             pixel: self.pixel,
             lateral_unit: self.lateral_unit,
@@ -198,79 +179,67 @@ impl Reading {
             layout: self.layout.map(|layout| layout.name().to_owned()),
             decimal: self.decimal.map(|mark| mark.name().to_owned()),
             missing_marks: self.missing.clone(),
-            crop: traces.crop,
-            fill: self.fill.name().to_owned(),
-            missing: traces.missing,
-            cleaning: traces.cleaning,
-            cleaned: traces.cleaned.clone(),
-            height_step: traces.height_step,
-        })
+            fill: self.fill_name().to_owned(),
+            cleaning,
+            ..FileOrigin::default()
+        }
     }
 
     /// A complete surface, or the traces of one: read, cropped, cleaned, filled.
-    pub(crate) fn measured(&self, path: &Path, cleaning: Cleaning) -> Result<Measured, Failure> {
+    pub(crate) fn measured(&self, path: &Path, cleaning: Cleaning) -> Result<MapOrTraces, Failure> {
         let mut all = self.measurements(path)?;
-        if !all[0].is_profile() {
-            return self.surface_of(path, all.swap_remove(0), cleaning).map(Measured::Surface);
-        }
         if let Some(reading) = all[0].ambiguity() {
-            let reading = needs::reading(reading);
-            outcome::tell(&format!("rough-contact: {}: {reading}", path.display()));
+            tell_of(path, &needs::reading(reading));
         }
-        profiles::traces(path, all, cleaning, self.fill.rule()).map(Measured::Profile)
-    }
-
-    /// The same from what was read.
-    fn surface_of(
-        &self,
-        path: &Path,
-        measurement: Measurement,
-        cleaning: Cleaning,
-    ) -> Result<Complete, Failure> {
-        if let Some(reading) = measurement.ambiguity() {
-            let reading = needs::reading(reading);
-            outcome::tell(&format!("rough-contact: {}: {reading}", path.display()));
+        if all[0].is_profile() {
+            return profiles::traces(path, all, cleaning, self.fill).map(MapOrTraces::Traces);
         }
-        front_end::complete(measurement, cleaning, self.fill.rule())
+        front_end::complete(all.swap_remove(0), cleaning, self.fill)
+            .map(MapOrTraces::Map)
             .map_err(|e| needs::unmade(path, &e))
     }
 }
 
+/// Tells something of a file on standard error.
+fn tell_of(path: &Path, what: &str) {
+    outcome::tell(&format!("rough-contact: {}: {what}", path.display()));
+}
+
 /// What a file gave.
-pub(crate) enum Measured {
+pub(crate) enum MapOrTraces {
     /// A map.
-    Surface(Complete),
+    Map(Complete),
     /// One trace or several of one surface.
-    Profile(Traces),
+    Traces(Traces),
 }
 
 /// Files and how to read them.
 #[derive(Args, Clone, Debug)]
-pub(crate) struct Input {
+pub(crate) struct InputFiles {
     #[command(flatten)]
     pub(crate) files: Files,
     /// The one that is answered for.
     #[arg(skip)]
     pub(crate) file: PathBuf,
     #[command(flatten)]
-    pub(crate) reading: Reading,
+    pub(crate) reading: ReadingOptions,
     #[command(flatten)]
     cleaning: CleaningOptions,
 }
 
-impl Input {
+impl InputFiles {
     /// The same with one file only.
     pub(crate) fn on(&self, file: &Path) -> Self {
         Self { file: file.to_owned(), ..self.clone() }
     }
 
     /// How the file is read and cleaned.
-    pub(crate) fn how(&self) -> (&Reading, Cleaning) {
+    pub(crate) fn how(&self) -> (&ReadingOptions, Cleaning) {
         (&self.reading, self.cleaning.asked())
     }
 
     /// The surface, complete, or the traces of one.
-    pub(crate) fn measured(&self) -> Result<Measured, Failure> {
+    pub(crate) fn measured(&self) -> Result<MapOrTraces, Failure> {
         self.reading.measured(&self.file, self.cleaning.asked())
     }
 }

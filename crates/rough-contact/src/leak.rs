@@ -2,9 +2,8 @@
 
 use crate::args;
 use crate::outcome::Failure;
-use crate::quantity::{self, QuantityError};
 use crate::text::{self, Columns};
-use crate::units::Dimension;
+use crate::units::Dimension::{Length, Pressure, Viscosity};
 use clap::Args;
 use rough_contact::compare::LeakRequest;
 use rough_contact::contact_accuracy::Leaks;
@@ -18,21 +17,17 @@ pub(crate) struct LeakOptions {
     #[arg(long, value_name = "AXIS", value_parser = ["x", "y", "both"])]
     leak: Option<String>,
     /// Viscosity of the fluid, as 1mPa.s; with the next three the leak rate
-    #[arg(long, value_name = "ETA", value_parser = viscosity, allow_hyphen_values = true)]
+    #[arg(long, value_name = "ETA", value_parser = args::one(Viscosity), allow_hyphen_values = true)]
     viscosity: Option<f64>,
     /// Pressure of the fluid on one side less that on the other
-    #[arg(long, value_name = "P", value_parser = args::pressure, allow_hyphen_values = true)]
+    #[arg(long, value_name = "P", value_parser = args::one(Pressure), allow_hyphen_values = true)]
     pressure_drop: Option<f64>,
     /// Length of the way through the seal
-    #[arg(long, value_name = "L", value_parser = args::length, allow_hyphen_values = true)]
+    #[arg(long, value_name = "L", value_parser = args::one(Length), allow_hyphen_values = true)]
     seal_length: Option<f64>,
     /// Width of the seal across the flow
-    #[arg(long, value_name = "L", value_parser = args::length, allow_hyphen_values = true)]
+    #[arg(long, value_name = "L", value_parser = args::one(Length), allow_hyphen_values = true)]
     seal_width: Option<f64>,
-}
-
-fn viscosity(text: &str) -> Result<f64, QuantityError> {
-    quantity::parse(text, Dimension::Viscosity)
 }
 
 impl LeakOptions {
@@ -94,17 +89,17 @@ pub(crate) fn lines<'a>(
                 load,
                 axis.name().to_owned(),
                 shown(&cubic),
-                k.map_or_else(|| "–".to_owned(), |k| text::relative(k, ends, cubic)),
-                factor.map_or_else(|| "–".to_owned(), text::number),
+                text::or_dash(k, |k| text::relative(k, ends, cubic)),
+                text::or_dash(factor, text::number),
             ];
             cells.extend(asked.seal.map(|seal| shown(&|k| format!("{:.3e} m³/s", seal.rate(k)))));
             cells.push(leak.channel().to_owned());
             let bottleneck = leak.flow.bottleneck;
-            cells.push(bottleneck.map_or_else(|| "–".to_owned(), |b| text::length(b.height)));
-            cells.push(bottleneck.map_or_else(|| "–".to_owned(), |b| b.width.to_string()));
+            cells.push(text::or_dash(bottleneck, |b| text::length(b.height)));
+            cells.push(text::or_dash(bottleneck, |b| b.width.to_string()));
             for (_, closed, _) in leaks.closed_forms() {
                 cells.push(cubic(closed));
-                cells.push(leak.error_of(closed).map_or_else(|| "–".to_owned(), text::percent));
+                cells.push(text::or_dash(leak.error_of(closed), text::percent));
             }
             columns.row(cells);
         }

@@ -4,6 +4,7 @@
 use crate::args::{self, List};
 use crate::outcome::Failure;
 use crate::text;
+use crate::units::Dimension::{Area, Force, Length, Pressure};
 use clap::Args;
 use rough_contact::fft_bem_solver::Load;
 pub(crate) use rough_contact::front_end::loads::{Spread, positive, rising, shown};
@@ -12,11 +13,11 @@ pub(crate) use rough_contact::front_end::loads::{Spread, positive, rising, shown
 #[derive(Args, Clone, Debug)]
 pub(crate) struct Forces {
     /// Loads as forces on the whole nominal area, such as 10N, instead of --pressure
-    #[arg(long, value_name = "LIST", value_parser = args::forces, allow_hyphen_values = true)]
+    #[arg(long, value_name = "LIST", value_parser = args::list(Force), allow_hyphen_values = true)]
     #[arg(conflicts_with = "pressure")]
     load: Option<List>,
     /// Nominal area that --load presses on and whose resistance is asked for, such as 2mm2 [default: that of the map]
-    #[arg(long, value_name = "A", value_parser = args::area, allow_hyphen_values = true)]
+    #[arg(long, value_name = "A", value_parser = args::one(Area), allow_hyphen_values = true)]
     area: Option<f64>,
 }
 
@@ -24,13 +25,13 @@ pub(crate) struct Forces {
 #[derive(Args, Clone, Debug)]
 pub(crate) struct Loads {
     /// Mean pressures to solve for
-    #[arg(long, value_name = "LIST", value_parser = args::pressures, allow_hyphen_values = true)]
+    #[arg(long, value_name = "LIST", value_parser = args::list(Pressure), allow_hyphen_values = true)]
     #[arg(required_unless_present_any = ["gap", "load"], conflicts_with = "gap")]
     pressure: Option<List>,
     #[command(flatten)]
     pub(crate) forces: Forces,
     /// Mean gaps to solve for, instead of --pressure
-    #[arg(long, value_name = "LIST", value_parser = args::lengths, allow_hyphen_values = true)]
+    #[arg(long, value_name = "LIST", value_parser = args::list(Length), allow_hyphen_values = true)]
     #[arg(conflicts_with = "load")]
     gap: Option<List>,
 }

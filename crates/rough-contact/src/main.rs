@@ -28,7 +28,6 @@ mod http;
 mod info;
 mod input;
 mod intervals;
-mod iso;
 mod leak;
 mod loads;
 #[cfg(feature = "shell")]
@@ -39,7 +38,6 @@ mod model_list;
 mod needs;
 mod outcome;
 mod output;
-mod planned;
 mod profile_stats;
 mod profiles;
 mod progress;
@@ -55,7 +53,7 @@ mod synth;
 mod text;
 mod validate;
 
-use args::Common;
+use args::CommonOptions;
 use clap::{CommandFactory, FromArgMatches, Parser, Subcommand};
 use outcome::{Failure, Reply};
 use rough_contact::front_end::{quantity, units};
@@ -79,7 +77,7 @@ struct Cli {
     #[command(subcommand)]
     command: Command,
     #[command(flatten)]
-    common: Common,
+    common: CommonOptions,
 }
 
 #[derive(Subcommand)]

@@ -1,6 +1,6 @@
 //! `rough-contact man`: manual pages, from the same table as `--help`.
 
-use crate::args::Common;
+use crate::args::CommonOptions;
 use crate::outcome::{Failure, Reply};
 use crate::output::Folder;
 use clap::{Args, Command};
@@ -18,21 +18,15 @@ pub(crate) struct Man {
     out: Option<PathBuf>,
 }
 
-/// A page: the name of its file and what is in it.
-struct Page {
-    name: String,
-    text: String,
-}
-
 impl Man {
     /// The pages of `command`.
-    pub(crate) fn run(&self, command: Command, common: &Common) -> Result<Reply, Failure> {
+    pub(crate) fn run(&self, command: Command, common: &CommonOptions) -> Result<Reply, Failure> {
         let pages = pages(command)?;
         if let Some(out) = &self.out {
-            let names: Vec<String> = pages.iter().map(|page| page.name.clone()).collect();
+            let names: Vec<String> = pages.iter().map(|(name, _)| name.clone()).collect();
             let folder = Folder::prepare(out, &names, common.force)?;
-            for page in &pages {
-                folder.write(&page.name, |file| file.write_all(page.text.as_bytes()))?;
+            for (name, text) in &pages {
+                folder.write(name, |file| file.write_all(text.as_bytes()))?;
             }
             let text = format!("{} pages: {}\n", names.len(), out.display());
             return Ok(Reply::new(text, json!({ "pages": names })));
@@ -41,26 +35,27 @@ impl Man {
             None => "rough-contact.1".to_owned(),
             Some(command) => format!("rough-contact-{command}.1"),
         };
-        let page = pages.into_iter().find(|page| page.name == wanted).ok_or_else(|| {
+        let page = pages.into_iter().find(|(name, _)| *name == wanted);
+        let (name, text) = page.ok_or_else(|| {
             let message = format!(
                 "there is no manual page {wanted}; `rough-contact --help` lists the commands"
             );
             Failure::refused("usage", message)
         })?;
-        let object = json!({ "page": page.name, "text": page.text });
-        Ok(Reply::new(page.text, object))
+        let object = json!({ "page": name, "text": text });
+        Ok(Reply::new(text, object))
     }
 }
 
-/// One page for the command and one for each below it.
-fn pages(command: Command) -> Result<Vec<Page>, Failure> {
+/// One page for the command and one for each below it: the name of its file and what is in it.
+fn pages(command: Command) -> Result<Vec<(String, String)>, Failure> {
     let mut command = command.disable_help_subcommand(true);
     command.build(); // gives the commands below their full names and the common options
     let below = command.get_subcommands().cloned().collect::<Vec<_>>();
     std::iter::once(command).chain(below).map(page).collect()
 }
 
-fn page(command: Command) -> Result<Page, Failure> {
+fn page(command: Command) -> Result<(String, String), Failure> {
     let internal = |e: String| Failure::refused("internal", e);
     // A page belongs to a version; where others have their date, it stands between the feet of the page.
     let version = concat!("rough-contact ", env!("CARGO_PKG_VERSION"));
@@ -68,5 +63,5 @@ fn page(command: Command) -> Result<Page, Failure> {
     let mut text = Vec::new();
     manual.render(&mut text).map_err(|e| internal(e.to_string()))?;
     let text = String::from_utf8(text).map_err(|e| internal(e.to_string()))?;
-    Ok(Page { name: manual.get_filename(), text })
+    Ok((manual.get_filename(), text))
 }

@@ -3,7 +3,7 @@
 use crate::outcome::{Failure, Reply};
 use crate::text::{self, Columns};
 use clap::Args;
-use rough_contact::compare::{Listed, Material, Property, material, materials};
+use rough_contact::compare::{Material, Property, material, materials};
 use rough_contact::contact_types::Named;
 use rough_contact::report;
 use serde_json::json;
@@ -46,8 +46,7 @@ fn table(chosen: &[&Material]) -> String {
         Columns::new(&["name", "E", "nu", "hardness", "resistivity", "conductivity", "condition"]);
     for m in chosen {
         let cell = |property, show: fn(f64) -> String| {
-            let listed: Option<&Listed> = m.get(property);
-            listed.map_or_else(|| "–".to_owned(), |listed| show(listed.value))
+            text::or_dash(m.get(property), |listed| show(listed.value))
         };
         columns.row([
             m.name.to_owned(),

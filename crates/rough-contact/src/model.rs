@@ -1,21 +1,24 @@
 //! `rough-contact model`: a closed-form model from a surface or from numbers.
 
 use crate::against::{self, Against};
-use crate::args::{self, Common, List};
+use crate::args::{self, CommonOptions, List};
+use crate::bodies::BodyOptions;
 use crate::cleaning::CleaningOptions;
-use crate::conduction::{self, Conduction};
-use crate::input::{Measured, Reading};
+use crate::conduction::{self, ConductionOptions};
+use crate::input::{MapOrTraces, ReadingOptions};
 use crate::loads::{self, Spread};
 use crate::model_list::{self, cited};
 use crate::outcome::{Failure, Reply};
 use crate::profiles::{self, Traces};
 use crate::roughness::{Source, ways};
+use crate::surfaces::of_traces;
 use crate::text::{self, Columns};
+use crate::units::Dimension::{Force, Length, Pressure};
 use clap::Args;
 use multiscale_models::Persson;
 use rough_contact::compare::survey::SIMILAR;
-use rough_contact::compare::{Card, Conducted, Input, Inputs, Joint, Spikes, Theory};
-use rough_contact::contact_types::Named;
+use rough_contact::compare::{Card, Conducted, Input, Inputs, Joint, PairOrigin, Spikes, Theory};
+use rough_contact::contact_types::{ContactState, Named};
 use rough_contact::front_end::bodies::Bodies;
 use rough_contact::front_end::model::{self, ModelLoad, ModelResult, Said, Unasked};
 use rough_contact::surface_stats::clean::row_offsets;
@@ -37,33 +40,33 @@ pub(crate) struct Model {
     #[arg(long, conflicts_with_all = ["name", "file", "pressure", "load", "separation"])]
     list: bool,
     #[command(flatten)]
-    bodies: args::Bodies,
+    bodies: BodyOptions,
     /// Nominal pressures to answer at
-    #[arg(long, value_name = "LIST", value_parser = args::pressures, allow_hyphen_values = true)]
+    #[arg(long, value_name = "LIST", value_parser = args::list(Pressure), allow_hyphen_values = true)]
     #[arg(conflicts_with_all = ["separation", "load"])]
     pressure: Option<List>,
     /// Loads to answer at, such as 10N, over the area of FILE or --area, instead of --pressure
-    #[arg(long, value_name = "LIST", value_parser = args::forces, allow_hyphen_values = true)]
+    #[arg(long, value_name = "LIST", value_parser = args::list(Force), allow_hyphen_values = true)]
     #[arg(conflicts_with = "separation")]
     load: Option<List>,
     /// Separations to answer at (flat to mean plane of the undeformed heights), instead of
     /// --pressure
-    #[arg(long, value_name = "LIST", value_parser = args::lengths, allow_hyphen_values = true)]
+    #[arg(long, value_name = "LIST", value_parser = args::list(Length), allow_hyphen_values = true)]
     separation: Option<List>,
     #[command(flatten)]
     source: Source,
     #[command(flatten)]
-    conduction: Conduction,
+    conduction: ConductionOptions,
     #[command(flatten)]
     against: Against,
     #[command(flatten)]
-    reading: Reading,
+    reading: ReadingOptions,
     #[command(flatten)]
     cleaning: CleaningOptions,
 }
 
 impl Model {
-    pub(crate) fn run(&self, _: &Common) -> Result<Reply, Failure> {
+    pub(crate) fn run(&self, _: &CommonOptions) -> Result<Reply, Failure> {
         let Some(name) = &self.name else { return Ok(model_list::list()) };
         let theory = compare::find(name).expect("clap accepts only these names");
         let card = theory.card();
@@ -89,9 +92,9 @@ impl Model {
                 complete
             } else {
                 match self.reading.measured(path, how.1)? {
-                    Measured::Surface(surface) => surface,
-                    Measured::Profile(traces) => {
-                        return self.of_profile((theory, joint), &made_of, path, &traces);
+                    MapOrTraces::Map(surface) => surface,
+                    MapOrTraces::Traces(traces) => {
+                        return self.of_profile((theory, joint), made_of, path, &traces);
                     }
                 }
             };
@@ -117,7 +120,8 @@ impl Model {
         // Of a load the area that carries it, which may be that of the map.
         let area = joint.area.or(spread.as_ref().map(|s| s.area)).or(inputs.nominal_area);
         let joint = Joint { area, hardness: inputs.hardness, ..joint };
-        let answers = answer(theory, &inputs, &questions, &joint)?;
+        let answers = model::answers(theory, &inputs, &questions, &joint)
+            .map_err(|unasked| no_answer(theory, &unasked))?;
         let mut reply = reply(card, (&inputs, &joint), &questions, &answers, spread.as_ref());
         let mut findings = model::scene(card, &inputs, &answers, rows).findings();
         findings.extend(compare::spiky(&spikes, None));
@@ -133,13 +137,7 @@ impl Model {
         }
         reply.json["cleaning"] = report::cleaning_json(&cleaned);
         reply.json["pair"] = against::json(pair.as_ref());
-        reply.json["bodies"] = report::bodies_json(pair.as_ref(), &made_of.bodies);
-        let known = (!card.is_rigid).then_some((modulus.pascals(), made_of.bodies));
-        reply.text += &against::lines(pair.as_ref(), known);
-        reply.text += &text::materials(&made_of.materials);
-        if !made_of.materials.is_empty() {
-            reply.json["materials"] = report::materials_json(&made_of.materials);
-        }
+        add_bodies(&mut reply, made_of, pair.as_ref(), card.is_rigid);
         Ok(reply)
     }
 
@@ -148,12 +146,12 @@ impl Model {
     fn of_profile(
         &self,
         (theory, joint): (&dyn Theory, Joint),
-        made_of: &Bodies,
+        made_of: Bodies,
         path: &Path,
         traces: &Traces,
     ) -> Result<Reply, Failure> {
         let level = self.source.level().of_profile();
-        let origin = self.reading.origin(path, traces, String::new());
+        let origin = of_traces(self.reading.origin(path, traces.cleaning), traces);
         let found = model::of_profile(
             theory,
             made_of.modulus,
@@ -192,13 +190,7 @@ impl Model {
         reply.text += &text::level(level, level);
         reply.text += text::MOMENTS;
         reply.json = found.json;
-        reply.json["bodies"] = report::bodies_json(None, &made_of.bodies);
-        let Bodies { modulus, bodies, materials, .. } = made_of;
-        reply.text += &against::lines(None, Some((modulus.pascals(), bodies.clone())));
-        reply.text += &text::materials(materials);
-        if !materials.is_empty() {
-            reply.json["materials"] = report::materials_json(materials);
-        }
+        add_bodies(&mut reply, made_of, None, false);
         Ok(reply)
     }
 
@@ -233,30 +225,29 @@ impl Model {
 
     /// What is asked, of a surface of this area if it is known.
     fn questions(&self, area: Option<f64>) -> Result<(Vec<ModelLoad>, Option<Spread>), Failure> {
+        let of = |list: Option<&List>, question: fn(f64) -> ModelLoad| -> Vec<ModelLoad> {
+            list.into_iter().flat_map(|List(all)| all.iter().copied().map(question)).collect()
+        };
         if let Some(List(forces)) = &self.load {
             let spread = loads::spread(forces, self.source.area(), area)?;
-            return Ok((
-                spread.pressures.iter().map(|&p| ModelLoad::Pressure(p)).collect(),
-                Some(spread),
-            ));
+            let pressures = spread.pressures.iter().map(|&p| ModelLoad::Pressure(p));
+            return Ok((pressures.collect(), Some(spread)));
         }
-        let of = |list: &Option<List>, question: fn(f64) -> ModelLoad| -> Vec<ModelLoad> {
-            list.iter().flat_map(|List(all)| all.iter().copied().map(question)).collect()
-        };
-        let mut all = of(&self.pressure, ModelLoad::Pressure);
-        all.extend(of(&self.separation, ModelLoad::Separation));
+        let mut all = of(self.pressure.as_ref(), ModelLoad::Pressure);
+        all.extend(of(self.separation.as_ref(), ModelLoad::Separation));
         Ok((all, None))
     }
 }
 
-/// One answer per question. A model that cannot be made refuses every question.
-fn answer(
-    theory: &dyn Theory,
-    inputs: &Inputs,
-    questions: &[ModelLoad],
-    joint: &Joint,
-) -> Result<Vec<ModelResult>, Failure> {
-    model::answers(theory, inputs, questions, joint).map_err(|unasked| no_answer(theory, &unasked))
+/// What the bodies are made of, in text and JSON.
+fn add_bodies(reply: &mut Reply, made_of: Bodies, pair: Option<&PairOrigin>, is_rigid: bool) {
+    let Bodies { modulus, bodies, materials, .. } = made_of;
+    reply.json["bodies"] = report::bodies_json(pair, &bodies);
+    reply.text += &against::lines(pair, (!is_rigid).then_some((modulus.pascals(), bodies)));
+    reply.text += &text::materials(&materials);
+    if !materials.is_empty() {
+        reply.json["materials"] = report::materials_json(&materials);
+    }
 }
 
 fn no_answer(theory: &dyn Theory, unasked: &Unasked) -> Failure {
@@ -355,32 +346,29 @@ fn reply(
 /// The range of errors of the theory where there is no map.
 fn survey(answer: &ModelResult) -> String {
     let range = answer.as_ref().ok().and_then(|said| said.survey);
-    range.map_or_else(|| "–".to_owned(), |e| report::numbers::signed_range(e.low, e.high))
+    text::or_dash(range, |e| report::numbers::signed_range(e.low, e.high))
 }
 
 fn cells(question: ModelLoad, answer: &ModelResult, has_bar: bool) -> Vec<String> {
-    let absent = || "–".to_owned();
-    let length = |x: Option<f64>| x.map_or_else(absent, text::length);
-    let (bar, mut cells) = match (answer, question) {
-        (Ok(Said { state, area_interval, .. }), _) => (
-            area_interval.map(|[a, b]| format!("{} to {}", text::percent(a), text::percent(b))),
-            vec![
-                text::pressure(state.mean_pressure),
-                text::percent(state.area_fraction),
-                state.real_pressure().map_or_else(absent, text::pressure),
-                length(state.separation),
-                length(state.mean_gap),
-            ],
-        ),
-        (Err(_), ModelLoad::Pressure(p)) => {
-            (None, vec![text::pressure(p), "refused".to_owned(), absent(), absent(), absent()])
-        }
-        (Err(_), ModelLoad::Separation(d)) => {
-            (None, vec![absent(), "refused".to_owned(), absent(), text::length(d), absent()])
-        }
+    let (pressure, length) =
+        (|x| text::or_dash(x, text::pressure), |x| text::or_dash(x, text::length));
+    let state = answer.as_ref().ok().map(|said| &said.state);
+    let (mean_pressure, separation) = match (state, question) {
+        (Some(state), _) => (Some(state.mean_pressure), state.separation),
+        (None, ModelLoad::Pressure(p)) => (Some(p), None),
+        (None, ModelLoad::Separation(d)) => (None, Some(d)),
     };
+    let mut cells = vec![
+        pressure(mean_pressure),
+        state.map_or_else(|| "refused".to_owned(), |s| text::percent(s.area_fraction)),
+        pressure(state.and_then(ContactState::real_pressure)),
+        length(separation),
+        length(state.and_then(|s| s.mean_gap)),
+    ];
     if has_bar {
-        cells.insert(2, bar.unwrap_or_else(absent));
+        let bar = answer.as_ref().ok().and_then(|said| said.area_interval);
+        let ends = |[a, b]: [f64; 2]| format!("{} to {}", text::percent(a), text::percent(b));
+        cells.insert(2, text::or_dash(bar, ends));
     }
     cells
 }

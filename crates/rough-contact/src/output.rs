@@ -34,6 +34,16 @@ impl Folder {
         &self.path
     }
 
+    /// Writes these files.
+    pub(crate) fn write_all(
+        &self,
+        files: impl IntoIterator<Item = (impl AsRef<str>, Vec<u8>)>,
+    ) -> Result<(), Failure> {
+        files
+            .into_iter()
+            .try_for_each(|(name, bytes)| self.write(name.as_ref(), |out| out.write_all(&bytes)))
+    }
+
     /// Writes one file.
     pub(crate) fn write(
         &self,

@@ -2,7 +2,7 @@
 
 use crate::outcome::{Failure, Reply};
 use crate::profiles::{Traces, uneven_line};
-use crate::text::{self, Columns, Table, plain};
+use crate::text::{self, Columns, TwoColumns, plain};
 use rough_contact::report;
 use rough_contact::surface_stats::profile::ProfileStatistics;
 use std::fmt::Write as _;
@@ -17,26 +17,22 @@ pub(crate) fn run(path: &Path, traces: &Traces, degree: usize) -> Result<Reply, 
 }
 
 fn describe(s: &ProfileStatistics, missing: usize) -> String {
-    let absent = || "–".to_owned();
-    let number = |x: Option<f64>| x.map_or_else(absent, text::number);
-    let length = |x: Option<f64>| x.map_or_else(absent, text::length);
-    let mut t = Table::default();
+    let length = |x: Option<f64>| text::or_dash(x, text::length);
+    let mut t = TwoColumns::default();
     let traces = if s.traces == 1 { "one trace".into() } else { format!("{} traces", s.traces) };
     t.row("profile", format!("{traces} of {} points, {missing} filled in", s.points));
     t.row("spacing, length", format!("{}, {}", text::length(s.spacing), text::length(s.length)));
-    t.row(
-        "form taken off",
-        match s.options.degree {
-            0 => "mean".to_owned(),
-            1 => "line".to_owned(),
-            n => format!("polynomial of degree {n}"),
-        },
-    );
+    let form = match s.options.degree {
+        0 => "mean".to_owned(),
+        1 => "line".to_owned(),
+        n => format!("polynomial of degree {n}"),
+    };
+    t.row("form taken off", form);
     let mut out = t.to_string();
     // A String takes everything.
     let _ = writeln!(out, "\nISO 21920-2. {}", plain(&report::setting_words(s)));
     out.push_str(&parameters(s));
-    let mut t = Table::default();
+    let mut t = TwoColumns::default();
     let between = |k: usize, value: String| match s.interval(k) {
         Some([low, high]) => format!("{value}, 95 % {low:.2e} to {high:.2e}"),
         None => format!("{value}, interval not known: too few waves"),
@@ -45,42 +41,25 @@ fn describe(s: &ProfileStatistics, missing: usize) -> String {
     t.row("m0", between(0, format!("{:.4e} m²", m.m0)));
     t.row("m2", between(1, format!("{:.4e}", m.m2)));
     t.row("m4", between(2, format!("{:.4e} m⁻²", m.m4)));
-    let spectral = s.spectral;
-    t.row(
-        "m0, m2, m4 spectral",
-        format!("{:.4e} m², {:.4e}, {:.4e} m⁻²", spectral.m0, spectral.m2, spectral.m4),
-    );
+    t.row("m0, m2, m4 spectral", text::moments(s.spectral.m0, s.spectral.m2, s.spectral.m4));
     if let Some([m2, m4]) = s.seen {
         let seen = format!("{} of m2, {} of m4", text::percent(m2), text::percent(m4));
         t.row("seen by differences", seen);
     }
     t.row("if isotropic: rms gradient", text::number(m.rms_gradient()));
-    t.row("bandwidth m0 m4/m2²", number(s.bandwidth));
-    if let Some(a) = s.asperities {
-        t.row("asperity density", format!("{:.4e} m⁻²", a.density));
-        t.row("asperity radius", text::length(a.radius));
-        t.row("asperity height std", text::length(a.height_std));
-    }
-    t.row(
-        "Hurst exponent H",
-        match (s.hurst, s.fractal_range) {
-            (Some(h), Some([short, long])) => {
-                format!("{}, {} to {}", text::number(h), text::length(long), text::length(short))
-            }
-            _ => absent(),
-        },
-    );
+    t.row("bandwidth m0 m4/m2²", text::or_dash(s.bandwidth, text::number));
+    t.asperities(s.asperities);
+    let hurst = text::or_dash(s.hurst.zip(s.fractal_range), |(h, [short, long])| {
+        format!("{}, {} to {}", text::number(h), text::length(long), text::length(short))
+    });
+    t.row("Hurst exponent H", hurst);
     t.row("roll-off, cut-off", format!("{}, {}", length(s.rolloff), length(s.cutoff)));
     let _ = write!(out, "\nMoments of {}, finite differences\n{t}", filtered(s));
     if s.by_spacing.len() > 1 {
         let mut columns = Columns::new(&["differences over", "m2", "m4"]);
         for p in s.by_spacing.iter().take(6) {
-            let cells = [
-                text::length(p.spacing),
-                format!("{:.3e}", p.moments.m2),
-                format!("{:.3e} m⁻²", p.moments.m4),
-            ];
-            columns.row(cells);
+            let [m2, m4] = [p.moments.m2, p.moments.m4].map(|m| format!("{m:.3e}"));
+            columns.row([text::length(p.spacing), m2, m4 + " m⁻²"]);
         }
         let _ = write!(out, "\n{columns}");
     }
@@ -111,22 +90,18 @@ fn parameters(s: &ProfileStatistics) -> String {
         (Some(value), _) => text::length(value),
     };
     let rough = s.roughness_mean();
-    let several = s.traces > 1;
-    let mut columns = if several {
-        Columns::new(&["", "roughness R", "s", "whole trace P", "s"])
-    } else {
-        Columns::new(&["", "roughness R", "whole trace P"])
-    };
+    // Of one trace there is no deviation.
+    let most = if s.traces > 1 { 2 } else { 1 };
+    let heads = [["roughness R", "s"], ["whole trace P", "s"]];
+    let heads = heads.iter().flat_map(|pair| &pair[..most]).copied();
+    let mut columns = Columns::new(&[""].into_iter().chain(heads).collect::<Vec<_>>());
     for (k, whole) in s.primary_mean().into_iter().enumerate() {
         let symbol = whole.symbol.as_str();
         let rough = rough.as_ref().map(|all| &all[k]);
-        let mut cells = vec![symbol[1..].to_owned(), shown(symbol, rough.and_then(|r| r.mean))];
-        if several {
-            cells.push(shown(symbol, rough.and_then(|r| r.deviation)));
-        }
-        cells.push(shown(symbol, whole.mean));
-        if several {
-            cells.push(shown(symbol, whole.deviation));
+        let mut cells = vec![symbol[1..].to_owned()];
+        let rough = [rough.and_then(|r| r.mean), rough.and_then(|r| r.deviation)];
+        for pair in [rough, [whole.mean, whole.deviation]] {
+            cells.extend(pair[..most].iter().map(|value| shown(symbol, *value)));
         }
         columns.row(cells);
     }

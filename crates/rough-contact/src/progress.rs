@@ -6,14 +6,14 @@ use indicatif::{ProgressBar, ProgressDrawTarget, ProgressStyle};
 use std::io::IsTerminal;
 
 /// Steps of a long run.
-pub(crate) struct Progress {
+pub(crate) struct ProgressDisplay {
     bar: Option<ProgressBar>,
     lines: bool,
     total: usize,
     done: usize,
 }
 
-impl Progress {
+impl ProgressDisplay {
     /// Expects `total` steps; 0 if their number is not known.
     pub(crate) fn new(quiet: bool, total: usize) -> Self {
         let terminal = std::io::stderr().is_terminal();
@@ -63,7 +63,7 @@ impl Progress {
     }
 }
 
-impl Drop for Progress {
+impl Drop for ProgressDisplay {
     fn drop(&mut self) {
         if let Some(bar) = &self.bar {
             bar.finish_and_clear();

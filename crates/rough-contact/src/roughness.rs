@@ -3,13 +3,15 @@
 use crate::args::{self, List};
 use crate::input::Complete;
 use crate::outcome::Failure;
+use crate::units::Dimension;
 use clap::builder::ValueParser;
 use clap::error::Error;
-use clap::{Arg, ArgMatches, Args, Command, FromArgMatches, ValueEnum};
+use clap::{Arg, ArgMatches, Args, Command, FromArgMatches};
 use rough_contact::compare::{Card, INPUTS, Input, InputFact, InputUnit, Inputs, Level};
 use rough_contact::contact_types::ContactModulus;
 use rough_contact::front_end::typed::{Typed, Untyped};
-use rough_contact::{compare, front_end, surface_stats};
+use rough_contact::surface_stats::Edges;
+use rough_contact::{compare, front_end};
 use std::path::Path;
 
 /// Roughness typed in, each number by an option of its name, and how a FILE is read instead.
@@ -21,27 +23,34 @@ pub(crate) struct Source {
 
 const HEADING: &str = "Roughness, typed in instead of FILE";
 
+/// What stands for the value of an option that takes several numbers.
+const LIST: &str = "LIST";
+
 #[derive(Args, Clone)]
 #[command(next_help_heading = HEADING)]
 struct OfFile {
     /// Form to remove from a FILE by least squares first [default: plane]
-    #[arg(long, value_name = "FORM", value_parser = args::level())]
+    #[arg(long, value_name = "FORM", value_parser = args::one_of::<Level>())]
     level: Option<Level>,
     /// What lies beyond the edges of a FILE [default: open]
-    #[arg(long, value_enum)]
+    #[arg(long, value_parser = args::one_of::<Edges>())]
     boundary: Option<Edges>,
 }
 
 fn option(fact: &InputFact) -> Arg {
-    let (parser, value) = match fact.unit {
-        InputUnit::Number => (ValueParser::new(args::number), "X"),
-        InputUnit::Length => (ValueParser::new(args::length), "L"),
-        InputUnit::Area => (ValueParser::new(args::area), "A"),
-        InputUnit::PerArea => (ValueParser::new(args::per_area), "N"),
-        InputUnit::Pressure => (ValueParser::new(args::pressure), "P"),
-        InputUnit::Lengths => (ValueParser::new(args::lengths), "LIST"),
-        InputUnit::PerAreas => (ValueParser::new(args::per_areas), "LIST"),
-        InputUnit::Numbers => (ValueParser::new(args::numbers), "LIST"),
+    let (dimension, value) = match fact.unit {
+        InputUnit::Number => (Dimension::Number, "X"),
+        InputUnit::Length => (Dimension::Length, "L"),
+        InputUnit::Area => (Dimension::Area, "A"),
+        InputUnit::PerArea => (Dimension::PerArea, "N"),
+        InputUnit::Pressure => (Dimension::Pressure, "P"),
+        InputUnit::Lengths => (Dimension::Length, LIST),
+        InputUnit::PerAreas => (Dimension::PerArea, LIST),
+        InputUnit::Numbers => (Dimension::Number, LIST),
+    };
+    let parser = match value {
+        LIST => ValueParser::new(args::list(dimension)),
+        _ => ValueParser::new(args::one(dimension)),
     };
     let arg = Arg::new(fact.name).long(fact.name).value_name(value).value_parser(parser);
     arg.allow_hyphen_values(true).help(fact.help).help_heading(HEADING)
@@ -72,29 +81,6 @@ impl FromArgMatches for Source {
     fn update_from_arg_matches(&mut self, matches: &ArgMatches) -> Result<(), Error> {
         *self = Self::from_arg_matches(matches)?;
         Ok(())
-    }
-}
-
-/// What lies beyond the edges when slopes and curvatures are taken.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
-pub(crate) enum Edges {
-    Open,
-    Periodic,
-}
-
-impl Edges {
-    pub(crate) fn name(self) -> &'static str {
-        match self {
-            Self::Open => "open",
-            Self::Periodic => "periodic",
-        }
-    }
-
-    pub(crate) fn rule(self) -> surface_stats::Edges {
-        match self {
-            Self::Open => surface_stats::Edges::Open,
-            Self::Periodic => surface_stats::Edges::Periodic,
-        }
     }
 }
 
@@ -188,7 +174,7 @@ impl Source {
         surface: Complete,
         form: Level,
     ) -> Result<Inputs, Failure> {
-        let edges = self.file.boundary.unwrap_or(Edges::Open).rule();
+        let edges = self.file.boundary.unwrap_or_default();
         let Complete { map, missing, .. } = surface;
         front_end::model::measured(card, given, path, map, missing, (form, edges))
     }

@@ -9,7 +9,7 @@ use std::io::{self, Write};
 use std::path::{Path, PathBuf};
 
 /// What became of one file.
-pub(crate) struct Outcome {
+pub(crate) struct FileOutcome {
     pub(crate) file: PathBuf,
     /// The digest of its answer, and what is incomplete in it.
     pub(crate) result: Result<(Value, Option<Failure>), Failure>,
@@ -19,7 +19,7 @@ pub(crate) struct Outcome {
     pub(crate) kept_as: Option<String>,
 }
 
-impl Outcome {
+impl FileOutcome {
     /// Why there is no answer, or no complete one, without the name of the file.
     pub(crate) fn why(&self) -> Option<String> {
         let failure = match &self.result {
@@ -90,9 +90,10 @@ fn cell(answer: &Value, shown: &Shown, load: usize) -> Option<String> {
 
 /// A row for every file with an answer, a line for every one without. A column that no file fills is
 /// left out.
-pub(crate) fn table(outcomes: &[Outcome], shown: &[Shown]) -> String {
+pub(crate) fn table(outcomes: &[FileOutcome], shown: &[Shown]) -> String {
     let folder = common_folder(outcomes);
-    let name = |o: &Outcome| o.file.strip_prefix(&folder).unwrap_or(&o.file).display().to_string();
+    let name =
+        |o: &FileOutcome| o.file.strip_prefix(&folder).unwrap_or(&o.file).display().to_string();
     let answers = || outcomes.iter().filter_map(|o| Some((o, &o.result.as_ref().ok()?.0)));
     let mut heads = vec!["file".to_owned()];
     let mut cells: Vec<Vec<String>> = answers().map(|(o, _)| vec![name(o)]).collect();
@@ -138,7 +139,7 @@ pub(crate) fn table(outcomes: &[Outcome], shown: &[Shown]) -> String {
 }
 
 /// The folder that all files are in.
-pub(crate) fn common_folder(outcomes: &[Outcome]) -> PathBuf {
+pub(crate) fn common_folder(outcomes: &[FileOutcome]) -> PathBuf {
     let folders = outcomes.iter().map(|o| o.file.parent().unwrap_or(Path::new("")).to_owned());
     let both = |a: PathBuf, b: PathBuf| {
         let shared = a.components().zip(b.components()).take_while(|(x, y)| x == y);
@@ -148,8 +149,8 @@ pub(crate) fn common_folder(outcomes: &[Outcome]) -> PathBuf {
 }
 
 /// The same with everything the digests hold.
-pub(crate) fn csv(outcomes: &[Outcome], out: &mut impl Write) -> io::Result<()> {
-    let row = |o: &'_ Outcome| o.file.display().to_string();
+pub(crate) fn csv(outcomes: &[FileOutcome], out: &mut impl Write) -> io::Result<()> {
+    let row = |o: &'_ FileOutcome| o.file.display().to_string();
     let rows = outcomes.iter().map(|o| (row(o), o.result.as_ref().ok().map(|r| &r.0), o.why()));
     report::write_table_csv(rows, out)
 }

@@ -1,6 +1,6 @@
 //! The page and its questions over the loopback address: who may ask, and what is answered.
 
-use crate::http::{self, Head, Refused};
+use crate::http::{self, Head, HttpRefusal};
 use crate::outcome::tell;
 use contact_web::{Host, Messages, answer, page_of_program};
 use std::net::{TcpListener, TcpStream};
@@ -57,7 +57,7 @@ impl Site {
             // A thread that cannot be started drops the connection; the browser says so.
             let _ = std::thread::Builder::new().spawn(move || {
                 let done = if taken.number > MOST_CONNECTIONS {
-                    http::refuse(&mut stream, Refused(503, "Too many questions at once."))
+                    http::refuse(&mut stream, HttpRefusal(503, "Too many questions at once."))
                 } else {
                     site.connection(&mut stream)
                 };
@@ -75,8 +75,8 @@ impl Site {
             Err(refused) => return http::refuse(stream, refused),
         };
         let question = match self.allowed(&head) {
-            Ok(Asked::Page) => return http::answer(stream, "text/html", &self.page),
-            Ok(Asked::Question(question)) => question,
+            Ok(PageRequest::Page) => return http::answer(stream, "text/html", &self.page),
+            Ok(PageRequest::Question(question)) => question,
             Err(refused) => return http::refuse(stream, refused),
         };
         let most = self.place.most_bytes().saturating_add(MOST_REQUEST as u64);
@@ -86,7 +86,7 @@ impl Site {
         };
         let Some((request, file)) = split(&body) else {
             let why = "The first line of a question is its request.";
-            return http::refuse(stream, Refused(400, why));
+            return http::refuse(stream, HttpRefusal(400, why));
         };
         http::begin(stream, 200, "application/x-ndjson")?;
         self.ask(&question, request, file, stream);
@@ -95,11 +95,11 @@ impl Site {
 
     /// Who asks for what. A page of another site can make a browser ask here, under our name or its own; it knows
     /// neither the secret, nor can it name our origin or send this type of content.
-    fn allowed(&self, head: &Head) -> Result<Asked, Refused> {
+    fn allowed(&self, head: &Head) -> Result<PageRequest, HttpRefusal> {
         if head.host.as_deref() != Some(&self.host) {
-            return Err(Refused(403, "This program answers to its own address only."));
+            return Err(HttpRefusal(403, "This program answers to its own address only."));
         }
-        let unknown = Refused(404, "There is nothing at this address.");
+        let unknown = HttpRefusal(404, "There is nothing at this address.");
         let rest = head.path.strip_prefix('/').and_then(|path| path.split_once('/'));
         let (token, name) = rest.ok_or(unknown)?;
         if !same(token, &self.token) {
@@ -107,20 +107,20 @@ impl Site {
         }
         let is = |method| head.method == method;
         match name {
-            "" if is("GET") => Ok(Asked::Page),
-            "" => Err(Refused(405, "The page can be read.")),
+            "" if is("GET") => Ok(PageRequest::Page),
+            "" => Err(HttpRefusal(405, "The page can be read.")),
             _ => {
                 let question = name.strip_prefix("ask/").ok_or(unknown)?;
                 if !is("POST") {
-                    return Err(Refused(405, "Questions are posted."));
+                    return Err(HttpRefusal(405, "Questions are posted."));
                 }
                 if head.origin.as_deref() != Some(&self.origin) {
-                    return Err(Refused(403, "Only the page of this program may ask."));
+                    return Err(HttpRefusal(403, "Only the page of this program may ask."));
                 }
                 if head.content_type.as_deref() != Some("application/octet-stream") {
-                    return Err(Refused(415, "A question is an octet-stream."));
+                    return Err(HttpRefusal(415, "A question is an octet-stream."));
                 }
-                Ok(Asked::Question(question.to_owned()))
+                Ok(PageRequest::Question(question.to_owned()))
             }
         }
     }
@@ -142,7 +142,7 @@ impl Site {
 }
 
 /// What may be asked.
-enum Asked {
+enum PageRequest {
     Page,
     Question(String),
 }

@@ -1,31 +1,31 @@
 //! `rough-contact solve`: the deterministic solution.
 
-use crate::adhesion::Adhesion;
+use crate::adhesion::AdhesionOptions;
 use crate::against::{self, Against};
-use crate::args::{self, Bodies, Common, SolverOptions};
+use crate::args::{self, CommonOptions, SolverOptions};
 use crate::batch::{self, PerFile};
+use crate::bodies::BodyOptions;
 use crate::cells::cells;
-use crate::conduction::{self, Conduction};
-use crate::fields::{Fields, Sink};
+use crate::conduction::{self, ConductionOptions};
+use crate::fields::{FieldFolder, FieldOptions};
 use crate::files::folder_name;
 use crate::hardness;
-use crate::input::{Complete, Input, Measured};
+use crate::input::{Complete, InputFiles, MapOrTraces};
 use crate::intervals;
 use crate::leak::{self, LeakOptions};
 use crate::loads::{Loads, carried, shown};
 use crate::outcome::{Failure, Reply};
-use crate::planned;
 use crate::profiles::{self, Traces};
-use crate::progress::Progress;
+use crate::progress::ProgressDisplay;
 use crate::rows::{How, Shown};
 use crate::text::{self, Columns};
 use clap::Args;
 use rough_contact::compare::{EdgesName, Joint, Level, PairOrigin, on_threads};
 use rough_contact::contact_types::{Grid, HeightMap};
 use rough_contact::fft_bem_solver::{Boundary, Iteration, Load, Solution};
-use rough_contact::front_end;
 use rough_contact::front_end::{Point, SolveInput, SolveRequest, SolveResult, Watch};
 use rough_contact::surface_stats::clean::Record;
+use rough_contact::{front_end, report};
 use std::ops::ControlFlow;
 use std::path::{Path, PathBuf};
 
@@ -33,11 +33,11 @@ use std::path::{Path, PathBuf};
 #[expect(clippy::struct_excessive_bools, reason = "one for each flag of the command")]
 pub(crate) struct Solve {
     #[command(flatten)]
-    bodies: Bodies,
+    bodies: BodyOptions,
     #[command(flatten)]
     loads: Loads,
     /// Form to remove by least squares first
-    #[arg(long, value_name = "FORM", value_parser = args::level(), default_value = args::LEVEL)]
+    #[arg(long, value_name = "FORM", value_parser = args::one_of::<Level>(), default_value = args::LEVEL)]
     level: Level,
     /// What lies beyond the edges: the same map again, or nothing
     #[arg(long, value_parser = ["periodic", "free"], default_value = "periodic")]
@@ -57,23 +57,23 @@ pub(crate) struct Solve {
     #[arg(long, value_name = "H", value_parser = args::hardness, allow_hyphen_values = true)]
     hardness: Option<f64>,
     #[command(flatten)]
-    conduction: Conduction,
+    conduction: ConductionOptions,
     #[command(flatten)]
     leak: LeakOptions,
     #[command(flatten)]
-    adhesion: Adhesion,
+    adhesion: AdhesionOptions,
     /// Take a profile for the cross-section of ridges that are infinitely long: plane strain
     #[arg(long)]
     plane_strain: bool,
     #[command(flatten)]
-    fields: Fields,
+    fields: FieldOptions,
     /// Distributions of pressure, gap and contact spots of each load: in the JSON
     #[arg(long)]
     distributions: bool,
     #[command(flatten)]
     against: Against,
     #[command(flatten)]
-    input: Input,
+    input: InputFiles,
 }
 
 /// What a profile is taken for.
@@ -92,7 +92,7 @@ const FREE_GAP: &str = "--gap cannot be prescribed with --boundary free: the mea
                         --boundary periodic";
 
 impl Solve {
-    pub(crate) fn run(&self, common: &Common) -> Result<Reply, Failure> {
+    pub(crate) fn run(&self, common: &CommonOptions) -> Result<Reply, Failure> {
         batch::run(self, &self.input.files, common)
     }
 }
@@ -138,7 +138,7 @@ impl PerFile for Solve {
         self.on(file).fields.maps.as_ref().is_none_or(all)
     }
 
-    fn answer(&self, common: &Common) -> Result<Reply, Failure> {
+    fn answer(&self, common: &CommonOptions) -> Result<Reply, Failure> {
         let mut made_of = self.bodies.required(self.hardness)?;
         self.loads.forces.refuse_idle_area(self.conduction.is_asked())?;
         let area = self.loads.forces.area().filter(|_| self.conduction.is_asked());
@@ -160,7 +160,7 @@ impl PerFile for Solve {
             return Err(Failure::refused("combination", CHOSEN_GRID));
         }
         let (complete, pair) = self.section()?;
-        let maps = Sink::prepare(&self.fields, count, repeats, common.force)?;
+        let maps = FieldFolder::prepare(&self.fields, count, repeats, common.force)?;
         let Complete { map, cleaned, missing, .. } = complete;
         let spread = self.loads.forces.spread([map.grid().area()])?;
         let question = SolveRequest {
@@ -191,11 +191,11 @@ impl PerFile for Solve {
             path: &self.input.file,
             map,
             missing,
-            fill: self.input.reading.fill.name(),
+            fill: self.input.reading.fill_name(),
             cleaned: &cleaned,
             pair: pair.as_ref(),
         };
-        let progress = Progress::new(common.quiet, question.loads.len());
+        let progress = ProgressDisplay::new(common.quiet, question.loads.len());
         let mut terminal = Terminal { progress, maps, needs_heights: self.fields.needs_heights() };
         let answer = on_threads(common.threads(), || question.solve(subject, &mut terminal))?;
         drop(terminal);
@@ -205,8 +205,10 @@ impl PerFile for Solve {
         };
         let plan = answer.plan.clone();
         let mut reply = self.reply(answer, &notes, &question, (&cleaned, pair.as_ref()));
-        if let Some(outcome) = plan {
-            planned::state(&outcome, &mut reply);
+        if let Some(reached) = plan {
+            reply.text += &(report::plan_explanation(&reached) + "\n");
+            let unmet = front_end::unmet("", &reached);
+            reply.trouble = reply.trouble.into_iter().chain(unmet).reduce(Failure::and);
         }
         Ok(reply)
     }
@@ -214,8 +216,8 @@ impl PerFile for Solve {
 
 /// Progress, and where the maps go.
 struct Terminal {
-    progress: Progress,
-    maps: Option<Sink>,
+    progress: ProgressDisplay,
+    maps: Option<FieldFolder>,
     needs_heights: bool,
 }
 
@@ -273,29 +275,29 @@ impl Solve {
             Err(Failure::refused("profile", format!("{}: {message}", path.display())))
         };
         match (self.input.measured()?, self.plane_strain) {
-            (Measured::Surface(complete), false) => Ok(complete),
-            (Measured::Surface(_), true) => refused(
+            (MapOrTraces::Map(complete), false) => Ok(complete),
+            (MapOrTraces::Map(_), true) => refused(
                 "this is a map, and --plane-strain is for a profile; leave it out, or cut out a row with \
                  --crop Y0,0,1,NX",
             ),
-            (Measured::Profile(_), false) => refused(
+            (MapOrTraces::Traces(_), false) => refused(
                 "this is a profile, and a surface has no deterministic answer from one line of it; give \
                  --plane-strain if it is the cross-section of long parallel ridges, or see `model` and \
                  `compare`, which take it for a line of an isotropic surface",
             ),
-            (Measured::Profile(_), true) if self.against.given()?.is_some() => refused(
+            (MapOrTraces::Traces(_), true) if self.against.given()?.is_some() => refused(
                 "--against presses two maps on each other, and --plane-strain is for one profile; leave \
                  one of them out",
             ),
-            (Measured::Profile(_), true) if self.loads.forces.given()?.is_some() => refused(
+            (MapOrTraces::Traces(_), true) if self.loads.forces.given()?.is_some() => refused(
                 "--load is a force on an area, and in plane strain a load is a force on a length of ridge; \
                  give --pressure",
             ),
-            (Measured::Profile(_), true) if self.boundary == "free" => refused(
+            (MapOrTraces::Traces(_), true) if self.boundary == "free" => refused(
                 "--boundary free is for a contact that ends in all directions; ridges in plane strain do \
                  not: leave it out",
             ),
-            (Measured::Profile(_), true)
+            (MapOrTraces::Traces(_), true)
                 if self.solver.accuracy.is_some() || self.solver.fast || self.asks_set()? =>
             {
                 refused(
@@ -303,7 +305,7 @@ impl Solve {
                      --work-of-adhesion are for maps; give --tolerance with --plane-strain",
                 )
             }
-            (Measured::Profile(traces), true) => {
+            (MapOrTraces::Traces(traces), true) => {
                 let (map, traces) = profiles::only(traces, path)?;
                 let Traces { missing, cleaned, height_step, format, crop, .. } = traces;
                 Ok(Complete { map, missing, cleaned, height_step, format, crop })
@@ -353,32 +355,32 @@ impl Solve {
             }
             columns.row(cells);
         }
-        let mut notes = notes.to_owned();
-        if let Some(given) = answer.hardness {
-            let solved = answer.json["points"].as_array().into_iter().flatten();
-            let solved = solved.filter(|p| !p["area_fraction"].is_null());
-            let highest = solved.filter_map(|p| p["mean_pressure"].as_f64()).fold(0.0, f64::max);
-            notes += &hardness::lines(given, highest);
-        }
         let gap = |p: &Point| p.solution.as_ref()?.state.mean_gap;
         let gaps: Vec<f64> = answer.points.iter().filter_map(gap).collect();
-        let text =
-            text::cleaning(cleaned) + &text::findings(&answer.findings) + &columns.to_string();
         let solved = |p: &'_ Point| Some(p.solution.as_ref()?.state.mean_pressure);
         let leaks = answer.points.iter().filter_map(|p| Some((solved(p)?, p.leak.as_ref()?)));
         let (modulus, yields) = (question.modulus.pascals(), answer.hardness.is_some());
-        let text = text + &leak::lines(question.leak.as_ref(), leaks, modulus, yields);
-        let text = text + &spread.map_or_else(String::new, carried);
-        let text = text
-            + &against::lines(pair, Some((question.modulus.pascals(), question.bodies.clone())));
-        let text = text
-            + &text::level(self.level, answer.level)
-            + &conduction::line(
-                &Joint { area: answer.json["nominal_area"].as_f64(), ..joint },
-                &gaps,
-            );
-        let text = text + &text::materials(&question.materials);
-        let text = if self.plane_strain { text + PLANE_STRAIN } else { text };
-        Reply { text: text + &notes, json: answer.json, trouble: answer.trouble }
+        let part = Joint { area: answer.json["nominal_area"].as_f64(), ..joint };
+        let mut text = [
+            text::cleaning(cleaned),
+            text::findings(&answer.findings),
+            columns.to_string(),
+            leak::lines(question.leak.as_ref(), leaks, modulus, yields),
+            spread.map_or_else(String::new, carried),
+            against::lines(pair, Some((modulus, question.bodies.clone()))),
+            text::level(self.level, answer.level),
+            conduction::line(&part, &gaps),
+            text::materials(&question.materials),
+        ]
+        .concat();
+        if self.plane_strain {
+            text += PLANE_STRAIN;
+        }
+        text += notes;
+        if let Some(given) = answer.hardness {
+            let highest = answer.points.iter().filter_map(solved).fold(0.0, f64::max);
+            text += &hardness::lines(given, highest);
+        }
+        Reply { text, json: answer.json, trouble: answer.trouble }
     }
 }

@@ -1,32 +1,34 @@
 //! `rough-contact stats`: roughness statistics, each with its unit.
 
-use crate::adhesion::Adhesion;
+use crate::adhesion::AdhesionOptions;
 use crate::against::{self, Against};
-use crate::args::{self, Bodies, Common};
+use crate::args::{self, CommonOptions};
 use crate::batch::{self, PerFile};
+use crate::bodies::BodyOptions;
 use crate::files::expand;
 use crate::hardness;
-use crate::input::{Complete, Input, Measured};
-use crate::iso;
+use crate::input::{Complete, InputFiles, MapOrTraces};
 use crate::outcome::{Failure, Reply};
-use crate::roughness::Edges;
 use crate::rows::{How, Shown};
-use crate::text::{self, Columns, Table};
+use crate::text::{self, Columns, TwoColumns};
 use crate::{profile_stats, profiles};
 use clap::Args;
 use rough_contact::compare::{Level, WorkOfAdhesion};
 use rough_contact::contact_types::Named;
-use rough_contact::surface_stats::{ByDistance, StatsOptions, SurfaceStatistics};
+use rough_contact::front_end::Iso;
+use rough_contact::front_end::bodies::Bodies;
+use rough_contact::surface_stats::iso25178::Volumes;
+use rough_contact::surface_stats::{ByDistance, Edges, StatsOptions, SurfaceStatistics};
 use rough_contact::{front_end, report};
 use std::path::Path;
 
 #[derive(Args, Clone, Debug)]
 pub(crate) struct Stats {
     /// Form to remove by least squares first
-    #[arg(long, value_name = "FORM", value_parser = args::level(), default_value = args::LEVEL)]
+    #[arg(long, value_name = "FORM", value_parser = args::one_of::<Level>(), default_value = args::LEVEL)]
     level: Level,
     /// What lies beyond the edges: nothing, or the same map again
-    #[arg(long, value_enum, default_value_t = Edges::Open)]
+    #[arg(long, value_parser = args::one_of::<Edges>(), default_value = "open")]
     boundary: Edges,
     /// The areal parameters of ISO 25178-2 too: Sdr, Sal, Str, Std, the Sk family, volumes
     #[arg(long)]
@@ -38,27 +40,21 @@ pub(crate) struct Stats {
     #[arg(long, conflicts_with_all = ["out", "resume", "against", "iso", "scales", "modulus", "young", "material", "work_of_adhesion"])]
     pool: bool,
     #[command(flatten)]
-    bodies: Bodies,
+    bodies: BodyOptions,
     /// Hardness of the softer body, as 2GPa, with a modulus: will the contact of these heights yield?
     #[arg(long, value_name = "H", value_parser = args::hardness, allow_hyphen_values = true)]
     #[arg(conflicts_with = "pool")]
     hardness: Option<f64>,
     #[command(flatten)]
-    adhesion: Adhesion,
+    adhesion: AdhesionOptions,
     #[command(flatten)]
     against: Against,
     #[command(flatten)]
-    input: Input,
-}
-
-/// What the heights are asked of the bodies.
-struct Asked {
-    made_of: front_end::bodies::Bodies,
-    adhesion: Option<WorkOfAdhesion>,
+    input: InputFiles,
 }
 
 impl Stats {
-    pub(crate) fn run(&self, common: &Common) -> Result<Reply, Failure> {
+    pub(crate) fn run(&self, common: &CommonOptions) -> Result<Reply, Failure> {
         if self.pool { self.pooled() } else { batch::run(self, &self.input.files, common) }
     }
 
@@ -66,8 +62,8 @@ impl Stats {
     fn pooled(&self) -> Result<Reply, Failure> {
         let mut files = expand(&self.input.files.paths)?.into_iter();
         let profile = |file: &Path| match self.input.on(file).measured()? {
-            Measured::Profile(traces) => Ok(traces),
-            Measured::Surface(_) => {
+            MapOrTraces::Traces(traces) => Ok(traces),
+            MapOrTraces::Map(_) => {
                 let message = format!(
                     "{}: this is a map, and --pool is for the traces of profiles; leave --pool out",
                     file.display()
@@ -108,19 +104,19 @@ impl PerFile for Stats {
         self.against.content()
     }
 
-    fn answer(&self, _: &Common) -> Result<Reply, Failure> {
+    fn answer(&self, _: &CommonOptions) -> Result<Reply, Failure> {
         let asked = self.asked()?; // refused before any work
         let (complete, pair) = if self.against.given()?.is_some() {
             let pair = self.against.complete(&self.input.file, self.input.how(), self.level)?;
             (pair.0, Some(pair.1))
         } else {
             match self.input.measured()? {
-                Measured::Surface(complete) => (complete, None),
-                Measured::Profile(_) if asked.is_some() => {
+                MapOrTraces::Map(complete) => (complete, None),
+                MapOrTraces::Traces(_) if asked.is_some() => {
                     let message = "modulus and hardness are for maps; of a profile leave them out";
                     return Err(Failure::refused("profile", message));
                 }
-                Measured::Profile(traces) => {
+                MapOrTraces::Traces(traces) => {
                     let degree = self.level.degree().unwrap_or(0);
                     return profile_stats::run(&self.input.file, &traces, degree);
                 }
@@ -129,13 +125,13 @@ impl PerFile for Stats {
         let Complete { map, missing, cleaned, height_step, .. } = complete;
         let options = StatsOptions::default()
             .with_level(self.level)
-            .with_edges(self.boundary.rule())
+            .with_edges(self.boundary)
             .with_missing(missing)
             .with_height_step(height_step);
         let subject =
             front_end::Measured { path: &self.input.file, cleaned: &cleaned, pair: pair.as_ref() };
         let mut found = front_end::statistics(&map, &options, subject, self.iso, self.scales)?;
-        if let Some(Asked { made_of, adhesion: Some(given) }) = &asked {
+        if let Some((made_of, Some(given))) = &asked {
             found.stick(*given, &map, self.level, made_of.modulus, &self.input.file)?;
         }
         let mut text = text::cleaning(&cleaned)
@@ -143,13 +139,13 @@ impl PerFile for Stats {
             + &self.describe(&found.statistics);
         text += &against::lines(pair.as_ref(), None);
         if let Some(iso) = &found.iso {
-            text = format!("{text}\nISO 25178-2\n{}", iso::describe(iso));
+            text = format!("{text}\nISO 25178-2\n{}", areal(iso));
         }
         if let Some([along_x, along_y]) = &found.scales {
             text = format!("{text}\nalong x\n{}\nalong y\n{}", scales(along_x), scales(along_y));
         }
         let mut json = found.json;
-        if let Some(Asked { made_of, .. }) = asked {
+        if let Some((made_of, _)) = asked {
             let modulus = made_of.modulus.pascals();
             let (said, object) = hardness::forecast(modulus, made_of.hardness, &found.statistics);
             text += &(said + &text::materials(&made_of.materials));
@@ -162,24 +158,48 @@ impl PerFile for Stats {
     }
 }
 
+/// Areal parameters of ISO 25178-2.
+fn areal(iso: &Iso) -> String {
+    let joined =
+        |lengths: &[f64]| lengths.iter().map(|&l| text::length(l)).collect::<Vec<_>>().join(", ");
+    let mut t = TwoColumns::default();
+    let Iso { heights, hybrid, spatial, direction, core, volumes, peak_extreme_height } = iso;
+    let (peak, pit) = (heights.peak_height, heights.pit_depth);
+    t.row("Sp, Sv, Sz", joined(&[peak, pit, peak + pit]));
+    let seven = text::or_dash(hybrid.rms_gradient_seven_point, text::number);
+    t.row("Sdq", format!("{}, seven-point {seven}", text::number(hybrid.rms_gradient)));
+    t.row("Sdr", text::percent(hybrid.developed_area_ratio));
+    t.row("Sal", text::or_dash(spatial.autocorrelation_length, text::length));
+    t.row("Str", text::or_dash(spatial.texture_aspect_ratio, text::number));
+    t.row("Std", text::or_dash(*direction, |d| format!("{}° from x", text::digits(d))));
+    let heights = [core.core_height, core.reduced_peak_height, core.reduced_valley_depth];
+    t.row("Sk, Spk, Svk", joined(&heights));
+    let ratios = [core.peak_ratio, core.valley_ratio].map(text::percent);
+    t.row("Smr1, Smr2", ratios.join(", "));
+    t.row("Sxp", text::length(*peak_extreme_height));
+    let Volumes { peak_material, core_material, core_void, valley_void } = *volumes;
+    let shown = joined(&[peak_material, core_material, core_void, valley_void]);
+    t.row("Vmp, Vmc, Vvc, Vvv", format!("{shown} (m³ per m²)"));
+    t.to_string()
+}
+
 /// A line for each distance.
 fn scales(list: &[ByDistance]) -> Columns {
     let mut columns = Columns::new(&["distance", "rms slope", "rms curvature", "autocorrelation"]);
-    let dash = || "–".to_owned();
     for d in list {
         columns.row([
             text::length(d.distance),
             text::number(d.slope),
-            d.curvature.map_or_else(dash, |c| format!("{c:.3e} 1/m")),
-            d.autocorrelation.map_or_else(dash, text::number),
+            text::or_dash(d.curvature, |c| format!("{c:.3e} 1/m")),
+            text::or_dash(d.autocorrelation, text::number),
         ]);
     }
     columns
 }
 
 impl Stats {
-    /// The bodies, if anything was given of them.
-    fn asked(&self) -> Result<Option<Asked>, Failure> {
+    /// The bodies and their work of adhesion, if anything was given of them.
+    fn asked(&self) -> Result<Option<(Bodies, Option<WorkOfAdhesion>)>, Failure> {
         let adhesion = self.adhesion.asked()?;
         let is_asked = self.hardness.is_some() || adhesion.is_some();
         let made_of = match self.bodies.given(self.hardness)? {
@@ -187,16 +207,15 @@ impl Stats {
             None => self.bodies.required(self.hardness)?,
             Some(made_of) => made_of,
         };
-        Ok(Some(Asked { made_of, adhesion }))
+        Ok(Some((made_of, adhesion)))
     }
 
     fn describe(&self, s: &SurfaceStatistics) -> String {
-        let absent = || "–".to_owned();
-        let length = |x: Option<f64>| x.map_or_else(absent, text::length);
-        let number = |x: Option<f64>| x.map_or_else(absent, text::number);
+        let length = |x: Option<f64>| text::or_dash(x, text::length);
+        let number = |x: Option<f64>| text::or_dash(x, text::number);
         let [ny, nx] = s.shape;
         let [dy, dx] = s.pixel;
-        let mut t = Table::default();
+        let mut t = TwoColumns::default();
         t.row("points", format!("{ny} rows × {nx} columns, {} filled in", s.missing));
         t.row("pixel", format!("{} × {} (dy × dx)", text::length(dy), text::length(dx)));
         t.row("level, edges", format!("{}, {}", s.level.name(), self.boundary.name()));
@@ -208,14 +227,11 @@ impl Stats {
         t.row("m0", format!("{:.4e} m²", s.m0));
         t.row("m2", format!("{:.4e} (x {:.4e}, y {:.4e})", s.m2, s.m2_x, s.m2_y));
         t.row("m4", format!("{:.4e} m⁻² (x {:.4e}, y {:.4e})", s.m4, s.m4_x, s.m4_y));
-        let spectral =
-            format!("{:.4e} m², {:.4e}, {:.4e} m⁻²", s.m0_spectral, s.m2_spectral, s.m4_spectral);
+        let spectral = text::moments(s.m0_spectral, s.m2_spectral, s.m4_spectral);
         t.row("m0, m2, m4 spectral", spectral);
         t.row("bandwidth m0 m4/m2²", number(s.bandwidth));
+        t.asperities(s.asperities);
         if let Some(a) = s.asperities {
-            t.row("asperity density", format!("{:.4e} m⁻²", a.density));
-            t.row("asperity radius", text::length(a.radius));
-            t.row("asperity height std", text::length(a.height_std));
             t.row("asperity mean offset", text::length(a.mean_offset));
         }
         let summits = format!("{}, {:.4e} m⁻²", s.summits.count, s.summits.density);

@@ -1,6 +1,6 @@
 //! What a study is given: files, read and named, or the surfaces of a run file.
 
-use crate::input::{Complete, Fill, Measured, Reading};
+use crate::input::{Complete, MapOrTraces, ReadingOptions, fill_of};
 use crate::outcome::Failure;
 use crate::profiles::Traces;
 use rough_contact::compare;
@@ -62,43 +62,32 @@ impl Given {
 
 pub(crate) fn from_file(
     path: &Path,
-    reading: &Reading,
+    reading: &ReadingOptions,
     cleaning: Cleaning,
 ) -> Result<One, Failure> {
-    let Complete { map, missing, cleaned, height_step, format, crop } =
-        match reading.measured(path, cleaning)? {
-            Measured::Surface(complete) => complete,
-            Measured::Profile(traces) => {
-                let profile = from_traces(reading, path, traces)?;
-                return Ok(One::Profile(Box::new(profile)));
-            }
-        };
+    let measured = reading.measured(path, cleaning)?;
     let bytes = std::fs::read(path).map_err(|e| Failure::refused("io", e.to_string()))?;
-    let origin = FileOrigin {
-        path: path.display().to_string(),
-        sha256: sha256_hex(&bytes),
-        format,
-        channel: reading.channel.clone(),
-        pixel: reading.pixel,
-        lateral_unit: reading.lateral_unit,
-        height_unit: reading.height_unit,
-        override_height_unit: reading.override_height_unit,
-        layout: reading.layout.map(|layout| layout.name().to_owned()),
-        decimal: reading.decimal.map(|mark| mark.name().to_owned()),
-        missing_marks: reading.missing.clone(),
-        crop,
-        fill: reading.fill.name().to_owned(),
-        missing,
-        cleaning,
-        cleaned,
-        height_step,
-    };
+    let file = FileOrigin { sha256: sha256_hex(&bytes), ..reading.origin(path, cleaning) };
     let name = path.file_name().unwrap_or(path.as_os_str()).to_string_lossy().into_owned();
-    Ok(One::Map(Box::new(Surface { name, origin: Origin::File(origin), heights: map })))
+    Ok(match measured {
+        MapOrTraces::Map(complete) => {
+            let Complete { map, missing, cleaned, height_step, format, crop } = complete;
+            let origin = FileOrigin { format, crop, missing, cleaned, height_step, ..file };
+            One::Map(Box::new(Surface { name, origin: Origin::File(origin), heights: map }))
+        }
+        MapOrTraces::Traces(traces) => {
+            let origin = of_traces(file, &traces);
+            let Traces { each, uneven, .. } = traces;
+            One::Profile(Box::new(ProfileSurface { name, origin, traces: each, uneven }))
+        }
+    })
 }
 
-pub(crate) fn from_recipe(recipe: &compare::Recipe) -> Result<Surface, Failure> {
-    recipe.make().map_err(|e| Failure::from_error(&e))
+/// Where traces come from: their file, and what was done with it.
+pub(crate) fn of_traces(file: FileOrigin, traces: &Traces) -> Origin {
+    let Traces { missing, height_step, crop, .. } = *traces;
+    let (cleaned, format) = (traces.cleaned.clone(), traces.format.clone());
+    Origin::File(FileOrigin { format, crop, missing, cleaned, height_step, ..file })
 }
 
 /// Settings and surfaces of a run file. A file whose content has changed is refused.
@@ -130,7 +119,9 @@ pub(crate) fn pressed(
 /// A surface from where it came.
 fn made_again(path: &Path, name: &str, origin: Origin, level: Level) -> Result<One, Failure> {
     Ok(match origin {
-        Origin::Recipe(recipe) => One::Map(Box::new(from_recipe(&recipe)?)),
+        Origin::Recipe(recipe) => {
+            One::Map(Box::new(recipe.make().map_err(|e| Failure::from_error(&e))?))
+        }
         Origin::Given(_) => {
             let error = compare::RunFileError::Given { name: name.to_owned() };
             return Err(Failure::from_error(&error));
@@ -153,40 +144,27 @@ fn made_again(path: &Path, name: &str, origin: Origin, level: Level) -> Result<O
 }
 
 fn again(run_file: &Path, file: &FileOrigin) -> Result<One, Failure> {
-    let fill = Fill::of_name(&file.fill).ok_or_else(|| {
-        let message = format!(
-            "{}: fill = \"{}\" is none of refuse, harmonic, nearest",
-            run_file.display(),
-            file.fill
-        );
+    let none_of = |key: &str, name: &str, choices: &str| {
+        let file = run_file.display();
+        let message = format!("{file}: {key} = \"{name}\" is none of {choices}");
         Failure::refused("syntax", message)
-    })?;
-    let layout = match &file.layout {
-        None => None,
-        Some(name) => Some(Layout::of_name(name).ok_or_else(|| {
-            let message = format!(
-                "{}: layout = \"{name}\" is none of matrix, list, traces",
-                run_file.display()
-            );
-            Failure::refused("syntax", message)
-        })?),
     };
-    let decimal = match &file.decimal {
-        None => None,
-        Some(name) => Some(DecimalMark::of_name(name).ok_or_else(|| {
-            let message =
-                format!("{}: decimal = \"{name}\" is none of point, comma", run_file.display());
-            Failure::refused("syntax", message)
-        })?),
-    };
-    let reading = Reading {
+    let fill = fill_of(&file.fill)
+        .ok_or_else(|| none_of("fill", &file.fill, "refuse, harmonic, nearest"))?;
+    let layout = file.layout.as_deref().map(|name| {
+        Layout::of_name(name).ok_or_else(|| none_of("layout", name, "matrix, list, traces"))
+    });
+    let decimal = file.decimal.as_deref().map(|name| {
+        DecimalMark::of_name(name).ok_or_else(|| none_of("decimal", name, "point, comma"))
+    });
+    let reading = ReadingOptions {
         channel: file.channel.clone(),
         pixel: file.pixel,
         lateral_unit: file.lateral_unit,
         height_unit: file.height_unit,
         override_height_unit: file.override_height_unit,
-        layout,
-        decimal,
+        layout: layout.transpose()?,
+        decimal: decimal.transpose()?,
         missing: file.missing_marks.clone(),
         fill,
         crop: file.crop.map(Cut::Rectangle),
@@ -219,11 +197,11 @@ fn again(run_file: &Path, file: &FileOrigin) -> Result<One, Failure> {
 /// twice is numbered.
 fn distinct(surfaces: Vec<(&mut String, &Origin)>) {
     let names: Vec<String> = surfaces.iter().map(|(name, _)| (*name).clone()).collect();
-    let path_of = |origin: &Origin| match origin {
+    let path_of = |(_, origin): &(&mut String, &Origin)| match origin {
         Origin::File(file) => Some(file.path.clone()),
         _ => None,
     };
-    let paths: Vec<Option<String>> = surfaces.iter().map(|(_, origin)| path_of(origin)).collect();
+    let paths: Vec<Option<String>> = surfaces.iter().map(path_of).collect();
     let mut given: Vec<String> = Vec::with_capacity(names.len());
     for (i, (name, _)) in surfaces.into_iter().enumerate() {
         let alike = |k: &usize| names[*k] == names[i] && paths[*k].is_some();
@@ -238,15 +216,6 @@ fn distinct(surfaces: Vec<(&mut String, &Origin)>) {
             *name = format!("{name} ({})", before + 1);
         }
     }
-}
-
-/// The traces of a file as a surface of the study.
-fn from_traces(reading: &Reading, path: &Path, traces: Traces) -> Result<ProfileSurface, Failure> {
-    let bytes = std::fs::read(path).map_err(|e| Failure::refused("io", e.to_string()))?;
-    let origin = reading.origin(path, &traces, sha256_hex(&bytes));
-    let name = path.file_name().unwrap_or(path.as_os_str()).to_string_lossy().into_owned();
-    let Traces { each, uneven, .. } = traces;
-    Ok(ProfileSurface { name, origin, traces: each, uneven })
 }
 
 #[cfg(test)]

@@ -1,10 +1,11 @@
 //! `rough-contact synth`: a random self-affine surface from a recipe and a seed.
 
-use crate::args::{self, Common};
-use crate::export::Format;
+use crate::args::{self, CommonOptions};
+use crate::export::MapFormat;
 use crate::outcome::{Failure, Reply};
 use crate::output;
-use crate::text::{self, Table};
+use crate::text::{self, TwoColumns};
+use crate::units::Dimension::{Length, Number};
 use clap::Args;
 use rough_contact::contact_types::{Grid, HeightMap};
 use rough_contact::surface_stats::synthesis::{Scale, SelfAffine};
@@ -20,27 +21,27 @@ pub(crate) struct Synth {
     #[arg(long, value_name = "DX[,DY]", value_parser = args::pixel, allow_hyphen_values = true)]
     pixel: [f64; 2],
     /// Hurst exponent, above 0 and at most 1
-    #[arg(long, value_name = "H", value_parser = args::number, allow_hyphen_values = true)]
+    #[arg(long, value_name = "H", value_parser = args::one(Number), allow_hyphen_values = true)]
     hurst: f64,
     /// Wavelength above which the spectrum is flat; with --rms-height and --rms-gradient both it is found
-    #[arg(long, value_name = "L", value_parser = args::length, allow_hyphen_values = true)]
+    #[arg(long, value_name = "L", value_parser = args::one(Length), allow_hyphen_values = true)]
     #[arg(required_unless_present_all = ["rms_height", "rms_gradient"])]
     rolloff: Option<f64>,
     /// Shortest wavelength
-    #[arg(long, value_name = "L", value_parser = args::length, allow_hyphen_values = true)]
+    #[arg(long, value_name = "L", value_parser = args::one(Length), allow_hyphen_values = true)]
     cutoff: f64,
     /// Rms height to scale to
-    #[arg(long, value_name = "S", value_parser = args::length, allow_hyphen_values = true)]
+    #[arg(long, value_name = "S", value_parser = args::one(Length), allow_hyphen_values = true)]
     #[arg(required_unless_present = "rms_gradient")]
     rms_height: Option<f64>,
     /// Rms gradient to scale to, instead of --rms-height or beside it
-    #[arg(long, value_name = "G", value_parser = args::number, allow_hyphen_values = true)]
+    #[arg(long, value_name = "G", value_parser = args::one(Number), allow_hyphen_values = true)]
     rms_gradient: Option<f64>,
     /// Seed of the random phases: the same seed gives the same surface everywhere
     #[arg(long, value_name = "N")]
     seed: u64,
     /// Round the heights to multiples of this step, as an instrument does
-    #[arg(long, value_name = "DZ", value_parser = args::length, allow_hyphen_values = true)]
+    #[arg(long, value_name = "DZ", value_parser = args::one(Length), allow_hyphen_values = true)]
     quantise: Option<f64>,
     /// File to write; its ending chooses the format: .npy (metres, f64), .x3p, .sdf, .txt, .vti or .h5
     #[arg(long, value_name = "FILE")]
@@ -48,8 +49,8 @@ pub(crate) struct Synth {
 }
 
 impl Synth {
-    pub(crate) fn run(&self, common: &Common) -> Result<Reply, Failure> {
-        let format = Format::of(&self.out)?;
+    pub(crate) fn run(&self, common: &CommonOptions) -> Result<Reply, Failure> {
+        let format = MapFormat::of(&self.out)?;
         output::check(&self.out, common.force)?;
         let (map, rolloff) = self.surface()?;
         output::write(&self.out, |writer| format.write(writer, &map, &self.comment(rolloff)))?;
@@ -97,7 +98,7 @@ impl Synth {
     fn reply(&self, map: &HeightMap, rolloff: f64) -> Reply {
         let [ny, nx] = self.shape;
         let (low, high) = map.range();
-        let mut table = Table::default();
+        let mut table = TwoColumns::default();
         table.row("wrote", self.out.display().to_string());
         table.row("points", format!("{ny} rows × {nx} columns"));
         table.row("heights", format!("{} to {}", text::length(low), text::length(high)));

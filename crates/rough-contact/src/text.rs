@@ -1,7 +1,7 @@
 //! Numbers and tables as people read them on a terminal.
 
 use rough_contact::compare::{Fact, Finding, Level, MaterialUse, Settings, Weight};
-use rough_contact::contact_types::Named;
+use rough_contact::contact_types::{AsperityStatistics, Named};
 pub(crate) use rough_contact::front_end::shown::*;
 use rough_contact::report;
 pub(crate) use rough_contact::report::numbers::plain;
@@ -11,17 +11,25 @@ use std::fmt;
 
 /// Two columns: a name and what it is.
 #[derive(Default)]
-pub(crate) struct Table {
+pub(crate) struct TwoColumns {
     rows: Vec<(String, String)>,
 }
 
-impl Table {
+impl TwoColumns {
     pub(crate) fn row(&mut self, name: impl Into<String>, value: impl Into<String>) {
         self.rows.push((name.into(), value.into()));
     }
+
+    /// What the asperities of a surface are, where they are known.
+    pub(crate) fn asperities(&mut self, found: Option<AsperityStatistics>) {
+        let Some(a) = found else { return };
+        self.row("asperity density", format!("{:.4e} m⁻²", a.density));
+        self.row("asperity radius", length(a.radius));
+        self.row("asperity height std", length(a.height_std));
+    }
 }
 
-impl fmt::Display for Table {
+impl fmt::Display for TwoColumns {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         let width = self.rows.iter().map(|(name, _)| name.chars().count()).max().unwrap_or(0);
         for (name, value) in &self.rows {
@@ -116,6 +124,16 @@ pub(crate) fn highest(highest: f64, mean: Option<f64>) -> String {
         Some(mean) if mean > highest => format!("above {}", pressure(mean)),
         _ => pressure(highest),
     }
+}
+
+/// How a value is written; a dash where there is none.
+pub(crate) fn or_dash<T>(value: Option<T>, write: impl FnOnce(T) -> String) -> String {
+    value.map_or_else(|| "–".to_owned(), write)
+}
+
+/// Three moments of a spectrum, in SI units.
+pub(crate) fn moments(m0: f64, m2: f64, m4: f64) -> String {
+    format!("{m0:.4e} m², {m2:.4e}, {m4:.4e} m⁻²")
 }
 
 /// A pure number with three significant digits.

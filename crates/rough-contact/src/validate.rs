@@ -1,9 +1,9 @@
 //! `rough-contact validate`: the solver against exact solutions, on this machine.
 
-use crate::args::{self, Common};
+use crate::args::{self, CommonOptions};
 use crate::outcome::{Failure, Reply, variant};
-use crate::progress::Progress;
-use crate::text::Columns;
+use crate::progress::ProgressDisplay;
+use crate::text::{self, Columns};
 use clap::Args;
 use rough_contact::compare::Method;
 use rough_contact::fft_bem_solver::validation::{self, Options, ValidationError, ValidationRow};
@@ -12,7 +12,7 @@ use rough_contact::front_end;
 #[derive(Args)]
 pub(crate) struct Validate {
     /// Method to validate
-    #[arg(long, value_parser = args::method(), default_value = "auto")]
+    #[arg(long, value_parser = args::one_of::<Method>(), default_value = "auto")]
     method: Method,
     /// Points per side of the finest map; profiles have 16 times as many
     #[arg(long, value_name = "N", default_value_t = 256)]
@@ -20,9 +20,9 @@ pub(crate) struct Validate {
 }
 
 impl Validate {
-    pub(crate) fn run(&self, common: &Common) -> Result<Reply, Failure> {
+    pub(crate) fn run(&self, common: &CommonOptions) -> Result<Reply, Failure> {
         let options = Options { method: self.method, finest: self.finest, ..Options::default() };
-        let mut progress = Progress::new(common.quiet, 0);
+        let mut progress = ProgressDisplay::new(common.quiet, 0);
         let mut last = String::new();
         let rows = validation::run(&options, |row| {
             let now = format!("{}, {} × {}", row.case, row.shape[0], row.shape[1]);
@@ -61,7 +61,7 @@ fn table(rows: &[ValidationRow]) -> String {
             columns.heading(&format!("{} ({})", row.case, row.source));
             last_case = row.case;
         }
-        let order = |o: Option<f64>| o.map_or_else(|| "–".to_owned(), |o| format!("{o:.2}"));
+        let order = |o: Option<f64>| text::or_dash(o, |o| format!("{o:.2}"));
         columns.row([
             format!("  {}", row.quantity),
             format!("{} × {}", row.shape[0], row.shape[1]),

@@ -2,13 +2,12 @@
 
 use crate::message::Messages;
 use crate::request::Request;
-use crate::roughness::{Roughness, levelled};
-use crate::surface::{completed, measurement};
+use crate::surface::{RoughnessNumbers, measurement, prepared};
 use crate::trouble::Trouble;
 use contact_compare::{Iteration, Load, Solver};
 use contact_front_end::{Failure, shown};
 use contact_types::ContactModulus;
-use serde_json::json;
+use serde_json::{Value, json};
 use std::collections::BTreeMap;
 use std::ops::ControlFlow;
 use surface_io::{Cut, Measurement};
@@ -23,16 +22,14 @@ const MOST: usize = 1024;
 const TOLERANCE: f64 = 1e-3;
 
 /// Tells the areas of each remedy named in the request as soon as they are found. The modulus does not matter: the
-/// load is a share of it.
+/// load is a share of it. `None` if nobody listens any more.
 pub(crate) fn answer(
     request: &Request,
     file: &[u8],
     out: &mut Messages<'_>,
-) -> Result<(), Trouble> {
+) -> Result<Option<Value>, Trouble> {
     let (measured, is_cut) = middle(measurement(request, file)?)?;
-    let now = prepared(&measured, request)?;
-    let pressure = LOAD * Roughness::of(&now)?.gradient;
-    drop(now);
+    let pressure = LOAD * RoughnessNumbers::of(&prepared(&measured, request)?)?.gradient;
     let mut known: BTreeMap<String, f64> = BTreeMap::new();
     let mut area = |asked: &Request, out: &mut Messages<'_>| -> Result<Option<f64>, Trouble> {
         let key = format!("{:?}", asked.remedies);
@@ -49,13 +46,11 @@ pub(crate) fn answer(
         for (on, lines) in [false, true].into_iter().zip(&mut lines) {
             let mut asked = request.clone();
             asked.remedies.set(key, on);
-            let Some(found) = area(&asked, out)? else { return Ok(()) };
-            let rule = if !fill {
-                ""
-            } else if asked.remedies.rule() == "nearest" {
-                ", nearest"
-            } else {
-                ", smoothly"
+            let Some(found) = area(&asked, out)? else { return Ok(None) };
+            let rule = match asked.remedies.rule() {
+                _ if !fill => "",
+                "nearest" => ", nearest",
+                _ => ", smoothly",
             };
             lines.push(format!("area {}{rule}", shown::percent(found)));
         }
@@ -66,8 +61,7 @@ pub(crate) fn answer(
         }
         out.tell("progress", json!({ "stage": "area", "key": key, "lines": lines }));
     }
-    out.tell("done", json!({ "cut": is_cut.then_some(MOST) }));
-    Ok(())
+    Ok(Some(json!({ "cut": is_cut.then_some(MOST) })))
 }
 
 /// The middle of a large map, and whether it was cut.
@@ -79,13 +73,6 @@ fn middle(measured: Measurement) -> Result<(Measurement, bool), Trouble> {
     let [rows, columns] = [ny, nx].map(|n| n.min(MOST));
     let part = Cut::Rectangle([(ny - rows) / 2, (nx - columns) / 2, rows, columns]);
     Ok((measured.crop(part).map_err(Trouble::Unread)?, true))
-}
-
-fn prepared(
-    measured: &Measurement,
-    request: &Request,
-) -> Result<contact_types::HeightMap, Trouble> {
-    levelled(&completed(measured.clone(), request)?.map, request.remedies.level())
 }
 
 /// The area fraction; `None` if nobody listens any more.

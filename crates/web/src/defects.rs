@@ -2,8 +2,7 @@
 
 use crate::numbers::{count, length};
 use crate::request::{Remedies, Request};
-use crate::roughness::{Roughness, levelled};
-use crate::surface::completed;
+use crate::surface::{RoughnessNumbers, prepared};
 use crate::trouble::Trouble;
 use contact_compare::{Fact, SPIKE_THRESHOLD, Spikes};
 use contact_front_end::{Failure, shown};
@@ -59,7 +58,7 @@ pub(crate) fn of(
         defects.push(Defect { tag, claim, text: text.to_owned(), key, label, numbers });
     };
     if !spikes.indices.is_empty() {
-        let numbers = both(measured, request, |r, on| r.spikes = on)?;
+        let numbers = both(measured, request, "spikes")?;
         let claim = match spikes.indices.len() {
             1 => "1 spike.".to_owned(),
             n => format!("{} spikes.", count(n)),
@@ -78,11 +77,11 @@ pub(crate) fn of(
             "The plane in it is {} times the roughness. How the part lay in the instrument is no roughness.",
             significant((tilted * tilted - flat * flat).sqrt() / flat, 2)
         );
-        let numbers = both(measured, request, |r, on| r.plane = on)?;
+        let numbers = both(measured, request, "plane")?;
         add("check", "Tilt.".to_owned(), &text, "plane", "Take the plane off", Some(numbers));
     }
     if request.remedies.dome || domed < DOMED * flat {
-        let numbers = both(measured, request, |r, on| r.dome = on)?;
+        let numbers = both(measured, request, "dome")?;
         let text = "A dome or a saddle is left under the roughness. If it is machined, keep it; if the part is held flat, \
                     take it off.";
         add("note", "Form.".to_owned(), text, "dome", "Take the dome off", Some(numbers));
@@ -95,13 +94,12 @@ pub(crate) fn of(
     }
     let rows = row_offsets(grid, heights).map_err(stats)?;
     if request.remedies.rows || rows.rows_jump() {
-        let numbers = both(measured, request, |r, on| r.rows = on)?;
+        let numbers = both(measured, request, "rows")?;
         let claim = format!("Scan lines: rows jump by {} rms.", length(rows.jump));
         let text = "Slopes across them are those of the scan, not of the surface.";
         add("check", claim, text, "rows", "Put the rows in line", Some(numbers));
     }
-    let map = completed(measured.clone(), request)?.map;
-    let jump = seam_jump(&levelled(&map, request.remedies.level())?);
+    let jump = seam_jump(&prepared(measured, request)?);
     if request.remedies.mirror || jump > MOST_SEAM_JUMP {
         let text = "Repeated as it is, the map has a step there, and the solution presses on it. Mirrored it has none.";
         let claim =
@@ -114,15 +112,11 @@ pub(crate) fn of(
 }
 
 /// The roughness with the remedies as ticked but this one off, and with it on.
-fn both(
-    measured: &Measurement,
-    request: &Request,
-    set: impl Fn(&mut Remedies, bool),
-) -> Result<[Value; 2], Trouble> {
+fn both(measured: &Measurement, request: &Request, key: &str) -> Result<[Value; 2], Trouble> {
     let one = |on| -> Result<Value, Trouble> {
         let mut asked = request.clone();
-        set(&mut asked.remedies, on);
-        let found = roughness(measured, &asked)?;
+        asked.remedies.set(key, on);
+        let found = RoughnessNumbers::of(&prepared(measured, &asked)?)?;
         Ok(json!([
             format!("Sq {}", length(found.height)),
             format!("Sdq {}", significant(found.gradient, 3))
@@ -131,28 +125,19 @@ fn both(
     Ok([one(false)?, one(true)?])
 }
 
-fn roughness(measured: &Measurement, request: &Request) -> Result<Roughness, Trouble> {
-    let map = completed(measured.clone(), request)?.map;
-    Roughness::of(&levelled(&map, request.remedies.level())?)
-}
-
 /// Rms height (m) with these two as given and the other remedies as ticked.
 fn rms(measured: &Measurement, request: &Request, plane: bool, dome: bool) -> Result<f64, Trouble> {
     let mut asked = request.clone();
     (asked.remedies.plane, asked.remedies.dome) = (plane, dome);
-    Ok(roughness(measured, &asked)?.height)
+    Ok(RoughnessNumbers::of(&prepared(measured, &asked)?)?.height)
 }
 
 /// What the statistics of a map say, but for what has a remedy above.
 pub(crate) fn beyond(statistics: &SurfaceStatistics) -> Value {
-    let found: Vec<_> = contact_compare::measured(statistics, &Spikes::default())
-        .into_iter()
-        .filter(|f| !has_remedy(&f.fact))
-        .collect();
-    contact_report::findings_json(&found)
-}
-
-fn has_remedy(fact: &Fact) -> bool {
     use Warning::{EdgeJump, RowsJump, Tilted};
-    matches!(fact, Fact::Warned(Tilted { .. } | RowsJump { .. } | EdgeJump { .. }))
+    let mut found = contact_compare::measured(statistics, &Spikes::default());
+    found.retain(|f| {
+        !matches!(f.fact, Fact::Warned(Tilted { .. } | RowsJump { .. } | EdgeJump { .. }))
+    });
+    contact_report::findings_json(&found)
 }

@@ -2,11 +2,9 @@
 //! not say.
 
 use crate::defects;
-use crate::message::Messages;
 use crate::numbers::{count, length};
 use crate::request::Request;
-use crate::roughness::{Roughness, levelled};
-use crate::surface::measurement;
+use crate::surface::{RoughnessNumbers, levelled, measurement};
 use crate::trouble::Trouble;
 use contact_compare::{Level, Surface};
 use contact_front_end::units::Dimension;
@@ -23,30 +21,18 @@ const PICTURE: usize = 640;
 /// Gradients between which a surface is usual.
 const USUAL_GRADIENTS: [f64; 2] = [1e-4, 2.0];
 
-pub(crate) fn answer(
-    request: &Request,
-    file: &[u8],
-    out: &mut Messages<'_>,
-) -> Result<(), Trouble> {
+pub(crate) fn answer(request: &Request, file: &[u8]) -> Result<Value, Trouble> {
     if request.example.is_some() {
         let surface = crate::surface::of(request, file)?;
         let statistics = statistics(&surface, request.remedies.level())?;
         let picture = picture(&levelled(&surface.heights, request.remedies.level())?, "made")?;
-        out.tell(
-            "done",
-            json!({ "state": "made", "plan": known(&statistics, &surface.heights), "svg": picture }),
-        );
-        return Ok(());
+        let plan = known(&statistics, &surface.heights);
+        return Ok(json!({ "state": "made", "plan": plan, "svg": picture }));
     }
-    let measured = match measurement(request, file) {
-        Err(Trouble::Unread(ReadError::MissingScale { .. })) => {
-            out.tell("done", ask(request, file)?);
-            return Ok(());
-        }
-        other => other?,
-    };
-    out.tell("done", read(request, file, measured)?);
-    Ok(())
+    match measurement(request, file) {
+        Err(Trouble::Unread(ReadError::MissingScale { .. })) => ask(request, file),
+        measured => read(request, file, measured?),
+    }
 }
 
 /// The state `read`.
@@ -81,12 +67,15 @@ fn read(request: &Request, file: &[u8], measured: Measurement) -> Result<Value, 
     pictures.push(json!({ "name": "With the ticked remedies", "svg": after }));
     let found = defects::beyond(&statistics);
     let checks = defects.iter().filter(|d| d["tag"] == "check").count();
+    let things = match checks {
+        1 => "One thing".to_owned(),
+        2 => "Two things".to_owned(),
+        3 => "Three things".to_owned(),
+        n => format!("{n} things"),
+    };
     let claim = match checks {
         0 => "Nothing has to be cleaned.".to_owned(),
-        1 => "One thing should be cleaned first.".to_owned(),
-        2 => "Two things should be cleaned first.".to_owned(),
-        3 => "Three things should be cleaned first.".to_owned(),
-        n => format!("{n} things should be cleaned first."),
+        _ => format!("{things} should be cleaned first."),
     };
     Ok(json!({
         "state": "read", "about": about,
@@ -193,14 +182,9 @@ fn before(measured: &Measurement, spikes: &[usize]) -> Result<Vec<Value>, Troubl
     let mut pictures = vec![json!({ "name": "As measured", "svg": picture(&map, "before")? })];
     if !spikes.is_empty() {
         let level = levelled(&map, Level::Plane)?;
-        let figure = contact_report::ring_points(
-            &above_mean(&level),
-            level.grid(),
-            spikes,
-            PICTURE,
-            "spikes",
-        )
-        .map_err(|e| Failure::from_error(&e))?;
+        let heights = above_mean(&level);
+        let figure = contact_report::ring_points(&heights, level.grid(), spikes, PICTURE, "spikes")
+            .map_err(|e| Failure::from_error(&e))?;
         pictures.push(json!({ "name": "Level, spikes ringed", "svg": figure.inline() }));
     }
     Ok(pictures)
@@ -252,20 +236,12 @@ fn ask(request: &Request, file: &[u8]) -> Result<Value, Trouble> {
         request.name,
         raw.format().name()
     );
-    let name = |need: &Need| match need {
-        Need::PixelSize => "pixel size",
-        Need::LateralUnit => "unit of x and y",
-        _ => "height unit",
+    let asked = |need: &Need| match need {
+        Need::PixelSize => ("pixel", "pixel size"),
+        Need::LateralUnit => ("lateral_unit", "unit of x and y"),
+        _ => ("height_unit", "height unit"),
     };
-    let said: Vec<&str> = missing.iter().map(name).collect();
-    let keys: Vec<&str> = missing
-        .iter()
-        .map(|need| match need {
-            Need::PixelSize => "pixel",
-            Need::LateralUnit => "lateral_unit",
-            _ => "height_unit",
-        })
-        .collect();
+    let (keys, said): (Vec<&str>, Vec<&str>) = missing.iter().map(asked).unzip();
     let pronoun = if said.len() > 1 { "What are they?" } else { "What is it?" };
     Ok(json!({
         "state": "ask", "about": about, "needs": keys,
@@ -283,11 +259,11 @@ fn ask(request: &Request, file: &[u8]) -> Result<Value, Trouble> {
 
 fn raw_gradient(raw: &Measurement) -> Result<f64, Trouble> {
     let map = raw.clone().fill(Fill::Nearest).map_err(|e| Trouble::Incomplete(e.into()))?;
-    Ok(Roughness::of(&map)?.gradient)
+    Ok(RoughnessNumbers::of(&map)?.gradient)
 }
 
 /// What units that are filled in would mean: size, heights, gradient, and whether that is a surface.
-pub(crate) fn meaning(request: &Request, out: &mut Messages<'_>) -> Result<(), Trouble> {
+pub(crate) fn meaning(request: &Request) -> Result<Value, Trouble> {
     let wrong = || Failure::refused("internal", "no raw numbers");
     let raw = request.raw.as_ref().ok_or_else(wrong)?;
     let reading = &request.reading;
@@ -316,12 +292,8 @@ pub(crate) fn meaning(request: &Request, out: &mut Messages<'_>) -> Result<(), T
         ),
         _ => ("passed", "A gradient usual for a machined surface."),
     };
-    out.tell(
-        "done",
-        json!({
-            "size": format!("{} × {}", length(lx), length(ly)), "heights": length(raw.range * height),
-            "gradient": significant(gradient, 2), "tag": tag, "text": text,
-        }),
-    );
-    Ok(())
+    Ok(json!({
+        "size": format!("{} × {}", length(lx), length(ly)), "heights": length(raw.range * height),
+        "gradient": significant(gradient, 2), "tag": tag, "text": text,
+    }))
 }

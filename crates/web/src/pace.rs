@@ -5,6 +5,7 @@ use contact_compare::{Load, Solver};
 use contact_front_end::Failure;
 use contact_types::{ContactModulus, Grid, HeightMap};
 use serde::{Deserialize, Serialize};
+use std::error::Error;
 use std::f64::consts::TAU;
 use std::time::{Duration, Instant};
 
@@ -31,7 +32,7 @@ const TRIALS: usize = 4;
 
 /// A study as a clock sees it.
 #[derive(Debug, Clone, Copy)]
-pub(crate) struct Work {
+pub(crate) struct StudyCost {
     /// Points of the map.
     pub(crate) points: f64,
     /// Points that are solved, mirror images among them.
@@ -50,6 +51,8 @@ impl Pace {
         if known.trials >= TRIALS {
             return Ok(known);
         }
+        let trial =
+            |threads| trial(threads).map_err(|e| Failure::refused("internal", e.to_string()));
         let one = trial(1)?;
         let all = if place.threads > 1 { trial(place.threads)? } else { one };
         let trials = known.trials + 1;
@@ -58,7 +61,7 @@ impl Pace {
 
     /// Seconds of a study: where the grid resolves the contact, and where each load is solved again on one of four times
     /// the points.
-    pub(crate) fn seconds(self, work: Work) -> [f64; 2] {
+    pub(crate) fn seconds(self, work: StudyCost) -> [f64; 2] {
         let once = BEGIN * self.one + EACH_POINT * self.one * work.points;
         let solving = EACH_SOLVED * self.all * work.solved * work.loads;
         [once + solving, once + (1.0 + AGAIN) * solving]
@@ -75,19 +78,17 @@ const EACH_SOLVED: f64 = 1.25e-4;
 const AGAIN: f64 = 7.5;
 
 /// The shortest of several: what else the machine does in the meantime is no property of it.
-fn trial(threads: usize) -> Result<f64, Failure> {
-    let refused = |e: &dyn std::error::Error| Failure::refused("internal", e.to_string());
-    let grid = Grid::new([SIDE; 2], [1.0; 2]).map_err(|e| refused(&e))?;
+fn trial(threads: usize) -> Result<f64, Box<dyn Error>> {
+    let grid = Grid::new([SIDE; 2], [1.0; 2])?;
     let wave = |at: f64, across: f64| (TAU * at / 32.0).cos() * (TAU * across / 16.0).cos();
-    let map = HeightMap::from_fn(grid, wave).map_err(|e| refused(&e))?;
-    let modulus = ContactModulus::from_pascals(1.0).map_err(|e| refused(&e))?;
-    let mut solver =
-        Solver::builder().threads(threads).build(grid, modulus).map_err(|e| refused(&e))?;
+    let map = HeightMap::from_fn(grid, wave)?;
+    let modulus = ContactModulus::from_pascals(1.0)?;
+    let mut solver = Solver::builder().threads(threads).build(grid, modulus)?;
     let (begun, mut shortest) = (Instant::now(), f64::INFINITY);
     while begun.elapsed() < LONG {
         let now = Instant::now();
         solver.forget();
-        solver.solve(&map, Load::MeanPressure(0.01)).map_err(|e| refused(&e))?;
+        solver.solve(&map, Load::MeanPressure(0.01))?;
         shortest = shortest.min(now.elapsed().as_secs_f64());
     }
     Ok(shortest)
@@ -111,7 +112,7 @@ mod tests {
         ];
         for (side, resolved, refined) in all {
             let points = side * side;
-            let [short, long] = pace.seconds(Work { points, solved: points, loads: 15.0 });
+            let [short, long] = pace.seconds(StudyCost { points, solved: points, loads: 15.0 });
             assert!((short / resolved - 1.0).abs() < 0.2, "{side}: {short} and {resolved}");
             assert!(refined.is_none_or(|r: f64| (long / r - 1.0).abs() < 0.2), "{side}: {long}");
         }

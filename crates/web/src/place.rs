@@ -22,7 +22,7 @@ const BROWSER_MEMORY_BYTES: f64 = 4e9;
 
 /// Memory of a study: what it takes whatever the map is, and what each point adds.
 #[derive(Debug, Clone, Copy)]
-struct Memory {
+struct MemoryUse {
     /// Bytes.
     fixed: f64,
     /// Bytes per point, of a map whose grid resolves the contact.
@@ -38,12 +38,13 @@ const LARGE: f64 = 2e6;
 
 /// In WebAssembly. Measured in MB on 128², 256², 512², 1024², 1400², 2048² and 4096² points: 9.0, 12.8, 43.3, 153, 280, 932, 3701,
 /// and on 128², 256², 512², 800² and 1024² that were refined: 17.6, 62.9, 243, 581, 987.
-const BROWSER_MEMORY: Memory = Memory { fixed: 7e6, resolved: 140.0, large: 221.0, refined: 900.0 };
+const BROWSER_MEMORY: MemoryUse =
+    MemoryUse { fixed: 7e6, resolved: 140.0, large: 221.0, refined: 900.0 };
 
 /// Of `rough-contact app` with two threads on Linux, all of the program counted, on the same maps up to 1024² and 512²: 36, 45, 113,
 /// 329, and 51, 104, 330.
-const MACHINE_MEMORY: Memory =
-    Memory { fixed: 30e6, resolved: 285.0, large: 285.0, refined: 1150.0 };
+const MACHINE_MEMORY: MemoryUse =
+    MemoryUse { fixed: 30e6, resolved: 285.0, large: 285.0, refined: 1150.0 };
 
 impl Default for Host {
     /// What bears least.
@@ -80,7 +81,7 @@ impl Host {
 
     /// Memory of a study of so many points (bytes): where the grid resolves the contact, and where it has to be refined.
     pub(crate) fn memory(self, points: f64) -> [f64; 2] {
-        let Memory { fixed, resolved, large, refined } =
+        let MemoryUse { fixed, resolved, large, refined } =
             if self.is_browser { BROWSER_MEMORY } else { MACHINE_MEMORY };
         [if points > LARGE { large } else { resolved }, refined].map(|each| fixed + each * points)
     }

@@ -1,8 +1,7 @@
 //! What the bodies and loads come to, before they are computed.
 
-use crate::message::Messages;
 use crate::numbers::{count, pressure};
-use crate::pace::{Pace, Work};
+use crate::pace::{Pace, StudyCost};
 use crate::place::Host;
 use crate::request::{Facts, LoadBy, Request};
 use crate::trouble::Trouble;
@@ -11,13 +10,8 @@ use contact_front_end::bodies;
 use contact_report::numbers::{PASCALS, duration, quantity};
 use serde_json::{Value, json};
 
-pub(crate) fn answer(request: &Request, out: &mut Messages<'_>) -> Result<(), Trouble> {
-    out.tell("done", of(request)?);
-    Ok(())
-}
-
 /// Modulus, loads and cost, as the page says them.
-pub(crate) fn of(request: &Request) -> Result<Value, Trouble> {
+pub(crate) fn answer(request: &Request) -> Result<Value, Trouble> {
     let facts = request.facts;
     let settings = request.settings(facts.map_or(1.0, |f| f.area))?;
     let bears = bears(&settings, !request.hardness.trim().is_empty());
@@ -78,7 +72,7 @@ fn cost(facts: Facts, edges: EdgesName, loads: f64, (place, pace): (Host, Pace))
     let points = if edges == EdgesName::Mirrored { 4.0 * facts.points } else { facts.points };
     let memory = place.memory(points);
     let [low, high] = memory.map(|bytes| two(bytes / 1e6));
-    let work = Work { points: facts.points, solved: points, loads };
+    let work = StudyCost { points: facts.points, solved: points, loads };
     let [short, long] = pace.seconds(work).map(duration);
     let mut text = format!(
         "{} points; about {short} and {low} MB of memory, up to {long} and {high} MB where the grid has to be refined",

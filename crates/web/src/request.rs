@@ -9,7 +9,7 @@ use contact_front_end::quantity;
 use contact_front_end::units::Dimension;
 use contact_types::Named;
 use serde::Deserialize;
-use surface_io::{Cut, DecimalMark, Fill, HeightUnit, Layout, Limits, ReadOptions};
+use surface_io::{Cut, Fill, HeightUnit, Limits, ReadOptions};
 use surface_stats::clean::Form;
 
 /// Everything that an answer depends on, besides the bytes of the file.
@@ -20,7 +20,7 @@ pub(crate) struct Request {
     pub(crate) name: String,
     /// Name of a built-in surface, instead of a file.
     pub(crate) example: Option<String>,
-    pub(crate) reading: Reading,
+    pub(crate) reading: FileFields,
     pub(crate) remedies: Remedies,
     /// The two bodies; empty: steel on steel.
     pub(crate) bodies: Vec<BodyFields>,
@@ -55,7 +55,7 @@ pub(crate) struct Raw {
 /// What is said of a file that does not say it.
 #[derive(Debug, Clone, Default, Deserialize)]
 #[serde(default, deny_unknown_fields)]
-pub(crate) struct Reading {
+pub(crate) struct FileFields {
     pub(crate) channel: Option<String>,
     pub(crate) pixel: Option<String>,
     pub(crate) lateral_unit: Option<String>,
@@ -161,7 +161,7 @@ impl BodyFields {
     }
 }
 
-impl Reading {
+impl FileFields {
     pub(crate) fn pixel(&self) -> Result<Option<[f64; 2]>, Failure> {
         let one = self.pixel.as_deref().map(|text| parse(text, Dimension::Length)).transpose()?;
         Ok(one.map(|metres| [metres; 2]))
@@ -194,16 +194,16 @@ impl Reading {
             None => self.height_unit()?.map(HeightUnit::IfSilent),
         };
         options.missing.clone_from(&self.missing);
-        if let Some(name) = &self.decimal {
-            let unknown = || Failure::refused("setting", format!("decimal {name:?} is none"));
-            options.decimal = Some(DecimalMark::of_name(name).ok_or_else(unknown)?);
-        }
-        if let Some(name) = &self.layout {
-            let unknown = || Failure::refused("setting", format!("layout {name:?} is none"));
-            options.layout = Some(Layout::of_name(name).ok_or_else(unknown)?);
-        }
+        options.decimal = named("decimal", self.decimal.as_deref())?;
+        options.layout = named("layout", self.layout.as_deref())?;
         Ok(options)
     }
+}
+
+/// The choice of this name, if one was made.
+fn named<T: Named>(what: &str, name: Option<&str>) -> Result<Option<T>, Failure> {
+    let unknown = |name| Failure::refused("setting", format!("{what} {name:?} is none"));
+    name.map(|name| T::of_name(name).ok_or_else(|| unknown(name))).transpose()
 }
 
 fn unit(text: Option<&str>) -> Result<Option<f64>, Failure> {

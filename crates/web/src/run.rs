@@ -22,7 +22,7 @@ pub(crate) fn answer(
     request: &Request,
     file: &[u8],
     out: &mut Messages<'_>,
-) -> Result<(), Trouble> {
+) -> Result<Value, Trouble> {
     let begun = Instant::now();
     let surface = surface::of(request, file)?;
     let settings = request.settings(surface.heights.grid().area())?;
@@ -77,14 +77,10 @@ pub(crate) fn answer(
         .collect();
     let trouble = contact_front_end::not_met(&found).as_ref().map(Failure::json);
     let headline = found.surfaces.first().and_then(contact_report::headline_line);
-    out.tell(
-        "done",
-        json!({
-            "files": files, "trouble": trouble, "headline": headline,
-            "seconds": begun.elapsed().as_secs_f64(),
-        }),
-    );
-    Ok(())
+    Ok(json!({
+        "files": files, "trouble": trouble, "headline": headline,
+        "seconds": begun.elapsed().as_secs_f64(),
+    }))
 }
 
 /// The contact at a load as a picture, with how the end of its colours is written.

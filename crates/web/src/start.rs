@@ -1,6 +1,5 @@
 //! What the page shows before anything is read.
 
-use crate::message::Messages;
 use crate::numbers::length;
 use crate::place::Host;
 use crate::trouble::Trouble;
@@ -13,7 +12,7 @@ use surface_io::FORMATS;
 /// Points per side of the pictures of built-in surfaces: a part of each at its own distance of points.
 const PART: usize = 128;
 
-pub(crate) fn answer(place: Host, out: &mut Messages<'_>) -> Result<(), Trouble> {
+pub(crate) fn answer(place: Host) -> Result<Value, Trouble> {
     let recipes = built_in_recipes().map_err(|e| Failure::from_error(&e))?;
     let mut examples = Vec::with_capacity(recipes.len());
     for recipe in recipes {
@@ -34,14 +33,10 @@ pub(crate) fn answer(place: Host, out: &mut Messages<'_>) -> Result<(), Trouble>
         .iter()
         .map(|f| json!({ "name": f.format.name(), "endings": f.extensions }))
         .collect();
-    out.tell(
-        "done",
-        json!({
-            "version": env!("CARGO_PKG_VERSION"), "examples": examples, "formats": formats,
-            "materials": table(), "place": place.json(),
-        }),
-    );
-    Ok(())
+    Ok(json!({
+        "version": env!("CARGO_PKG_VERSION"), "examples": examples, "formats": formats,
+        "materials": table(), "place": place.json(),
+    }))
 }
 
 /// Materials whose modulus and Poisson's ratio have a source; steel, as the defaults of the command have it; rigid.
@@ -72,13 +67,8 @@ fn table() -> Vec<Value> {
             giga(young.range[0]),
             giga(young.range[1])
         );
-        all.push(one(
-            material.name,
-            material.title,
-            giga(young.value),
-            poisson.value.to_string(),
-            said,
-        ));
+        let [young, poisson] = [giga(young.value), poisson.value.to_string()];
+        all.push(one(material.name, material.title, young, poisson, said));
     }
     all
 }

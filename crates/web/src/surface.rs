@@ -1,10 +1,12 @@
-//! From the bytes of a file, or the name of a built-in surface, to a map.
+//! From the bytes of a file, or the name of a built-in surface, to a map, and the two numbers that say most of it.
 
 use crate::request::Request;
 use crate::trouble::Trouble;
-use contact_compare::{FileOrigin, Origin, Recipe, Surface, built_in_recipes, sha256_hex};
+use contact_compare::{FileOrigin, Level, Origin, Surface, built_in_recipes, sha256_hex};
 use contact_front_end::{Complete, Failure, complete};
+use contact_types::HeightMap;
 use surface_io::Measurement;
+use surface_stats::{DirectionalMoments, Edges, HeightStatistics, StatsError};
 
 /// The measurement in a file.
 pub(crate) fn measurement(request: &Request, file: &[u8]) -> Result<Measurement, Trouble> {
@@ -27,10 +29,13 @@ pub(crate) fn completed(measurement: Measurement, request: &Request) -> Result<C
 
 /// The surface of the study.
 pub(crate) fn of(request: &Request, file: &[u8]) -> Result<Surface, Trouble> {
-    if let Some(name) = &request.example {
-        return recipe(name)?.make().map_err(|e| Failure::from_error(&e).into());
-    }
-    of_measurement(request, file, measurement(request, file)?)
+    let Some(name) = &request.example else {
+        return of_measurement(request, file, measurement(request, file)?);
+    };
+    let unknown = || Failure::refused("setting", format!("no built-in surface is called {name:?}"));
+    let all = built_in_recipes().map_err(|e| Failure::from_error(&e))?;
+    let recipe = all.into_iter().find(|r| r.name == *name).ok_or_else(unknown)?;
+    recipe.make().map_err(|e| Failure::from_error(&e).into())
 }
 
 /// The surface of the study from what was read.
@@ -64,9 +69,31 @@ pub(crate) fn of_measurement(
     Ok(Surface { name: request.name.clone(), origin: Origin::File(origin), heights: map })
 }
 
-/// A built-in surface.
-pub(crate) fn recipe(name: &str) -> Result<Recipe, Failure> {
-    let all = built_in_recipes().map_err(|e| Failure::from_error(&e))?;
-    let unknown = || Failure::refused("setting", format!("no built-in surface is called {name:?}"));
-    all.into_iter().find(|r| r.name == name).ok_or_else(unknown)
+/// The same without its form.
+pub(crate) fn prepared(measured: &Measurement, request: &Request) -> Result<HeightMap, Trouble> {
+    levelled(&completed(measured.clone(), request)?.map, request.remedies.level())
+}
+
+pub(crate) fn levelled(map: &HeightMap, level: Level) -> Result<HeightMap, Trouble> {
+    surface_stats::level(map, level).map_err(|e| Failure::from_error(&e).into())
+}
+
+/// The two numbers that say most.
+#[derive(Debug, Clone, Copy)]
+pub(crate) struct RoughnessNumbers {
+    /// Sq (m).
+    pub(crate) height: f64,
+    /// Sdq (-), as the statistics of the report.
+    pub(crate) gradient: f64,
+}
+
+impl RoughnessNumbers {
+    pub(crate) fn of(map: &HeightMap) -> Result<Self, Trouble> {
+        let refused = |e: StatsError| Trouble::Refused(Failure::from_error(&e));
+        let slopes = DirectionalMoments::of(map, Edges::Open).map_err(refused)?;
+        Ok(Self {
+            height: HeightStatistics::of(map).rms_height,
+            gradient: (slopes.m2_x + slopes.m2_y).sqrt(),
+        })
+    }
 }

@@ -1,75 +1,60 @@
 //! `rough-contact app`, asked over a socket as its page asks, and as others would.
 
-use crate::cli;
-
-use cli::app::App;
-use cli::{folder, rough_contact};
+use crate::cli::app::RunningApp;
+use crate::cli::{folder, has, list, timeless};
 use serde_json::Value;
 use std::io::{BufRead, BufReader, Write};
 use std::net::TcpStream;
 
-/// Without what a clock makes different.
-fn timeless(value: &Value) -> Value {
-    match value {
-        Value::Object(map) => {
-            let kept = map.iter().filter(|(key, _)| !key.contains("seconds") && *key != "speed");
-            Value::Object(kept.map(|(key, value)| (key.clone(), timeless(value))).collect())
-        }
-        Value::Array(list) => list.iter().map(timeless).collect(),
-        other => other.clone(),
-    }
+/// The status of `whole` with one part of it changed.
+fn changed(app: &RunningApp, whole: &str, from: &str, to: &str) -> u16 {
+    assert!(whole.contains(from), "{from}");
+    app.status(&whole.replacen(from, to, 1))
 }
 
 #[test]
 fn the_page_is_served_and_its_answers_are_those_of_the_command() {
-    let dir = folder();
-    let synth = "synth --shape 48,64 --pixel 1um --hurst 0.8 --rolloff 20um --cutoff 4um \
-                 --rms-gradient 0.1 --seed 7 --out map.x3p";
-    assert_eq!(rough_contact(dir.path(), synth).status, 0);
-    let app = App::start(dir.path());
+    let at = &folder();
+    at.synth("map.x3p", "--shape 48,64 --rolloff 20um --cutoff 4um --rms-gradient 0.1 --seed 7");
+    let app = RunningApp::start(at.path());
     let get = format!("GET /{}/ HTTP/1.1\r\nHost: {}\r\n\r\n", app.token, app.host);
     let (status, head, page) = app.sent(get.as_bytes());
     let page = String::from_utf8(page).expect("text");
     assert_eq!(status, 200);
-    assert!(head.contains("frame-ancestors 'none'") && head.contains("no-store"), "{head}");
-    assert!(page.contains("default-src 'none'") && page.contains("connect-src 'self'"));
+    has(&head, &["frame-ancestors 'none'", "no-store"]);
+    has(&page, &["default-src 'none'", "connect-src 'self'"]);
     assert!(!page.contains("<!--policy-->") && !page.contains("wasm-unsafe-eval"));
 
-    let file = std::fs::read(dir.path().join("map.x3p")).expect("a map");
+    let file = std::fs::read(at.join("map.x3p")).expect("a map");
     let load = r#"{"name": "map.x3p", "load": {"by": "pressure", "list": "5MPa, 20MPa"}}"#;
     let done = app.asked("run", load, &file);
     let results = done["files"]["results.json"].as_str().expect("done");
     let found: Value = serde_json::from_str(results).expect("JSON");
     let compare = "compare map.x3p --young 210GPa --poisson 0.3 --young 210GPa --poisson 0.3 --pressure \
                    5MPa,20MPa --outliers 8 --fill harmonic --threads 1 --out study --quiet";
-    assert_eq!(rough_contact(dir.path(), compare).status, 0);
-    let text = std::fs::read_to_string(dir.path().join("study/results.json")).expect("results");
-    let expected: Value = serde_json::from_str(&text).expect("JSON");
-    assert_eq!(timeless(&found["surfaces"]), timeless(&expected["surfaces"]));
+    at.done(compare);
+    let expected = at.results("study");
+    let numbers = |results: &Value| timeless(&results["surfaces"], &["speed"]);
+    assert_eq!(numbers(&found), numbers(&expected));
     assert_eq!(found["settings"], expected["settings"]);
-    let points = expected["surfaces"][0]["deterministic"]["points"].as_array().expect("points");
+    let points = list(&expected["surfaces"][0]["deterministic"]["points"]);
     assert!(points.len() == 2 && points.iter().all(|p| p["area_fraction"].as_f64() > Some(0.0)));
-    let names: Vec<_> = std::fs::read_dir(dir.path()).expect("a folder").flatten().collect();
+    let names: Vec<_> = std::fs::read_dir(at.path()).expect("a folder").flatten().collect();
     assert_eq!(names.len(), 2, "nothing is written beside the map and the study: {names:?}");
 }
 
 #[test]
 fn who_does_not_come_from_the_page_is_refused() {
-    let dir = folder();
-    let app = App::start(dir.path());
+    let at = &folder();
+    let app = RunningApp::start(at.path());
     let (host, token) = (&app.host, &app.token);
     let get = |path: &str, host: &str| {
         app.status(&format!("GET {path} HTTP/1.1\r\nHost: {host}\r\n\r\n"))
     };
     assert_eq!(get(&format!("/{token}/"), host), 200);
     let port = host.rsplit(':').next().expect("a port");
-    for other in [
-        "evil.example",
-        &format!("evil.example:{port}"),
-        &format!("localhost:{port}"),
-        "127.0.0.1",
-        "",
-    ] {
+    let [evil, local] = ["evil.example", "localhost"].map(|name| format!("{name}:{port}"));
+    for other in ["evil.example", &evil, &local, "127.0.0.1", ""] {
         assert_eq!(get(&format!("/{token}/"), other), 403, "a name that was led here: {other:?}");
     }
     let wrong = "0".repeat(32);
@@ -86,14 +71,11 @@ fn who_does_not_come_from_the_page_is_refused() {
     assert_eq!(app.status(&format!("GET /{token}/ HTTP/1.1\r\n\r\n")), 403, "no host at all");
     let whole = String::from_utf8(app.question("start", "{}", b"")).expect("text");
     assert_eq!(app.status(&whole), 200);
-    let changed = |from: &str, to: &str| {
-        assert!(whole.contains(from), "{from}");
-        app.status(&whole.replacen(from, to, 1))
-    };
+    let changed = |from: &str, to: &str| changed(&app, &whole, from, to);
     let origin = format!("Origin: http://{host}\r\n");
-    assert_eq!(changed(&origin, ""), 403);
-    assert_eq!(changed(&origin, "Origin: null\r\n"), 403);
-    assert_eq!(changed(&origin, "Origin: http://evil.example\r\n"), 403);
+    for other in ["", "Origin: null\r\n", "Origin: http://evil.example\r\n"] {
+        assert_eq!(changed(&origin, other), 403, "{other}");
+    }
     assert_eq!(changed(&origin, &format!("{origin}{origin}")), 400);
     assert_eq!(changed("application/octet-stream", "text/plain"), 415);
     assert_eq!(changed(token, &wrong), 404);
@@ -103,13 +85,10 @@ fn who_does_not_come_from_the_page_is_refused() {
 
 #[test]
 fn hostile_questions_are_refused_and_the_next_is_answered() {
-    let dir = folder();
-    let app = App::start(dir.path());
+    let at = &folder();
+    let app = RunningApp::start(at.path());
     let whole = String::from_utf8(app.question("start", "{}", b"")).expect("text");
-    let changed = |from: &str, to: &str| {
-        assert!(whole.contains(from), "{from}");
-        app.status(&whole.replacen(from, to, 1))
-    };
+    let changed = |from: &str, to: &str| changed(&app, &whole, from, to);
     let length = "Content-Length: 3\r\n";
     assert_eq!(changed(length, ""), 411);
     assert_eq!(changed(length, "Content-Length: -3\r\n"), 400);
@@ -158,8 +137,8 @@ fn hostile_questions_are_refused_and_the_next_is_answered() {
 
 #[test]
 fn a_run_stops_when_the_page_waits_no_longer() {
-    let dir = folder();
-    let mut app = App::start(dir.path());
+    let at = &folder();
+    let mut app = RunningApp::start(at.path());
     let mut stream = app.connection();
     stream.write_all(&app.question("run", r#"{"example": "ground"}"#, b"")).expect("it listens");
     let mut answer = BufReader::new(stream);
@@ -184,8 +163,8 @@ fn a_run_stops_when_the_page_waits_no_longer() {
 #[cfg(unix)]
 #[test]
 fn more_connections_than_files_do_not_end_it() {
-    let dir = folder();
-    let app = App::start_by(dir.path(), "ulimit -n 40; exec \"$0\" \"$@\"");
+    let at = &folder();
+    let app = RunningApp::start_by(at.path(), "ulimit -n 40; exec \"$0\" \"$@\"");
     let idle: Vec<TcpStream> = (0..80).map(|_| app.connection()).collect();
     std::thread::sleep(std::time::Duration::from_millis(500));
     let get = format!("GET /{}/ HTTP/1.1\r\nHost: {}\r\n\r\n", app.token, app.host);

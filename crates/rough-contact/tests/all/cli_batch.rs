@@ -1,140 +1,114 @@
 //! Several files and folders: one table, one reason for each file without an answer, nothing aborted, and
 //! a run that was cut off goes on.
 
-use crate::cli;
-
-use cli::{file, folder, number, refused, rough_contact};
+use crate::cli::{TestFolder, folder, has, list, number, timeless};
 use serde_json::Value;
-use std::path::Path;
+use std::path::{Path, PathBuf};
+use std::time::SystemTime;
 
 /// Two maps of the same name in two folders, and a file that is none.
-fn maps(at: &Path) {
-    for (name, seed) in [("in/a/map.x3p", 1), ("in/b/map.x3p", 2)] {
-        std::fs::create_dir_all(at.join(name).parent().unwrap()).unwrap();
-        let synth = format!(
-            "synth --shape 32,48 --pixel 1um --hurst 0.8 --rolloff 24um --cutoff 6um \
-             --rms-height 0.3um --seed {seed} --out {name}"
-        );
-        assert_eq!(rough_contact(at, &synth).status, 0);
+fn maps() -> TestFolder {
+    let at = folder();
+    for (part, seed) in [("a", 1), ("b", 2)] {
+        std::fs::create_dir_all(at.join(&format!("in/{part}"))).unwrap();
+        let recipe = "--shape 32,48 --rolloff 24um --cutoff 6um --rms-height 0.3um --seed";
+        at.synth(&format!("in/{part}/map.x3p"), &format!("{recipe} {seed}"));
     }
-    file(at, "in/b/broken.x3p", "PK\u{3}\u{4} cut off");
-    file(at, "in/picture.png", "not a surface");
-    file(at, "in/.hidden.x3p", "not looked at");
+    at.file("in/b/broken.x3p", "PK\u{3}\u{4} cut off");
+    at.file("in/picture.png", "not a surface");
+    at.file("in/.hidden.x3p", "not looked at");
+    at
 }
 
-/// An answer without what differs between two runs.
-fn without_times(value: &Value) -> Value {
-    match value {
-        Value::Object(map) => {
-            let kept = map.iter().filter(|(key, _)| *key != "seconds");
-            kept.map(|(key, value)| (key.clone(), without_times(value))).collect()
-        }
-        Value::Array(items) => items.iter().map(without_times).collect(),
-        other => other.clone(),
-    }
-}
-
-fn changed(path: &Path) -> std::time::SystemTime {
+fn changed(path: &PathBuf) -> SystemTime {
     path.metadata().unwrap().modified().unwrap()
 }
 
-fn kept(at: &Path) -> Vec<std::path::PathBuf> {
+fn kept(at: &TestFolder) -> Vec<PathBuf> {
     let entries = std::fs::read_dir(at.join("out/answers")).unwrap();
     let mut all: Vec<_> = entries.map(|e| e.unwrap().path()).collect();
     all.sort();
     all
 }
 
+fn json(path: &Path) -> Value {
+    timeless(&serde_json::from_slice(&std::fs::read(path).unwrap()).unwrap(), &[])
+}
+
 #[test]
 fn a_folder_is_one_table_with_the_numbers_of_each_file_alone() {
-    let dir = folder();
-    let at = dir.path();
-    maps(at);
+    let at = &maps();
     for (command, heading) in [
         ("info", "format"),
         ("stats", "rms gradient"),
         ("solve --modulus 110GPa --pressure 50MPa,200MPa", "real pressure"),
     ] {
-        let said = rough_contact(at, &format!("{command} in --threads 3"));
+        let said = at.run(&format!("{command} in --threads 3"));
         assert_eq!(said.status, 1, "{command}: {}", said.err);
-        assert!(said.out.contains(heading), "{}", said.out);
+        has(&said.out, &[heading]);
         for name in ["a/map.x3p", "b/map.x3p", "no answer: b/broken.x3p: "] {
             assert_eq!(said.out.matches(&format!("\n{name}")).count(), 1, "{name}: {}", said.out);
         }
-        assert!(
-            said.err.contains("in/picture.png") && !said.err.contains("hidden"),
-            "{}",
-            said.err
-        );
-        assert!(said.err.contains("1 of 3 files"), "{}", said.err);
+        has(&said.err, &["in/picture.png", "1 of 3 files"]);
+        assert!(!said.err.contains("hidden"), "{}", said.err);
 
-        let said = rough_contact(at, &format!("{command} in --threads 3 --quiet --json"));
+        let said = at.run(&format!("{command} in --threads 3 --quiet --json"));
         assert_eq!(said.status, 1);
         let all = said.json();
         assert_eq!(all["error"]["kind"], "files_failed");
-        let all = all["files"].as_array().unwrap().clone();
+        let all = list(&all["files"]);
         let names: Vec<&str> = all.iter().map(|f| f["file"].as_str().unwrap()).collect();
         assert_eq!(names, ["in/a/map.x3p", "in/b/broken.x3p", "in/b/map.x3p"]);
-        assert!(all[1]["error"]["message"].as_str().unwrap().contains("broken.x3p"));
+        has(all[1]["error"]["message"].as_str().unwrap(), &["broken.x3p"]);
         for one in [&all[0], &all[2]] {
             let name = one["file"].as_str().unwrap();
-            let alone = rough_contact(at, &format!("{command} {name} --json")).answered();
-            let mut of_many = without_times(one);
-            of_many.as_object_mut().unwrap().remove("file");
-            assert_eq!(of_many, without_times(&alone), "{command} {name}");
+            let alone = at.answer(&format!("{command} {name}"));
+            assert_eq!(timeless(one, &["file"]), timeless(&alone, &[]), "{command} {name}");
         }
     }
     // What is wrong with the question and not with the files is said once.
-    refused(at, "solve in --pressure 1MPa --quiet", 2, &["modulus"]);
-    refused(at, "stats", 2, &["FILE"]);
-    refused(at, "stats nowhere", 2, &["nowhere"]);
+    at.refuses("solve in --pressure 1MPa --quiet", &["modulus"]);
+    at.refuses("stats", &["FILE"]);
+    at.refuses("stats nowhere", &["nowhere"]);
 }
 
 #[test]
 fn a_run_goes_on_with_what_is_whole_and_of_the_same_content_and_options() {
-    let dir = folder();
-    let at = dir.path();
-    maps(at);
+    let at = &maps();
     let line = "solve in --modulus 110GPa --pressure 50MPa --maps maps --out out";
-    let first = rough_contact(at, &format!("{line} --json"));
+    let resumed = |more: &str| at.run(&format!("{line} --resume {more}"));
+    let first = at.run(&format!("{line} --json"));
     assert_eq!(first.status, 1, "{}", first.err);
     let before = kept(at);
     assert_eq!(before.len(), 2);
-    refused(at, line, 2, &["table.csv", "--force"]);
+    at.refuses(line, &["table.csv", "--force"]);
     let written = |e: std::io::Result<std::fs::DirEntry>| e.unwrap().path().join("gap-000.npy");
     let maps = std::fs::read_dir(at.join("maps")).unwrap().map(written);
     assert_eq!(maps.filter(|map| map.exists()).count(), 2, "the maps of two files, apart");
 
     // Nothing has changed: every answer is kept, to the last digit and second.
-    let times: Vec<_> = before.iter().map(|p| changed(p)).collect();
-    let said = rough_contact(at, &format!("{line} --resume"));
-    assert!(said.out.contains("2 of 3 answers were there already"), "{}", said.out);
-    assert_eq!(times, before.iter().map(|p| changed(p)).collect::<Vec<_>>());
-    let again = rough_contact(at, &format!("{line} --resume --json"));
-    assert_eq!(again.json(), first.json());
+    let times: Vec<_> = before.iter().map(changed).collect();
+    has(&resumed("").out, &["2 of 3 answers were there already"]);
+    assert_eq!(times, before.iter().map(changed).collect::<Vec<_>>());
+    assert_eq!(resumed("--json").json(), first.json());
 
     // Half an answer, one under its name of the time of writing, and one whose maps are gone.
-    let whole = std::fs::read(&before[0]).unwrap();
+    let (whole, answer) = (std::fs::read(&before[0]).unwrap(), json(&before[0]));
     std::fs::write(&before[0], &whole[..whole.len() / 2]).unwrap();
     std::fs::write(at.join("out/answers/map.x3p-0.json.1.partial"), &whole).unwrap();
-    let said = rough_contact(at, &format!("{line} --resume"));
-    assert!(said.out.contains("1 of 3 answers"), "{}", said.out);
-    assert_eq!(without_times(&serde_json::from_slice(&whole).unwrap()), {
-        without_times(&serde_json::from_slice(&std::fs::read(&before[0]).unwrap()).unwrap())
-    });
+    has(&resumed("").out, &["1 of 3 answers"]);
+    assert_eq!(json(&before[0]), answer);
     std::fs::remove_dir_all(at.join("maps")).unwrap();
-    let said = rough_contact(at, &format!("{line} --resume"));
-    assert!(!said.out.contains("were there already"), "{}", said.out);
-
     // Other options and another content of the same name are other answers.
-    let said = rough_contact(at, &format!("{line} --resume --level quadratic"));
-    assert!(!said.out.contains("were there already"), "{}", said.out);
+    for more in ["", "--level quadratic"] {
+        let said = resumed(more).out;
+        assert!(!said.contains("were there already"), "{said}");
+    }
     std::fs::copy(at.join("in/a/map.x3p"), at.join("in/b/map.x3p")).unwrap();
-    let said = rough_contact(at, &format!("{line} --resume --json"));
-    let all = said.json()["files"].clone();
+    let all = resumed("--json").json()["files"].clone();
     assert_eq!(all[0]["points"][0]["area_fraction"], all[2]["points"][0]["area_fraction"]);
 
-    let table = std::fs::read_to_string(at.join("out/table.csv")).unwrap();
+    let table = at.read("out/table.csv");
     let rows: Vec<&str> = table.lines().collect();
     assert_eq!(rows.len(), 4);
     assert!(rows[0].starts_with("file,") && rows[0].contains("mean_gap (m)"), "{}", rows[0]);
@@ -146,109 +120,92 @@ fn a_run_goes_on_with_what_is_whole_and_of_the_same_content_and_options() {
 
 #[test]
 fn a_folder_compared_is_a_page_of_distributions() {
-    let dir = folder();
-    let at = dir.path();
-    maps(at);
-    file(at, "in/b/flat.txt", "0 0 0 0\n0 0 0 0\n0 0 0 0\n"); // refused by the reader: no units
-    let line = "compare in --modulus 110GPa --out out --quiet --json";
-    let said = rough_contact(at, line);
+    let at = &maps();
+    at.file("in/b/flat.txt", "0 0 0 0\n0 0 0 0\n0 0 0 0\n"); // refused by the reader: no units
+    let line = "compare in --modulus 110GPa --out out --quiet";
+    let said = at.run(&format!("{line} --json"));
     assert_eq!(said.status, 1, "{}", said.err);
-    let all = said.json()["files"].as_array().unwrap().clone();
-    assert_eq!(all.len(), 4);
-    let read = |name: &str| std::fs::read_to_string(at.join("out").join(name)).unwrap();
-    let results: Value = serde_json::from_str(&read("results.json")).unwrap();
-    assert_eq!(results["refused"].as_array().unwrap().len(), 2);
-    assert_eq!(results["surfaces"].as_array().unwrap().len(), 2);
+    let files = said.json()["files"].clone();
+    assert_eq!(list(&files).len(), 4);
+    let results = at.results("out");
+    assert_eq!(list(&results["refused"]).len(), 2);
+    assert_eq!(list(&results["surfaces"]).len(), 2);
 
     // What the table and the page say is what `compare` says of the file alone.
-    let alone = "compare in/a/map.x3p --modulus 110GPa --out alone --quiet --json";
-    let alone = rough_contact(at, alone).answered()["surfaces"][0].clone();
-    let (one, whole) = (&all[0], &results["surfaces"][0]);
+    let alone = "compare in/a/map.x3p --modulus 110GPa --out alone --quiet";
+    let alone = at.answer(alone)["surfaces"][0].clone();
+    let (one, whole) = (&files[0], &results["surfaces"][0]);
     assert_eq!(whole["statistics"], alone["statistics"]);
     assert_eq!(one["mean_pressure"], alone["headline_pressure"]);
     let error = |surface: &Value, name: &str| {
-        let models = surface["models"].as_array().unwrap();
-        models.iter().find(|m| m["model"] == name).unwrap()["area_error"]["headline"].clone()
+        let model = list(&surface["models"]).iter().find(|m| m["model"] == name);
+        model.unwrap()["area_error"]["headline"].clone()
     };
     for name in ["gw", "persson"] {
         assert_eq!(one["models"][name]["area_error"], error(&alone, name));
         assert_eq!(error(whole, name), error(&alone, name));
     }
-    let page = read("report.html");
+    let page = at.read("out/report.html");
     assert_eq!(page.matches("<h2>").count(), 6, "sections of the batch, none of a map");
-    for part in ["files without: 2", "broken.x3p", "Distributions over the maps", "a/map.x3p"] {
-        assert!(page.contains(part), "{part}");
-    }
-    assert_eq!(read("table.csv").lines().count(), 5);
+    has(&page, &["files without: 2", "broken.x3p", "Distributions over the maps", "a/map.x3p"]);
+    let table = at.read("out/table.csv");
+    assert_eq!(table.lines().count(), 5);
 
     // Going on changes no number; without the word nothing is overwritten.
-    refused(at, "compare in --modulus 110GPa --out out --quiet", 2, &["report.html", "--force"]);
-    let again = rough_contact(at, &format!("{line} --resume"));
-    assert_eq!(again.json()["files"], said.json()["files"]);
-    let names = read("table.csv");
-    let said = rough_contact(at, "compare in --modulus 110GPa --out out --quiet --resume");
-    assert!(said.out.contains("2 of 4 answers were there already"), "{}", said.out);
-    assert_eq!(read("table.csv"), names);
+    at.refuses(line, &["report.html", "--force"]);
+    assert_eq!(at.run(&format!("{line} --resume --json")).json()["files"], files);
+    let said = at.run(&format!("{line} --resume"));
+    has(&said.out, &["2 of 4 answers were there already"]);
+    assert_eq!(at.read("out/table.csv"), table);
 }
 
 #[test]
 fn of_a_few_files_one_that_fails_costs_the_others_nothing() {
-    let dir = folder();
-    let at = dir.path();
-    maps(at);
-    std::fs::write(at.join("tiny.txt"), "1 2\n3 5\n").unwrap();
+    let at = &maps();
+    at.file("tiny.txt", "1 2\n3 5\n");
     let line = "compare in/a/map.x3p in/b/broken.x3p tiny.txt in/b/map.x3p --modulus 110GPa --pressure \
                 100MPa --pixel 1um --height-unit nm --quiet --out out --json";
-    let said = rough_contact(at, line);
+    let said = at.run(line);
     assert_eq!(said.status, 1, "{}", said.err);
     let results = said.json();
     let names = |key: &str| -> Vec<String> {
-        let list = results[key].as_array().unwrap();
-        list.iter().map(|s| s["name"].as_str().unwrap().to_owned()).collect()
+        list(&results[key]).iter().map(|s| s["name"].as_str().unwrap().to_owned()).collect()
     };
     assert_eq!(names("surfaces"), ["a/map.x3p", "b/map.x3p"]);
     assert!(names("refused").contains(&"broken.x3p".to_owned()), "{:?}", names("refused"));
-    for name in names("refused") {
-        assert!(said.err.contains(&name), "{name}: {}", said.err);
-    }
-    let page = std::fs::read_to_string(at.join("out/report.html")).unwrap();
-    assert!(page.contains("no study") && page.contains("broken.x3p"));
+    has(&said.err, &names("refused").iter().map(String::as_str).collect::<Vec<_>>());
+    has(&at.read("out/report.html"), &["no study", "broken.x3p"]);
     // All refused is refused.
-    refused(at, "compare in/b/broken.x3p --modulus 1GPa --out no", 2, &["broken.x3p"]);
+    at.refuses("compare in/b/broken.x3p --modulus 1GPa --out no", &["broken.x3p"]);
 }
 
 /// Traces in several files are one sample, as traces beside each other in one file are.
 #[test]
 fn traces_of_several_files_are_pooled() {
-    let dir = folder();
-    let at = dir.path();
+    let at = &folder();
     let height =
         |i: usize, k: usize| ((i * 37 + k * 101) % 29) as f64 * 0.01 + (i as f64 * 0.05).sin();
-    let table = |columns: &[usize], count: usize| -> String {
+    let traces = |name: &str, title: &str, columns: &[usize], count: usize| {
         let rows = (0..count).map(|i| {
             let z: Vec<String> = columns.iter().map(|&k| format!("{:.6}", height(i, k))).collect();
-            format!("{} {}\n", i, z.join(" "))
+            format!("{i} {}\n", z.join(" "))
         });
-        rows.collect()
+        at.file(name, &(format!("{title}\n") + &rows.collect::<String>()));
     };
-    let names = ["x z1 z2 z3\n", "x z\n"];
-    file(at, "all.txt", &(names[0].to_owned() + &table(&[1, 2, 3], 400)));
+    traces("all.txt", "x z1 z2 z3", &[1, 2, 3], 400);
     for k in 1..=3 {
-        file(at, &format!("t{k}.txt"), &(names[1].to_owned() + &table(&[k], 400)));
+        traces(&format!("t{k}.txt"), "x z", &[k], 400);
     }
-    file(at, "short.txt", &(names[1].to_owned() + &table(&[1], 200)));
+    traces("short.txt", "x z", &[1], 200);
     let units = "--lateral-unit um --height-unit um";
-    let one = rough_contact(at, &format!("stats all.txt {units} --json")).answered();
-    let pooled =
-        rough_contact(at, &format!("stats t1.txt t2.txt t3.txt --pool {units} --json")).answered();
-    assert_eq!(pooled, one);
+    let pooled = at.answer(&format!("stats t1.txt t2.txt t3.txt --pool {units}"));
+    assert_eq!(pooled, at.answer(&format!("stats all.txt {units}")));
     assert_eq!(pooled["traces"], 3);
-    let scales = format!("stats t1.txt t2.txt --pool --scales {units}");
-    refused(at, &scales, 2, &["--pool", "--scales"]);
-    refused(
-        at,
-        &format!("stats t1.txt short.txt --pool {units}"),
-        2,
-        &["short.txt", "--crop", "400", "200"],
+    at.refuses_each(
+        &format!("stats t1.txt {units} --pool"),
+        &[
+            ("t2.txt --scales", &["--pool", "--scales"]),
+            ("short.txt", &["short.txt", "--crop", "400", "200"]),
+        ],
     );
 }

@@ -1,12 +1,7 @@
 //! Cleaning is done when asked for, in a fixed order, and reported everywhere.
 
-use crate::cli;
-
-use cli::{folder, matrix, number, refused, rough_contact};
+use crate::cli::{TestFolder, UNITS, close, folder, has, list, number};
 use serde_json::{Value, json};
-use std::path::Path;
-
-const READ: &str = "--pixel 1um --height-unit um";
 
 /// Relief without pattern, ±0.02 µm: an integer hash of the position.
 fn rough(iy: usize, ix: usize) -> f64 {
@@ -26,47 +21,49 @@ fn ball(iy: usize, ix: usize) -> f64 {
     rough(iy, ix) + (2000f64.powi(2) - y * y - x * x).sqrt() - 2000.0
 }
 
-fn stats(at: &Path, line: &str) -> Value {
-    rough_contact(at, &format!("stats {line} {READ} --json")).answered()
+/// A folder with the three.
+fn maps() -> TestFolder {
+    let at = folder();
+    at.matrix("rough.txt", 48, 64, rough);
+    at.matrix("spiky.txt", 48, 64, spiky);
+    at.matrix("ball.txt", 48, 64, ball);
+    at
+}
+
+fn stats(at: &TestFolder, line: &str) -> Value {
+    at.answer(&format!("stats {line} {UNITS}"))
 }
 
 #[test]
 fn nothing_is_cleaned_unless_asked() {
-    let dir = folder();
-    let at = dir.path();
-    matrix(at, "spiky.txt", 48, 64, spiky);
+    let at = &maps();
     let plain = stats(at, "spiky.txt");
     assert_eq!(plain["cleaning"], json!([]));
     assert!((number(&plain["peak_height"]) - 5e-6).abs() < 0.05e-6);
-    let text = rough_contact(at, &format!("stats spiky.txt {READ}")).out;
+    let text = at.run(&format!("stats spiky.txt {UNITS}")).out;
     assert!(!text.contains("clean"), "{text}");
-    let solve = format!("solve spiky.txt {READ} --modulus 70GPa --pressure 10MPa --quiet --json");
-    assert_eq!(rough_contact(at, &solve).answered()["cleaning"], json!([]));
+    let solve = format!("solve spiky.txt {UNITS} --modulus 70GPa --pressure 10MPa --quiet");
+    assert_eq!(at.answer(&solve)["cleaning"], json!([]));
 }
 
 #[test]
 fn a_spike_is_removed_and_reported() {
-    let dir = folder();
-    let at = dir.path();
-    matrix(at, "spiky.txt", 48, 64, spiky);
-    matrix(at, "rough.txt", 48, 64, rough);
-    let options = "--outliers 8 --fill harmonic";
-    let cleaned = stats(at, &format!("spiky.txt {options}"));
+    let at = &maps();
+    let cleaned = stats(at, "spiky.txt --outliers 8 --fill harmonic");
     let step = &cleaned["cleaning"][0];
-    assert_eq!(cleaned["cleaning"].as_array().unwrap().len(), 1);
+    assert_eq!(list(&cleaned["cleaning"]).len(), 1);
     assert_eq!((&step["step"], &step["count"]), (&json!("outliers"), &json!(1)));
     assert!((number(&step["largest"]) - 5e-6).abs() < 0.05e-6);
     assert_eq!(number(&step["threshold"]).to_bits(), 8f64.to_bits());
     assert_eq!(cleaned["missing"], 1);
     let without = stats(at, "rough.txt");
-    let ratio = number(&cleaned["rms_height"]) / number(&without["rms_height"]);
-    assert!((ratio - 1.0).abs() < 1e-3, "{ratio}");
-    let text = rough_contact(at, &format!("stats spiky.txt {READ} {options}"));
-    assert!(text.out.starts_with("cleaned: 1 spike removed: more than "), "{}", text.out);
+    close(number(&cleaned["rms_height"]), number(&without["rms_height"]), 1e-3);
+    let line = format!("stats spiky.txt {UNITS} --outliers 8");
+    let text = at.run(&format!("{line} --fill harmonic")).out;
+    assert!(text.starts_with("cleaned: 1 spike removed: more than "), "{text}");
 
     // The point has to be filled somehow, and nobody said how.
-    let line = format!("stats spiky.txt {READ} --outliers 8");
-    refused(at, &line, 2, &["1 spike", "--fill harmonic", "threshold"]);
+    at.refuses(&line, &["1 spike", "--fill harmonic", "threshold"]);
     // Where there is no spike, none has to be.
     let none = stats(at, "rough.txt --outliers 8");
     assert_eq!(none["cleaning"][0]["count"], 0);
@@ -75,51 +72,44 @@ fn a_spike_is_removed_and_reported() {
 
 #[test]
 fn a_sphere_is_removed_and_its_radius_reported() {
-    let dir = folder();
-    let at = dir.path();
-    matrix(at, "ball.txt", 48, 64, ball);
-    matrix(at, "rough.txt", 48, 64, rough);
+    let at = &maps();
     let cleaned = stats(at, "ball.txt --form sphere");
     let step = &cleaned["cleaning"][0];
     assert_eq!((&step["step"], &step["form"]), (&json!("form"), &json!("sphere")));
-    assert!((number(&step["radius"]) / 2e-3 - 1.0).abs() < 0.05, "{step}");
-    assert!((number(&step["apex"][0]) - 20e-6).abs() < 1e-6, "{step}");
-    assert!((number(&step["apex"][1]) - 30e-6).abs() < 1e-6, "{step}");
+    close(number(&step["radius"]), 2e-3, 0.05);
+    for (found, expected) in list(&step["apex"]).iter().zip([20e-6, 30e-6]) {
+        assert!((number(found) - expected).abs() < 1e-6, "{step}");
+    }
     let flat = stats(at, "rough.txt");
     for key in ["rms_height", "m4"] {
-        let ratio = number(&cleaned[key]) / number(&flat[key]);
-        assert!((ratio - 1.0).abs() < 5e-3, "{key}: {ratio}"); // a fit takes a little relief
+        close(number(&cleaned[key]), number(&flat[key]), 5e-3); // a fit takes a little relief
     }
     // The same for contact: the cleaned ball is nearly the rough flat.
-    let load = "--modulus 70GPa --pressure 50MPa --quiet --json";
-    let solve =
-        |options: &str| rough_contact(at, &format!("solve {options} {READ} {load}")).answered();
+    let solve = |options: &str| {
+        at.answer(&format!("solve {options} {UNITS} --modulus 70GPa --pressure 50MPa --quiet"))
+    };
     let of_ball = solve("ball.txt --form sphere");
     assert_eq!(of_ball["cleaning"][0]["form"], "sphere");
     let area = |solved: &Value| number(&solved["points"][0]["area_fraction"]);
-    let ratio = area(&of_ball) / area(&solve("rough.txt"));
-    assert!((ratio - 1.0).abs() < 0.1, "{ratio}");
+    close(area(&of_ball), area(&solve("rough.txt")), 0.1);
 }
 
 /// A form that is removed and points that are filled do not take away the steps of the data.
 #[test]
 fn height_steps_are_still_seen_after_a_form_is_removed() {
-    let dir = folder();
-    let at = dir.path();
+    let at = &folder();
     // Smooth waves on the ball, in steps of 20 nm that make more than a quarter of m4.
-    let stepped = |iy, ix| {
+    at.matrix("stepped.txt", 48, 64, |iy, ix| {
         let waves = 0.1 * (0.5 * ix as f64).sin() * (0.4 * iy as f64).cos();
         ((ball(iy, ix) - rough(iy, ix) + waves) / 0.02).round() * 0.02
-    };
-    matrix(at, "stepped.txt", 48, 64, stepped);
+    });
     let step = |options: &str| {
         let found = stats(at, &format!("stepped.txt {options}"));
         let warned = found["warnings"].to_string().contains("stepped");
         (found["height_step"].as_f64(), warned)
     };
     for options in ["", "--form sphere", "--form sphere --outliers 8 --fill harmonic"] {
-        let (step, _) = step(options);
-        assert!((step.unwrap() / 20e-9 - 1.0).abs() < 1e-6, "{options}: {step:?}");
+        close(step(options).0.unwrap(), 20e-9, 1e-6);
     }
     assert!(step("--form sphere").1, "no warning");
     assert_eq!(step("--form sphere --s-filter 8um").0, None);
@@ -127,60 +117,51 @@ fn height_steps_are_still_seen_after_a_form_is_removed() {
 
 #[test]
 fn an_s_filter_changes_m4_and_is_repeated_from_the_run_file() {
-    let dir = folder();
-    let at = dir.path();
-    matrix(at, "spiky.txt", 48, 64, spiky);
+    let at = &maps();
     let options = "--outliers 8 --form plane --s-filter 6um --l-filter 40um --fill nearest";
     let raw = number(&stats(at, "spiky.txt --outliers 8 --fill nearest")["m4"]);
     let cleaned = stats(at, &format!("spiky.txt {options}"));
     assert!(number(&cleaned["m4"]) < 1e-2 * raw, "{} {raw}", cleaned["m4"]);
-    let steps = |v: &Value| -> Vec<String> {
-        v.as_array().unwrap().iter().map(|s| s["step"].as_str().unwrap().to_owned()).collect()
-    };
-    assert_eq!(steps(&cleaned["cleaning"]), ["outliers", "form", "s_filter", "l_filter"]);
+    let steps: Vec<_> = list(&cleaned["cleaning"]).iter().map(|step| &step["step"]).collect();
+    assert_eq!(steps, ["outliers", "form", "s_filter", "l_filter"]);
 
-    let study = format!("compare spiky.txt {READ} {options} --modulus 70GPa --pressure 10MPa");
-    let first = rough_contact(at, &format!("{study} --out first --json --quiet")).answered();
-    let again = "compare --from first/run.toml --out again --json --quiet";
-    let again = rough_contact(at, again).answered();
-    let surface = |v: &Value| v["surfaces"][0].clone();
-    let (first, again) = (surface(&first), surface(&again));
+    let study = format!("spiky.txt {UNITS} {options} --modulus 70GPa --pressure 10MPa");
+    let [first, again] =
+        [format!("{study} --out first"), "--from first/run.toml --out again".to_owned()]
+            .map(|line| at.answer(&format!("compare {line} --quiet"))["surfaces"][0].clone());
     assert_eq!(first["cleaning"], cleaned["cleaning"]);
-    assert_eq!(again["cleaning"], first["cleaning"]);
-    assert_eq!(again["statistics"], first["statistics"]);
-    assert_eq!(again["origin"], first["origin"]);
-    assert_eq!(first["statistics"]["missing"], 1);
-
-    let report = std::fs::read_to_string(at.join("first/report.html")).unwrap();
-    for part in ["1 spike removed", "plane fitted to", "S-filter: waves shorter than 6.0000 µm"] {
-        assert!(report.contains(part), "{part:?} is not in the report");
+    for key in ["cleaning", "statistics", "origin"] {
+        assert_eq!(again[key], first[key]);
     }
-    let other = "compare --from first/run.toml --s-filter 8um --out third";
-    refused(at, other, 2, &["--s-filter"]);
+    assert_eq!(first["statistics"]["missing"], 1);
+    has(
+        &at.read("first/report.html"),
+        &["1 spike removed", "plane fitted to", "S-filter: waves shorter than 6.0000 µm"],
+    );
+    at.refuses("compare --from first/run.toml --s-filter 8um --out third", &["--s-filter"]);
 }
 
 #[test]
 fn cleaning_that_makes_no_sense_is_refused() {
-    let dir = folder();
-    let at = dir.path();
-    matrix(at, "rough.txt", 24, 24, rough);
-    let stats = format!("stats rough.txt {READ}");
-    for (options, parts) in [
-        ("--outliers 0", &["greater than 0", "8 is usual"][..]),
-        ("--outliers -8", &["greater than 0"]),
-        ("--outliers 8um", &["pure number", "8"]),
-        ("--outliers nan", &["not a finite number"]),
-        ("--form ball", &["ball", "sphere", "polynomial:N"]),
-        ("--form polynomial:13", &["polynomial:13", "12"]),
-        ("--s-filter 5", &["has no unit", "5um"]),
-        ("--l-filter 5e-6", &["has no unit"]),
-        ("--s-filter 1um", &["1e-6 m", "2e-6 m", "leave it out"]),
-        ("--s-filter -5um", &["2e-6 m"]),
-        ("--s-filter 9um --l-filter 5um", &["9e-6 m", "5e-6 m", "shorter cut-off"]),
-    ] {
-        refused(at, &format!("{stats} {options}"), 2, parts);
-    }
+    let at = &folder();
+    at.matrix("rough.txt", 24, 24, rough);
+    at.refuses_each(
+        &format!("stats rough.txt {UNITS}"),
+        &[
+            ("--outliers 0", &["greater than 0", "8 is usual"]),
+            ("--outliers -8", &["greater than 0"]),
+            ("--outliers 8um", &["pure number", "8"]),
+            ("--outliers nan", &["not a finite number"]),
+            ("--form ball", &["ball", "sphere", "polynomial:N"]),
+            ("--form polynomial:13", &["polynomial:13", "12"]),
+            ("--s-filter 5", &["has no unit", "5um"]),
+            ("--l-filter 5e-6", &["has no unit"]),
+            ("--s-filter 1um", &["1e-6 m", "2e-6 m", "leave it out"]),
+            ("--s-filter -5um", &["2e-6 m"]),
+            ("--s-filter 9um --l-filter 5um", &["9e-6 m", "5e-6 m", "shorter cut-off"]),
+        ],
+    );
     let typed = "model gw --m0 1um^2 --m2 0.01 --m4 1e9m^-2 --modulus 1GPa --pressure 1MPa";
-    refused(at, &format!("{typed} --s-filter 5um"), 2, &["FILE"]);
-    refused(at, "compare --out r --s-filter 5um", 2, &["FILE"]);
+    at.refuses(&format!("{typed} --s-filter 5um"), &["FILE"]);
+    at.refuses("compare --out r --s-filter 5um", &["FILE"]);
 }

@@ -1,32 +1,32 @@
 //! Maps and contacts go out in files that other programs open, and come back as they were.
 
-use crate::cli;
-
-use cli::{folder, number, refused, rough_contact};
+use crate::cli::{TestFolder, close, folder, list, number};
 use serde_json::Value;
-use std::path::Path;
+use std::f64::consts::TAU;
 use surface_io::ReadOptions;
 
-fn map(at: &Path) {
-    let synth = "synth --shape 40,56 --pixel 1um,1.25um --hurst 0.8 --rolloff 24um --cutoff 6um \
-                 --rms-height 0.3um --seed 7 --out map.sdf";
-    assert_eq!(rough_contact(at, synth).status, 0);
+const SOLVE: &str = "solve map.sdf --modulus 110GPa --pressure 300MPa";
+
+fn map() -> TestFolder {
+    let at = folder();
+    at.done(
+        "synth --shape 40,56 --pixel 1um,1.25um --hurst 0.8 --rolloff 24um --cutoff 6um \
+         --rms-height 0.3um --seed 7 --out map.sdf",
+    );
+    at
 }
 
 /// The numbers of a file of ours.
-fn numbers(path: &Path) -> Vec<f64> {
-    let bytes = std::fs::read(path).unwrap();
+fn numbers(at: &TestFolder, name: &str) -> Vec<f64> {
+    let bytes = std::fs::read(at.join(name)).unwrap();
     let data = bytes.iter().position(|b| *b == b'\n').unwrap() + 1;
     bytes[data..].chunks_exact(8).map(|b| f64::from_le_bytes(b.try_into().unwrap())).collect()
 }
 
 #[test]
 fn heights_come_back_from_every_format() {
-    let dir = folder();
-    let at = dir.path();
-    map(at);
-    let stats =
-        |file: &str| rough_contact(at, &format!("stats {file} --level none --json")).answered();
+    let at = &map();
+    let stats = |file: &str| at.answer(&format!("stats {file} --level none"));
     let before = stats("map.sdf");
     for (name, more) in [
         ("a.x3p", ""),
@@ -35,37 +35,30 @@ fn heights_come_back_from_every_format() {
         ("a.h5", ""),
         ("a.npy", "--pixel 1um,1.25um --height-unit m"),
     ] {
-        let said = rough_contact(at, &format!("convert map.sdf --out {name} --json")).answered();
+        let said = at.answer(&format!("convert map.sdf --out {name}"));
         assert_eq!(said["shape"], before["shape"]);
         let after = stats(&format!("{name} {more}"));
         for key in ["rms_height", "skewness", "m2_x", "m2_y", "m4"] {
-            let (a, b) = (number(&after[key]), number(&before[key]));
-            assert!((a / b - 1.0).abs() < 1e-12, "{name}: {key} {a} {b}");
+            close(number(&after[key]), number(&before[key]), 1e-12);
         }
     }
     // Levelled and cleaned as `stats` does it.
-    let said =
-        rough_contact(at, "convert map.sdf --form quadratic --level plane --out b.x3p --json");
-    assert_eq!(said.answered()["cleaning"].as_array().unwrap().len(), 1);
-    let levelled = rough_contact(at, "stats map.sdf --form quadratic --json").answered();
-    let again = stats("b.x3p");
-    assert!((number(&again["rms_height"]) / number(&levelled["rms_height"]) - 1.0).abs() < 1e-12);
-    refused(at, "convert map.sdf --out b.x3p", 2, &["b.x3p", "--force"]);
-    refused(at, "convert map.sdf --out b.png", 2, &["png", ".x3p", ".vti"]);
+    let said = at.answer("convert map.sdf --form quadratic --level plane --out b.x3p");
+    assert_eq!(list(&said["cleaning"]).len(), 1);
+    let levelled = at.answer("stats map.sdf --form quadratic");
+    close(number(&stats("b.x3p")["rms_height"]), number(&levelled["rms_height"]), 1e-12);
+    at.refuses("convert map.sdf --out b.x3p", &["b.x3p", "--force"]);
+    at.refuses("convert map.sdf --out b.png", &["png", ".x3p", ".vti"]);
 }
 
 #[test]
 fn a_contact_is_written_whole() {
-    let dir = folder();
-    let at = dir.path();
-    map(at);
-    let solve = "solve map.sdf --modulus 110GPa --pressure 300MPa --maps out --json \
-                 --fields pressure,gap,displacement,heights,spots --distributions";
-    let said = rough_contact(at, solve).answered();
+    let at = &map();
+    let fields = "--fields pressure,gap,displacement,heights,spots --distributions";
+    let said = at.answer(&format!("{SOLVE} --maps out {fields}"));
     let point = &said["points"][0];
-    let field = |name: &str| numbers(&at.join(format!("out/{name}-000.npy")));
-    let [pressure, gap, displacement, heights] =
-        ["pressure", "gap", "displacement", "heights"].map(field);
+    let [pressure, gap, displacement, heights] = ["pressure", "gap", "displacement", "heights"]
+        .map(|name| numbers(at, &format!("out/{name}-000.npy")));
     let count = pressure.len() as f64;
     assert_eq!(pressure.len(), 40 * 56);
 
@@ -78,85 +71,66 @@ fn a_contact_is_written_whole() {
     assert!(high - low < 1e-12 * size.max(1e-6));
     // The displacement is that of the pressure: the wave of one period along x by 2/(E* q).
     let wave = |field: &[f64]| {
-        let part = |i: usize| (i % 56) as f64 / 56.0 * std::f64::consts::TAU;
+        let part = |i: usize| (i % 56) as f64 / 56.0 * TAU;
         field.iter().enumerate().map(|(i, v)| v * part(i).cos()).sum::<f64>()
     };
-    let q = std::f64::consts::TAU / 56e-6;
-    let expected = 2.0 / (110e9 * q) * wave(&pressure);
-    assert!(
-        (wave(&displacement) / expected - 1.0).abs() < 2e-3,
-        "{} {expected}",
-        wave(&displacement)
-    );
+    close(wave(&displacement), 2.0 / (110e9 * TAU / 56e-6) * wave(&pressure), 2e-3);
 
     // Spots carry the load and have the area.
-    let table = std::fs::read_to_string(at.join("out/spots-000.csv")).unwrap();
-    let rows: Vec<Vec<f64>> = table
-        .lines()
-        .skip(1)
-        .map(|line| line.split(',').map(|cell| cell.parse().unwrap()).collect())
-        .collect();
+    let table = at.read("out/spots-000.csv");
+    let row = |line: &str| -> Vec<f64> { line.split(',').map(|c| c.parse().unwrap()).collect() };
+    let rows: Vec<Vec<f64>> = table.lines().skip(1).map(row).collect();
     let sum = |k: usize| rows.iter().map(|row| row[k]).sum::<f64>();
     let area = 40.0 * 56.0 * 1.25e-12;
     assert!((sum(0) / area - number(&point["touching_fraction"])).abs() < 1e-9);
-    assert!((sum(1) / area / number(&point["mean_pressure"]) - 1.0).abs() < 1e-9);
-    assert!(
-        rows.iter()
-            .all(|r| r[2] < 56e-6 && r[3] < 50e-6 && (r[1] / r[0] / r[4] - 1.0).abs() < 1e-9)
-    );
+    close(sum(1) / area, number(&point["mean_pressure"]), 1e-9);
+    for row in &rows {
+        assert!(row[2] < 56e-6 && row[3] < 50e-6, "{row:?}");
+        close(row[1] / row[0], row[4], 1e-9);
+    }
 
     // Distributions: the weight at zero is what does not touch.
     let found = &point["distributions"];
     let p = &found["pressure"];
-    let list =
-        |value: &Value| -> Vec<f64> { value.as_array().unwrap().iter().map(number).collect() };
-    let (edges, density) = (list(&p["edges"]), list(&p["density"]));
+    let all = |value: &Value| -> Vec<f64> { list(value).iter().map(number).collect() };
+    let (edges, density) = (all(&p["edges"]), all(&p["density"]));
     let integral: f64 = density.iter().map(|d| d * edges[1]).sum();
     assert!((integral - number(&point["touching_fraction"])).abs() < 1e-12);
     assert!((number(&p["apart"]) + integral - 1.0).abs() < 1e-12);
     assert_eq!(found["spots"]["count"], rows.len());
     let mean = pressure.iter().zip(&gap).filter(|(p, _)| **p <= 0.0).map(|(_, g)| g).sum::<f64>();
-    let apart = number(&p["apart"]) * count;
-    assert!((number(&found["gap"]["mean"]) / (mean / apart) - 1.0).abs() < 1e-9);
+    close(number(&found["gap"]["mean"]), mean / (number(&p["apart"]) * count), 1e-9);
 
     // One file for all fields; only what was asked.
-    let vti = "solve map.sdf --modulus 110GPa --pressure 300MPa --maps vtk --map-format vti";
-    assert_eq!(rough_contact(at, vti).status, 0);
-    let names: Vec<_> =
-        std::fs::read_dir(at.join("vtk")).unwrap().map(|e| e.unwrap().file_name()).collect();
-    assert_eq!(names, ["contact-000.vti"]);
-    let h5 = "solve map.sdf --modulus 110GPa --pressure 300MPa --maps h5 --map-format hdf5 --fields pressure,gap,heights";
-    assert_eq!(rough_contact(at, h5).status, 0);
+    for (folder, options, name) in [
+        ("vtk", "--map-format vti", "contact-000.vti"),
+        ("h5", "--map-format hdf5 --fields pressure,gap,heights", "contact-000.h5"),
+        ("only", "--fields spots", "spots-000.csv"),
+    ] {
+        at.done(&format!("{SOLVE} --maps {folder} {options}"));
+        let written = std::fs::read_dir(at.join(folder)).unwrap();
+        assert_eq!(written.map(|e| e.unwrap().file_name()).collect::<Vec<_>>(), [name]);
+    }
     let kept = surface_io::read(at.join("h5/contact-000.h5"), &ReadOptions::default()).unwrap();
     assert_eq!(kept.channel(), "heights", "the pressure is no height");
     assert_eq!(kept.grid().pixel().map(f64::to_bits), [1.25e-6f64, 1e-6].map(f64::to_bits));
     assert_eq!(kept.channels().len(), 3);
-    let only = "solve map.sdf --modulus 110GPa --pressure 300MPa --maps only --fields spots";
-    assert_eq!(rough_contact(at, only).status, 0);
-    let names: Vec<_> =
-        std::fs::read_dir(at.join("only")).unwrap().map(|e| e.unwrap().file_name()).collect();
-    assert_eq!(names, ["spots-000.csv"]);
-    assert_eq!(std::fs::read_to_string(at.join("only/spots-000.csv")).unwrap(), table);
-    let broken = "solve none.sdf --modulus 110GPa --pressure 300MPa --maps left";
-    refused(at, broken, 2, &["none.sdf"]);
+    assert_eq!(at.read("only/spots-000.csv"), table);
+    at.refuses(&format!("{} --maps left", SOLVE.replace("map.sdf", "none.sdf")), &["none.sdf"]);
     assert!(!at.join("left").exists(), "nothing was written, so there is no folder");
-    let chosen =
-        "solve map.sdf --modulus 110GPa --pressure 300MPa --accuracy 5% --maps x --fields heights";
-    refused(at, chosen, 2, &["--accuracy", "--tolerance"]);
+    let chosen = format!("{SOLVE} --accuracy 5% --maps x --fields heights");
+    at.refuses(&chosen, &["--accuracy", "--tolerance"]);
 }
 
 /// A slope over one point is the one the moments are made of.
 #[test]
 fn statistics_by_distance_begin_with_the_moments() {
-    let dir = folder();
-    let at = dir.path();
-    map(at);
-    let stats = rough_contact(at, "stats map.sdf --scales --json").answered();
+    let at = &map();
+    let stats = at.answer("stats map.sdf --scales");
     for (axis, pixel) in [("x", 1e-6), ("y", 1.25e-6)] {
         let first = &stats["scales"][axis][0];
-        assert!((number(&first["distance"]) / pixel - 1.0).abs() < 1e-9);
-        let m2 = number(&stats[format!("m2_{axis}")]);
-        assert!((number(&first["slope"]).powi(2) / m2 - 1.0).abs() < 1e-9, "{axis}");
+        close(number(&first["distance"]), pixel, 1e-9);
+        close(number(&first["slope"]).powi(2), number(&stats[format!("m2_{axis}")]), 1e-9);
     }
-    assert!(rough_contact(at, "stats map.sdf --json").answered().get("scales").is_none());
+    assert!(at.answer("stats map.sdf").get("scales").is_none());
 }

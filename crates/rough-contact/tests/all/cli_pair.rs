@@ -1,13 +1,9 @@
 //! Two bodies pressed together, as a user presses them.
 
-use crate::cli;
-
-use cli::{folder, matrix, number, refused, rough_contact};
+use crate::cli::{self, TestFolder, UNITS, close, folder, has, list, number};
 use serde_json::Value;
 use std::f64::consts::TAU;
-use std::path::Path;
 
-const FILE: &str = "--pixel 1um --height-unit um";
 const STEEL_AND_BRONZE: &str = "--young 210GPa --poisson 0.3 --young 100GPa --poisson 0.34";
 
 /// Waves of several lengths, one cell of 32 x 32; `mirrored` as seen after a turn about the y axis.
@@ -23,35 +19,32 @@ fn bumpy(seed: f64, sign: f64, mirrored: bool) -> impl Fn(usize, usize) -> f64 {
     }
 }
 
-fn bodies(folder: &Path) {
-    matrix(folder, "a.txt", 32, 32, bumpy(0.3, 1.0, false));
-    matrix(folder, "b.txt", 32, 32, bumpy(1.1, 1.0, false));
-    matrix(folder, "flat.txt", 32, 32, |_, _| 0.0);
-    matrix(folder, "negative.txt", 32, 32, bumpy(0.3, -1.0, true));
+fn bodies() -> TestFolder {
+    let at = folder();
+    at.matrix("a.txt", 32, 32, bumpy(0.3, 1.0, false));
+    at.matrix("b.txt", 32, 32, bumpy(1.1, 1.0, false));
+    at.matrix("flat.txt", 32, 32, |_, _| 0.0);
+    at.matrix("negative.txt", 32, 32, bumpy(0.3, -1.0, true));
+    at
 }
 
-fn solved(folder: &Path, rest: &str) -> Value {
-    rough_contact(folder, &format!("solve {rest} {FILE} {STEEL_AND_BRONZE} --json")).answered()
+fn solved(at: &TestFolder, rest: &str) -> Value {
+    at.answer(&format!("solve {rest} {UNITS} {STEEL_AND_BRONZE}"))
 }
 
 /// What is a number of the surface and not of the clock.
 fn numbers(answer: &Value) -> Vec<Value> {
     let keys =
         ["mean_pressure", "area_fraction", "mean_gap", "approach", "max_pressure", "residuals"];
-    let points = answer["points"].as_array().into_iter().flatten();
-    points.flat_map(|p| keys.map(|key| p[key].clone())).collect()
+    list(&answer["points"]).iter().flat_map(|p| keys.map(|key| p[key].clone())).collect()
 }
 
 #[test]
 fn a_flat_body_changes_no_bit_of_the_answer() {
-    let folder = folder();
-    bodies(folder.path());
-    let alone = solved(folder.path(), "a.txt --pressure 100MPa,1GPa");
+    let at = &bodies();
+    let alone = solved(at, "a.txt --pressure 100MPa,1GPa");
     for how in ["", "--flip rows", "--flip none --shift 5um,3um"] {
-        let pair = solved(
-            folder.path(),
-            &format!("a.txt --against flat.txt {how} --pressure 100MPa,1GPa"),
-        );
+        let pair = solved(at, &format!("a.txt --against flat.txt {how} --pressure 100MPa,1GPa"));
         assert_eq!(numbers(&pair), numbers(&alone), "{how}");
         assert_eq!(pair["findings"], alone["findings"]);
     }
@@ -59,18 +52,16 @@ fn a_flat_body_changes_no_bit_of_the_answer() {
 
 #[test]
 fn the_bodies_may_change_places() {
-    let folder = folder();
-    bodies(folder.path());
-    let one = solved(folder.path(), "a.txt --against b.txt --pressure 500MPa");
-    let other = solved(folder.path(), "b.txt --against a.txt --pressure 500MPa");
+    let at = &bodies();
+    let [one, other] = ["a.txt --against b.txt", "b.txt --against a.txt"]
+        .map(|pair| solved(at, &format!("{pair} --pressure 500MPa")));
     for key in ["area_fraction", "mean_gap", "max_pressure"] {
-        let (a, b) = (number(&one["points"][0][key]), number(&other["points"][0][key]));
         // The mirror image is iterated in another order: as well as the tolerance of 1e-4.
-        assert!((a / b - 1.0).abs() < 1e-3, "{key}: {a} {b}");
+        close(number(&one["points"][0][key]), number(&other["points"][0][key]), 1e-3);
     }
     // E* is of the two together, by Johnson (4.20).
     let modulus = 1.0 / ((1.0 - 0.09) / 210e9 + (1.0 - 0.34 * 0.34) / 100e9);
-    assert!((number(&one["modulus"]) / modulus - 1.0).abs() < 1e-14);
+    close(number(&one["modulus"]), modulus, 1e-14);
     assert_eq!(one["bodies"][0]["name"], "a.txt");
     assert_eq!(one["bodies"][1]["name"], "b.txt");
     assert!((number(&one["bodies"][1]["young"]) - 100e9).abs() < 1.0);
@@ -79,28 +70,19 @@ fn the_bodies_may_change_places() {
 
 #[test]
 fn a_body_on_its_own_negative_closes_at_any_load() {
-    let folder = folder();
-    bodies(folder.path());
-    let pair = "a.txt --against negative.txt";
-    let said = solved(folder.path(), &format!("{pair} --pressure 1Pa,1GPa"));
-    for point in said["points"].as_array().unwrap() {
+    let said = solved(&bodies(), "a.txt --against negative.txt --pressure 1Pa,1GPa");
+    for point in list(&said["points"]) {
         assert!((number(&point["area_fraction"]) - 1.0).abs() < 1e-15, "{point}");
     }
     assert_eq!(said["pair"]["moments"]["independent"], false);
-    let claims = said["findings"].to_string();
-    assert!(claims.contains("a.txt and negative.txt fit into each other."), "{claims}");
+    has(&said["findings"].to_string(), &["a.txt and negative.txt fit into each other."]);
 }
 
 #[test]
 fn a_shift_by_the_period_is_none_and_another_is_made_in_whole_points() {
-    let folder = folder();
-    bodies(folder.path());
-    let by = |shift: &str| {
-        solved(
-            folder.path(),
-            &format!("a.txt --against b.txt --pressure 1GPa --level none --shift {shift}"),
-        )
-    };
+    let at = &bodies();
+    let pair = "a.txt --against b.txt --pressure 1GPa --level none";
+    let by = |shift: &str| solved(at, &format!("{pair} --shift {shift}"));
     let unmoved = numbers(&by("0um,0um"));
     assert_eq!(numbers(&by("32um,-64um")), unmoved);
     let moved = by("4.4um,0um");
@@ -112,159 +94,123 @@ fn a_shift_by_the_period_is_none_and_another_is_made_in_whole_points() {
 
 #[test]
 fn both_bodies_are_named_wherever_the_answer_is() {
-    let folder = folder();
-    bodies(folder.path());
-    let solve = format!("solve a.txt --against b.txt {FILE} {STEEL_AND_BRONZE} --load 1N");
-    let text = rough_contact(folder.path(), &solve).out;
-    for part in [
-        "pair: b.txt lies on a.txt, turned over as a book is closed",
-        "bodies: a.txt E = 210 GPa, ν = 0.3; b.txt E = 100 GPa, ν = 0.34 (E* = 75.8",
-        "moments: every model has those of the sum",
-        "1.00 N",
-    ] {
-        assert!(text.contains(part), "{part}: {text}");
-    }
-    let stats = format!("stats a.txt --against b.txt {FILE}");
-    let said = rough_contact(folder.path(), &format!("{stats} --json")).answered();
-    let moments = &said["pair"]["moments"];
-    for key in ["m0", "m2", "m4"] {
-        let [a, b] = ["first", "second"].map(|body| number(&said["pair"][body]["moments"][key]));
-        assert!((number(&moments["sum"][key]) / (a + b) - 1.0).abs() < 1e-14);
-        // The sum has the moments that the models get.
-        assert!(
-            (number(&moments["composite"][key]) / number(&said[key]) - 1.0).abs() < 1e-12,
-            "{key}"
-        );
-    }
-    let model =
-        format!("model GW a.txt --against b.txt {FILE} {STEEL_AND_BRONZE} --pressure 1GPa --json");
-    let said_by_model = rough_contact(folder.path(), &model).answered();
-    let m2 = number(&said_by_model["inputs"]["moments"]["m2"]);
-    assert!((m2 / number(&moments["composite"]["m2"]) - 1.0).abs() < 1e-12);
-
-    let line = format!(
-        "compare a.txt --against b.txt {FILE} {STEEL_AND_BRONZE} --models gw,persson \
-                        --pressure 300MPa,1GPa --flip rows --shift 3um,0um --out one"
+    let at = &bodies();
+    let pair = format!("a.txt --against b.txt {UNITS}");
+    has(
+        &at.run(&format!("solve {pair} {STEEL_AND_BRONZE} --load 1N")).out,
+        &[
+            "pair: b.txt lies on a.txt, turned over as a book is closed",
+            "bodies: a.txt E = 210 GPa, ν = 0.3; b.txt E = 100 GPa, ν = 0.34 (E* = 75.8",
+            "moments: every model has those of the sum",
+            "1.00 N",
+        ],
     );
-    let first = rough_contact(folder.path(), &line);
-    assert_eq!(first.status, 0, "{}", first.err);
-    assert!(first.out.contains("a.txt against b.txt") && first.out.contains("b.txt E = 100 GPa"));
-    let page = std::fs::read_to_string(folder.path().join("one/report.html")).unwrap();
-    for part in
-        ["a.txt against b.txt", "Composite surface", "a page of a wall calendar", "b.txt E = 100"]
-    {
-        assert!(page.contains(part), "{part}");
+    let stats = at.answer(&format!("stats {pair}"));
+    let moments = &stats["pair"]["moments"];
+    for key in ["m0", "m2", "m4"] {
+        let [a, b] = ["first", "second"].map(|body| number(&stats["pair"][body]["moments"][key]));
+        close(number(&moments["sum"][key]), a + b, 1e-14);
+        // The sum has the moments that the models get.
+        close(number(&moments["composite"][key]), number(&stats[key]), 1e-12);
     }
-    let run = std::fs::read_to_string(folder.path().join("one/run.toml")).unwrap();
-    assert!(run.contains("flip = \"rows\"") && run.contains("young = 100000000000.0"), "{run}");
+    let model = at.answer(&format!("model GW {pair} {STEEL_AND_BRONZE} --pressure 1GPa"));
+    let m2 = number(&model["inputs"]["moments"]["m2"]);
+    close(m2, number(&moments["composite"]["m2"]), 1e-12);
+
+    let how = "--models gw,persson --pressure 300MPa,1GPa --flip rows --shift 3um,0um --out one";
+    let first = at.done(&format!("compare {pair} {STEEL_AND_BRONZE} {how}")).out;
+    has(&first, &["a.txt against b.txt", "b.txt E = 100 GPa"]);
+    has(
+        &at.read("one/report.html"),
+        &["a.txt against b.txt", "Composite surface", "a page of a wall calendar", "b.txt E = 100"],
+    );
+    has(&at.read("one/run.toml"), &["flip = \"rows\"", "young = 100000000000.0"]);
     // The run repeats itself: everything but times.
-    let again =
-        rough_contact(folder.path(), "compare --from one/run.toml --out two --json").answered();
-    let before = std::fs::read_to_string(folder.path().join("one/results.json")).unwrap();
-    let before: Value = serde_json::from_str(&before).unwrap();
+    let again = at.answer("compare --from one/run.toml --out two")["surfaces"][0].clone();
+    let before = at.results("one")["surfaces"][0].clone();
     for key in ["name", "origin", "pair", "bodies", "statistics", "inputs"] {
-        assert_eq!(again["surfaces"][0][key], before["surfaces"][0][key], "{key}");
+        assert_eq!(again[key], before[key], "{key}");
     }
-    let points = |v: &Value| numbers(&v["surfaces"][0]["deterministic"]);
-    assert_eq!(points(&again), points(&before));
+    assert_eq!(numbers(&again["deterministic"]), numbers(&before["deterministic"]));
 }
 
 /// Maps of different size and spacing, missing points and options of their own.
 #[test]
 fn bodies_measured_differently() {
-    let folder = folder();
-    bodies(folder.path());
+    let at = &bodies();
     // 60 points of 0.4 um: 24 um of the 32.
     let fine = bumpy(2.0, 1.0, false);
-    matrix(folder.path(), "fine.txt", 60, 60, |iy, ix| fine(iy, ix) / 8.0);
-    let line =
-        format!("solve a.txt --against fine.txt {FILE} {STEEL_AND_BRONZE} --pressure 1GPa --json");
-    let own = format!("{line} --against-options");
+    at.matrix("fine.txt", 60, 60, |iy, ix| fine(iy, ix) / 8.0);
+    let line = format!("solve a.txt --against fine.txt {UNITS} {STEEL_AND_BRONZE}");
+    let line = line + " --pressure 1GPa --json --against-options";
     let run = |options: &str| {
-        let words: Vec<&str> = own.split_whitespace().chain([options]).collect();
-        let said = std::process::Command::new(env!("CARGO_BIN_EXE_rough-contact"))
-            .current_dir(folder.path())
-            .args(words)
-            .output()
-            .unwrap();
-        serde_json::from_slice::<Value>(&said.stdout).unwrap()
+        let words: Vec<&str> = line.split_whitespace().chain([options]).collect();
+        cli::run(at.path(), &words).json()
     };
     let said = run("--pixel 0.4um --height-unit um");
     assert!((number(&said["pixel"][0]) - 0.4e-6).abs() < 1e-18, "{said}");
     assert_eq!(said["pair"]["first"]["interpolated"], true);
     assert_eq!(said["pair"]["second"]["interpolated"], false);
-    let found = said["findings"].to_string();
-    assert!(
-        found.contains("different point spacings: 1.00\u{202F}µm and 400\u{202F}nm"),
-        "{found}"
-    );
-    assert!(found.contains("lie on each other"), "{found}");
+    let spacings = "different point spacings: 1.00\u{202F}µm and 400\u{202F}nm";
+    has(&said["findings"].to_string(), &[spacings, "lie on each other"]);
     // A mistake among them is refused as one of --against-options.
-    assert!(run("--pixl 1um")["error"]["message"].as_str().unwrap().contains("--against-options"));
+    has(run("--pixl 1um")["error"]["message"].as_str().unwrap(), &["--against-options"]);
 
     // Missing points are the second body's.
-    matrix(folder.path(), "holes.txt", 32, 32, |iy, ix| {
+    at.matrix("holes.txt", 32, 32, |iy, ix| {
         if iy == 7 && ix < 4 { f64::NAN } else { bumpy(1.1, 1.0, false)(iy, ix) }
     });
-    let holes = format!("solve a.txt --against holes.txt {FILE} --modulus 50GPa --pressure 1GPa");
-    refused(folder.path(), &holes, 2, &["holes.txt", "--fill"]);
-    let said = rough_contact(folder.path(), &format!("{holes} --fill harmonic --json")).answered();
+    let holes = format!("solve a.txt --against holes.txt {UNITS} --modulus 50GPa --pressure 1GPa");
+    at.refuses(&holes, &["holes.txt", "--fill"]);
+    let said = at.answer(&format!("{holes} --fill harmonic"));
     let found = said["findings"].to_string();
-    assert!(found.contains("holes.txt: 0.39\u{202F}% of the points were missing"), "{found}");
+    has(&found, &["holes.txt: 0.39\u{202F}% of the points were missing"]);
     assert!(said["bodies"].is_null());
 }
 
 /// Several files on one second body: a row each, and what is kept knows of the second body.
 #[test]
 fn several_files_are_each_pressed_on_the_second_body() {
-    let folder = folder();
-    bodies(folder.path());
-    let line = format!(
-        "solve a.txt flat.txt --against b.txt {FILE} --modulus 50GPa --load 1N --out out --resume"
-    );
-    let said = rough_contact(folder.path(), &line);
-    assert_eq!(said.status, 0, "{}", said.err);
-    for part in ["against", "b.txt", "load", "1.00 N"] {
-        assert!(said.out.contains(part), "{part}: {}", said.out);
-    }
-    let csv = std::fs::read_to_string(folder.path().join("out/table.csv")).unwrap();
-    assert!(csv.contains("load (N)") && csv.contains("load_area (m^2)"), "{csv}");
-    assert!(rough_contact(folder.path(), &line).out.contains("2 of 2 answers were there already"));
-    matrix(folder.path(), "b.txt", 32, 32, bumpy(1.7, 1.0, false));
-    let again = rough_contact(folder.path(), &line);
-    assert!(again.status == 0 && !again.out.contains("there already"), "{}", again.out);
+    let at = &bodies();
+    let line = format!("solve a.txt flat.txt --against b.txt {UNITS} --modulus 50GPa --load 1N");
+    let line = line + " --out out --resume";
+    has(&at.done(&line).out, &["against", "b.txt", "load", "1.00 N"]);
+    has(&at.read("out/table.csv"), &["load (N)", "load_area (m^2)"]);
+    has(&at.run(&line).out, &["2 of 2 answers were there already"]);
+    at.matrix("b.txt", 32, 32, bumpy(1.7, 1.0, false));
+    let again = at.done(&line).out;
+    assert!(!again.contains("there already"), "{again}");
 }
 
 #[test]
 fn pairs_that_make_no_sense_are_refused() {
-    let folder = folder();
-    bodies(folder.path());
-    matrix(folder.path(), "slope.txt", 32, 32, |iy, ix| ((iy * iy + 3 * ix) as f64).sqrt());
+    let at = &bodies();
+    at.matrix("slope.txt", 32, 32, |iy, ix| ((iy * iy + 3 * ix) as f64).sqrt());
     let row = |i: i32| format!("{i} {}\n", (f64::from(i) * 0.7).sin());
-    let line = (0..64).map(row).collect::<Vec<_>>().concat();
-    cli::file(folder.path(), "trace.txt", &format!("x [um] z [um]\n{line}"));
-    let solve = |rest: &str, parts: &[&str]| {
-        let all = format!("solve {rest} {FILE} --modulus 1GPa --pressure 1MPa");
-        refused(folder.path(), &all, 2, parts);
-    };
-    solve("a.txt --against nothing.txt", &["nothing.txt"]);
-    solve("a.txt --against slope.txt --shift 32um,0um", &["a.txt against slope.txt", "shift less"]);
-    solve("a.txt --against slope.txt --shift 1m,0um", &["shift less"]);
-    solve("a.txt --against slope.txt --shift 31um,0um", &["1 rows or columns", "at least 2"]);
-    solve("a.txt --against b.txt --shift 5um", &["DX,DY"]);
-    solve("a.txt --against b.txt --shift 5,5", &["no unit"]);
-    solve("a.txt --against b.txt --flip over", &["columns", "rows", "none"]);
-    solve("a.txt --flip rows", &["--against"]);
-    solve("a.txt --shift 1um,1um", &["--against"]);
-    solve("a.txt --against trace.txt", &["trace.txt", "profile"]);
-    solve("trace.txt --against a.txt", &["trace.txt", "profile"]);
-    let numbers = "model gw --m0 1um2 --m2 1e-3 --m4 1e9m-2 --modulus 1GPa --pressure 1MPa";
-    refused(folder.path(), &format!("{numbers} --against b.txt"), 2, &["--against", "add"]);
-    refused(folder.path(), "compare --against b.txt --out x", 2, &["--against", "FILE"]);
-    refused(
-        folder.path(),
-        &format!("compare a.txt --against trace.txt {FILE} --modulus 1GPa --out x"),
-        2,
-        &["trace.txt", "profile"],
+    let line = (0..64).map(row).collect::<String>();
+    at.file("trace.txt", &format!("x [um] z [um]\n{line}"));
+    at.refuses_each(
+        &format!("solve {UNITS} --modulus 1GPa --pressure 1MPa"),
+        &[
+            ("a.txt --against nothing.txt", &["nothing.txt"]),
+            (
+                "a.txt --against slope.txt --shift 32um,0um",
+                &["a.txt against slope.txt", "shift less"],
+            ),
+            ("a.txt --against slope.txt --shift 1m,0um", &["shift less"]),
+            ("a.txt --against slope.txt --shift 31um,0um", &["1 rows or columns", "at least 2"]),
+            ("a.txt --against b.txt --shift 5um", &["DX,DY"]),
+            ("a.txt --against b.txt --shift 5,5", &["no unit"]),
+            ("a.txt --against b.txt --flip over", &["columns", "rows", "none"]),
+            ("a.txt --flip rows", &["--against"]),
+            ("a.txt --shift 1um,1um", &["--against"]),
+            ("a.txt --against trace.txt", &["trace.txt", "profile"]),
+            ("trace.txt --against a.txt", &["trace.txt", "profile"]),
+        ],
     );
+    let typed = "model gw --m0 1um2 --m2 1e-3 --m4 1e9m-2 --modulus 1GPa --pressure 1MPa";
+    at.refuses(&format!("{typed} --against b.txt"), &["--against", "add"]);
+    at.refuses("compare --against b.txt --out x", &["--against", "FILE"]);
+    let trace = format!("compare a.txt --against trace.txt {UNITS} --modulus 1GPa --out x");
+    at.refuses(&trace, &["trace.txt", "profile"]);
 }

@@ -1,14 +1,11 @@
 //! Completions and manual pages, as a shell and `man` take them.
 
-use crate::cli;
-
-use cli::{folder, refused, rough_contact};
-use std::path::Path;
+use crate::cli::{TestFolder, folder};
 use std::process::{Command, Stdio};
 
 /// Commands as `--help` lists them.
-fn commands(dir: &Path) -> Vec<String> {
-    let help = rough_contact(dir, "--help").out;
+fn commands(at: &TestFolder) -> Vec<String> {
+    let help = at.run("--help").out;
     let listed = help.lines().skip_while(|line| !line.starts_with("Commands:")).skip(1);
     let names: Vec<String> = listed
         .take_while(|line| line.starts_with("  "))
@@ -20,8 +17,8 @@ fn commands(dir: &Path) -> Vec<String> {
 }
 
 /// Long options as the help of a command lists them.
-fn options(dir: &Path, command: &str) -> Vec<String> {
-    let help = rough_contact(dir, &format!("{command} --help")).out;
+fn options(at: &TestFolder, command: &str) -> Vec<String> {
+    let help = at.run(&format!("{command} --help")).out;
     let lines = help.lines().map(str::trim_start).filter(|line| line.starts_with('-'));
     let words = lines.flat_map(|line| line.split([' ', ','])).filter(|w| w.starts_with("--"));
     words.map(str::to_owned).collect()
@@ -29,16 +26,14 @@ fn options(dir: &Path, command: &str) -> Vec<String> {
 
 #[test]
 fn every_command_and_option_is_completed_and_has_its_line_in_a_manual_page() {
-    let dir = folder();
-    let said = rough_contact(dir.path(), "man --out pages");
-    assert_eq!(said.status, 0, "{}", said.err);
+    let at = &folder();
+    at.done("man --out pages");
     let scripts = ["bash", "zsh", "fish", "powershell"]
-        .map(|shell| (shell, rough_contact(dir.path(), &format!("completions {shell}")).out));
-    for command in commands(dir.path()) {
-        let page = dir.path().join(format!("pages/rough-contact-{command}.1"));
-        let page = std::fs::read_to_string(page).expect("a page for each command");
-        assert_eq!(page, rough_contact(dir.path(), &format!("man {command}")).out);
-        for option in options(dir.path(), &command) {
+        .map(|shell| (shell, at.run(&format!("completions {shell}")).out));
+    for command in commands(at) {
+        let page = at.read(&format!("pages/rough-contact-{command}.1"));
+        assert_eq!(page, at.run(&format!("man {command}")).out);
+        for option in options(at, &command) {
             assert!(page.contains(&option.replace('-', "\\-")), "{command}: no {option} in man");
             for (shell, script) in &scripts {
                 // fish names options without their dashes.
@@ -47,16 +42,16 @@ fn every_command_and_option_is_completed_and_has_its_line_in_a_manual_page() {
             }
         }
     }
-    refused(dir.path(), "man --out pages", 2, &["exists", "--force"]);
-    refused(dir.path(), "man nothing", 2, &["rough-contact-nothing.1"]);
-    refused(dir.path(), "completions csh", 2, &["csh", "bash"]);
+    at.refuses("man --out pages", &["exists", "--force"]);
+    at.refuses("man nothing", &["rough-contact-nothing.1"]);
+    at.refuses("completions csh", &["csh", "bash"]);
 }
 
 /// `program` with these arguments, if it is there.
 #[cfg(unix)]
-fn run(dir: &Path, program: &str, args: &[&str]) -> Option<(String, String)> {
-    let output =
-        Command::new(program).args(args).current_dir(dir).stdin(Stdio::null()).output().ok()?;
+fn run(at: &TestFolder, program: &str, args: &[&str]) -> Option<(String, String)> {
+    let mut command = Command::new(program);
+    let output = command.args(args).current_dir(at.path()).stdin(Stdio::null()).output().ok()?;
     let text = |bytes| String::from_utf8(bytes).expect("text");
     Some((text(output.stdout), text(output.stderr)))
 }
@@ -64,9 +59,8 @@ fn run(dir: &Path, program: &str, args: &[&str]) -> Option<(String, String)> {
 #[test]
 #[cfg(unix)]
 fn bash_completes_commands_options_and_values() {
-    let dir = folder();
-    let script = rough_contact(dir.path(), "completions bash").out;
-    std::fs::write(dir.path().join("completions"), script).expect("a file");
+    let at = &folder();
+    at.file("completions", &at.run("completions bash").out);
     // What bash itself does at the key: it calls the function that `complete` was given.
     let asked = |words: &str| {
         let line = format!(
@@ -74,7 +68,7 @@ fn bash_completes_commands_options_and_values() {
              COMP_WORDS=({words}) && COMP_CWORD=$((${{#COMP_WORDS[@]}} - 1)) && \
              $f rough-contact \"${{COMP_WORDS[COMP_CWORD]}}\" \"${{COMP_WORDS[COMP_CWORD-1]}}\" && echo \"${{COMPREPLY[@]}}\""
         );
-        run(dir.path(), "bash", &["--norc", "-c", &line])
+        run(at, "bash", &["--norc", "-c", &line])
     };
     let Some((found, complaint)) = asked("rough-contact so") else { return };
     assert_eq!((found.as_str(), complaint.as_str()), ("solve\n", ""));
@@ -87,22 +81,13 @@ fn bash_completes_commands_options_and_values() {
 #[test]
 #[cfg(unix)]
 fn groff_sets_every_page_without_a_warning() {
-    let dir = folder();
-    rough_contact(dir.path(), "man --out pages");
-    let pages = std::fs::read_dir(dir.path().join("pages")).expect("pages");
-    for page in pages.flatten() {
+    let at = &folder();
+    at.run("man --out pages");
+    for page in std::fs::read_dir(at.join("pages")).expect("pages").flatten() {
         let page = page.path();
-        let args = [
-            "-man",
-            "-ww",
-            "-Kutf8",
-            "-Tutf8",
-            "-P-c",
-            "-P-b",
-            "-P-u",
-            page.to_str().expect("a plain name"),
-        ];
-        let Some((set, complaint)) = run(dir.path(), "groff", &args) else { return };
+        let name = page.to_str().expect("a plain name");
+        let args = ["-man", "-ww", "-Kutf8", "-Tutf8", "-P-c", "-P-b", "-P-u", name];
+        let Some((set, complaint)) = run(at, "groff", &args) else { return };
         assert_eq!(complaint, "", "{}", page.display());
         assert!(set.contains("--force"), "{set}");
         assert!(set.contains(concat!("rough-contact ", env!("CARGO_PKG_VERSION"))), "{set}");

@@ -1,14 +1,18 @@
 //! info, stats, synth and solve as a script sees them.
 
-use crate::cli;
-
-use cli::{file, folder, matrix, number, rough_contact};
-use serde_json::Value;
-use std::path::Path;
+use crate::cli::{TestFolder, UNITS, close, ends, folder, has, list, number};
+use serde_json::{Value, json};
 
 const SYNTH: &str = "synth --shape 48,64 --pixel 1um,2um --hurst 0.7 --rolloff 48um --cutoff 8um \
-                     --rms-height 0.5um --seed 3 --json";
-const READ: &str = "--pixel 1um,2um --height-unit m";
+                     --rms-height 0.5um --seed 3 --out";
+const SOLVE: &str = "solve a.npy --pixel 1um,2um --height-unit m";
+
+/// A folder with the map `a.npy`.
+fn map() -> TestFolder {
+    let at = folder();
+    at.done(&format!("{SYNTH} a.npy"));
+    at
+}
 
 /// Every object has exactly the keys the contract promises, or more.
 fn has_keys(object: &Value, keys: &str) {
@@ -18,9 +22,8 @@ fn has_keys(object: &Value, keys: &str) {
 }
 
 /// A little-endian f64 NPY file of version 1 as `numpy.save` writes it.
-#[allow(clippy::unwrap_used, reason = "a helper that fails is a failed test")]
-fn npy(path: &Path) -> (String, Vec<f64>) {
-    let bytes = std::fs::read(path).unwrap();
+fn npy(at: &TestFolder, name: &str) -> (String, Vec<f64>) {
+    let bytes = std::fs::read(at.join(name)).unwrap();
     assert_eq!(&bytes[..8], b"\x93NUMPY\x01\x00");
     let length = usize::from(u16::from_le_bytes([bytes[8], bytes[9]]));
     let header = String::from_utf8(bytes[10..10 + length].to_vec()).unwrap();
@@ -30,82 +33,70 @@ fn npy(path: &Path) -> (String, Vec<f64>) {
 
 #[test]
 fn info_says_what_the_file_holds() {
-    let dir = folder();
-    let at = dir.path();
-    file(at, "hole.txt", "1 2 4 3\n5 nan 7 8\n9 10 11 12.5\n");
-    let info =
-        rough_contact(at, "info hole.txt --pixel 2um,3um --height-unit nm --json").answered();
+    let at = &folder();
+    at.file("hole.txt", "1 2 4 3\n5 nan 7 8\n9 10 11 12.5\n");
+    let info = at.answer("info hole.txt --pixel 2um,3um --height-unit nm");
     has_keys(
         &info,
         "format shape pixel missing height_min height_max height_mean channels metadata",
     );
-    assert_eq!(info["shape"], serde_json::json!([3, 4]));
-    assert_eq!(info["pixel"], serde_json::json!([3e-6, 2e-6])); // [dy, dx]
+    assert_eq!(info["shape"], json!([3, 4]));
+    assert_eq!(info["pixel"], json!([3e-6, 2e-6])); // [dy, dx]
     assert_eq!(info["missing"], 1);
     assert!((number(&info["height_min"]) - 1e-9).abs() < 1e-24);
     assert!((number(&info["height_max"]) - 12.5e-9).abs() < 1e-23);
     let mean = (1.0 + 2.0 + 3.0 + 4.0 + 5.0 + 7.0 + 8.0 + 9.0 + 10.0 + 11.0 + 12.5) / 11.0 * 1e-9;
-    assert!((number(&info["height_mean"]) / mean - 1.0).abs() < 1e-12);
+    close(number(&info["height_mean"]), mean, 1e-12);
 
-    let cropped = "info hole.txt --pixel 1um --height-unit nm --crop 2,1,1,3 --json";
-    let cropped = rough_contact(at, cropped).answered();
-    assert_eq!(cropped["shape"], serde_json::json!([1, 3]));
-    assert_eq!(cropped["missing"], 0);
+    let line = "info hole.txt --pixel 1um --height-unit nm --crop";
+    let cropped = at.answer(&format!("{line} 2,1,1,3"));
+    assert_eq!((&cropped["shape"], &cropped["missing"]), (&json!([1, 3]), &json!(0)));
     // Without 6, the missing one, the largest part of 3 x 4 points are the two columns right of it.
-    let largest =
-        rough_contact(at, "info hole.txt --pixel 1um --height-unit nm --crop complete --json");
-    assert!(largest.err.contains("--crop complete is --crop 0,2,3,2"), "{}", largest.err);
-    let largest = largest.answered();
-    assert_eq!(
-        (&largest["shape"], &largest["missing"]),
-        (&serde_json::json!([3, 2]), &serde_json::json!(0))
-    );
+    let largest = at.done(&format!("{line} complete --json"));
+    has(&largest.err, &["--crop complete is --crop 0,2,3,2"]);
+    let largest = largest.json();
+    assert_eq!((&largest["shape"], &largest["missing"]), (&json!([3, 2]), &json!(0)));
     assert_eq!(largest["metadata"]["crop"], "0,2,3,2");
-    let formats = rough_contact(at, "info --list --json").answered();
-    assert!(formats["formats"].as_array().unwrap().len() >= 3);
+    assert!(list(&at.answer("info --list")["formats"]).len() >= 3);
 }
 
 #[test]
 fn areal_parameters_of_a_ramp_are_those_of_the_formula() {
     // Rows of 41 heights from 0 to 4 um in equal steps: a staircase whose material ratio curve is
     // straight but for the steps.
-    let dir = folder();
-    let at = dir.path();
-    matrix(at, "ramp.txt", 40, 41, |_, ix| 0.1 * ix as f64);
-    let line = "stats ramp.txt --pixel 1um --height-unit um --level mean --json";
-    assert!(rough_contact(at, line).answered().get("iso25178").is_none());
-    let iso = rough_contact(at, &format!("{line} --iso")).answered()["iso25178"].clone();
-    let near = |key: &str, expected: f64, tolerance: f64| {
-        let found = number(&iso[key]);
-        assert!((found / expected - 1.0).abs() < tolerance, "{key}: {found:e}, not {expected:e}");
-    };
-    near("Sp", 2e-6, 1e-9);
-    near("Sv", 2e-6, 1e-9);
-    near("Sz", 4e-6, 1e-9);
-    near("Sdq", 0.1, 1e-9);
-    near("Sdr", 1.01f64.sqrt() - 1.0, 1e-9);
-    near("Sk", 4.1e-6, 0.05); // of the straight line from 4.05 to -0.05 um
+    let at = &folder();
+    at.matrix("ramp.txt", 40, 41, |_, ix| 0.1 * ix as f64);
+    let line = format!("stats ramp.txt {UNITS} --level mean");
+    assert!(at.answer(&line).get("iso25178").is_none());
+    let iso = at.answer(&format!("{line} --iso"))["iso25178"].clone();
     // By hand on the staircase: the height of ratio 2.5 % is 3.9 um, of 10 % 3.6 um, of 50 % 2 um,
     // of 80 % 0.8 um. The curve joins steps by straight lines, which moves volumes by 1 %.
-    near("Sxp", 1.9e-6, 1e-6);
-    near("Vmp", (0.4 + 0.3 + 0.2 + 0.1) / 41.0 * 1e-6, 0.01);
-    near("Vvv", (0.8 + 0.7 + 0.6 + 0.5 + 0.4 + 0.3 + 0.2 + 0.1) / 41.0 * 1e-6, 0.01);
-
-    let text = rough_contact(at, &line.replace("--json", "--iso")).out;
-    assert!(text.contains("Sk, Spk, Svk") && text.contains("Vmp, Vmc, Vvc, Vvv"), "{text}");
+    for (key, expected, tolerance) in [
+        ("Sp", 2e-6, 1e-9),
+        ("Sv", 2e-6, 1e-9),
+        ("Sz", 4e-6, 1e-9),
+        ("Sdq", 0.1, 1e-9),
+        ("Sdr", 1.01f64.sqrt() - 1.0, 1e-9),
+        ("Sk", 4.1e-6, 0.05), // of the straight line from 4.05 to -0.05 um
+        ("Sxp", 1.9e-6, 1e-6),
+        ("Vmp", (0.4 + 0.3 + 0.2 + 0.1) / 41.0 * 1e-6, 0.01),
+        ("Vvv", (0.8 + 0.7 + 0.6 + 0.5 + 0.4 + 0.3 + 0.2 + 0.1) / 41.0 * 1e-6, 0.01),
+    ] {
+        let found = number(&iso[key]);
+        assert!((found / expected - 1.0).abs() < tolerance, "{key}: {found:e}, not {expected:e}");
+    }
+    let text = at.run(&format!("{line} --iso")).out;
+    has(&text, &["Sk, Spk, Svk", "Vmp, Vmc, Vvc, Vvv"]);
 }
 
 #[test]
 fn stats_of_a_wave_are_those_of_the_formula() {
     // z = cos(2 pi 3 x / L) um over 60 columns: m0 = 1/2 um^2; forward slopes see
     // [2 sin(q dx/2)/dx]^2, second differences its square (MODELS 0.2).
-    let dir = folder();
-    let at = dir.path();
+    let at = &folder();
     let q = std::f64::consts::TAU * 3.0 / 60.0; // per column
-    matrix(at, "wave.txt", 8, 60, |_, ix| (q * ix as f64).cos());
-    let line =
-        "stats wave.txt --level mean --pixel 1um --height-unit um --boundary periodic --json";
-    let stats = rough_contact(at, line).answered();
+    at.matrix("wave.txt", 8, 60, |_, ix| (q * ix as f64).cos());
+    let stats = at.answer(&format!("stats wave.txt --level mean {UNITS} --boundary periodic"));
     has_keys(
         &stats,
         "shape pixel level boundary missing rms_height mean_abs_height skewness kurtosis \
@@ -125,62 +116,51 @@ fn stats_of_a_wave_are_those_of_the_formula() {
         ("m4_spectral", 0.5 * m0 * (q / dx).powi(4)),
         ("max_amplitude_ratio", 1e-6 / 20e-6),
     ] {
-        let found = number(&stats[key]);
-        assert!((found / expected - 1.0).abs() < 1e-12, "{key}: {found} {expected}");
+        close(number(&stats[key]), expected, 1e-12);
     }
     assert!(number(&stats["m2_y"]).abs() < 1e-28);
 }
 
 #[test]
 fn a_flat_surface_is_answered() {
-    let dir = folder();
-    let at = dir.path();
-    matrix(at, "flat.txt", 6, 7, |_, _| 2.5);
-    let read = "--pixel 1um --height-unit um";
-    let stats = rough_contact(at, &format!("stats flat.txt {read} --json")).answered();
+    let at = &folder();
+    at.matrix("flat.txt", 6, 7, |_, _| 2.5);
+    let stats = at.answer(&format!("stats flat.txt {UNITS}"));
     assert!(number(&stats["rms_height"]).abs() < 1e-30);
     assert!(stats["bandwidth"].is_null() && stats["skewness"].is_null());
-    let solve = format!("solve flat.txt {read} --modulus 1GPa --pressure 3MPa --json --quiet");
-    let solve = rough_contact(at, &solve).answered();
+    let solve = at.answer(&format!("solve flat.txt {UNITS} --modulus 1GPa --pressure 3MPa"));
     let point = &solve["points"][0];
     assert!((number(&point["area_fraction"]) - 1.0).abs() < 1e-15);
-    assert!((number(&point["real_pressure"]) / 3e6 - 1.0).abs() < 1e-12);
+    close(number(&point["real_pressure"]), 3e6, 1e-12);
     assert!(number(&point["mean_gap"]).abs() < 1e-20);
 }
 
 #[test]
 fn synth_is_the_same_for_the_same_seed_and_obeys_its_recipe() {
-    let dir = folder();
-    let at = dir.path();
-    rough_contact(at, &format!("{SYNTH} --out a.npy")).answered();
-    rough_contact(at, &format!("{SYNTH} --out b.npy")).answered();
-    rough_contact(at, &format!("{SYNTH} --out c.x3p")).answered();
-    let (header, a) = npy(&at.join("a.npy"));
-    assert!(header.contains("(48, 64)"), "{header}");
-    assert_eq!(a, npy(&at.join("b.npy")).1);
+    let at = &map();
+    for name in ["b.npy", "c.x3p"] {
+        at.answer(&format!("{SYNTH} {name}"));
+    }
+    let (header, a) = npy(at, "a.npy");
+    has(&header, &["(48, 64)"]);
+    assert_eq!(a, npy(at, "b.npy").1);
     let rms = (a.iter().map(|h| h * h).sum::<f64>() / a.len() as f64).sqrt();
-    assert!((rms / 0.5e-6 - 1.0).abs() < 1e-12);
+    close(rms, 0.5e-6, 1e-12);
     // X3P says its pixel and unit, so nothing needs to be given.
-    let info = rough_contact(at, "info c.x3p --json").answered();
-    assert_eq!(info["shape"], serde_json::json!([48, 64]));
-    assert!((number(&info["pixel"][0]) / 2e-6 - 1.0).abs() < 1e-12);
-    assert!((number(&info["pixel"][1]) / 1e-6 - 1.0).abs() < 1e-12);
+    let info = at.answer("info c.x3p");
+    assert_eq!(info["shape"], json!([48, 64]));
+    close(number(&info["pixel"][0]), 2e-6, 1e-12);
+    close(number(&info["pixel"][1]), 1e-6, 1e-12);
 }
 
 #[test]
 fn solve_answers_in_the_order_asked_and_carries_the_load() {
-    let dir = folder();
-    let at = dir.path();
-    rough_contact(at, &format!("{SYNTH} --out a.npy")).answered();
-    let line = format!(
-        "solve a.npy {READ} --modulus 70GPa --pressure 200MPa,20MPa,60MPa --tolerance 1e-8 \
-         --maps maps --json"
-    );
-    let solve = rough_contact(at, &line).answered();
+    let at = &map();
+    let loads = "--pressure 200MPa,20MPa,60MPa --tolerance 1e-8 --maps maps";
+    let solve = at.answer(&format!("{SOLVE} --modulus 70GPa {loads}"));
     has_keys(&solve, "shape pixel boundary method precision modulus points");
-    let points = solve["points"].as_array().unwrap();
     let mut areas = Vec::new();
-    for (i, (point, asked)) in points.iter().zip([200e6, 20e6, 60e6]).enumerate() {
+    for (i, (point, asked)) in list(&solve["points"]).iter().zip([200e6, 20e6, 60e6]).enumerate() {
         has_keys(
             point,
             "mean_pressure touching_fraction area_fraction mean_gap approach max_pressure \
@@ -188,28 +168,25 @@ fn solve_answers_in_the_order_asked_and_carries_the_load() {
         );
         has_keys(&point["residuals"], "preconditioned complementarity penetration");
         assert_eq!(point["converged"], true);
-        assert!((number(&point["mean_pressure"]) / asked - 1.0).abs() < 1e-12);
+        close(number(&point["mean_pressure"]), asked, 1e-12);
         let area = number(&point["area_fraction"]);
-        assert!((number(&point["real_pressure"]) * area / asked - 1.0).abs() < 1e-12);
+        close(number(&point["real_pressure"]) * area, asked, 1e-12);
         areas.push(area);
 
-        let (header, pressure) = npy(&at.join(format!("maps/pressure-{i:03}.npy")));
-        assert!(header.contains("(48, 64)") && header.contains("<f8"), "{header}");
-        let mean = pressure.iter().sum::<f64>() / pressure.len() as f64;
-        assert!((mean / asked - 1.0).abs() < 1e-12);
-        let touching = pressure.iter().filter(|&&p| p > 0.0).count();
-        assert!(
-            (touching as f64 / pressure.len() as f64 - number(&point["touching_fraction"])).abs()
-                < 1e-15
-        );
+        let (header, pressure) = npy(at, &format!("maps/pressure-{i:03}.npy"));
+        has(&header, &["(48, 64)", "<f8"]);
+        let count = pressure.len() as f64;
+        close(pressure.iter().sum::<f64>() / count, asked, 1e-12);
+        let touching = pressure.iter().filter(|&&p| p > 0.0).count() as f64 / count;
+        assert!((touching - number(&point["touching_fraction"])).abs() < 1e-15);
         let highest = pressure.iter().copied().fold(0.0, f64::max);
-        assert!((highest / number(&point["max_pressure"]) - 1.0).abs() < 1e-12);
+        close(highest, number(&point["max_pressure"]), 1e-12);
 
-        let (_, gap) = npy(&at.join(format!("maps/gap-{i:03}.npy")));
-        let mean = gap.iter().sum::<f64>() / gap.len() as f64;
-        assert!((mean / number(&point["mean_gap"]) - 1.0).abs() < 1e-9);
+        let (_, gap) = npy(at, &format!("maps/gap-{i:03}.npy"));
+        let mean = gap.iter().sum::<f64>() / count;
+        close(mean, number(&point["mean_gap"]), 1e-9);
         let weighted: f64 = gap.iter().zip(&pressure).map(|(g, p)| g * p).sum();
-        assert!(weighted.abs() < 1e-12 * highest * mean * gap.len() as f64);
+        assert!(weighted.abs() < 1e-12 * highest * mean * count);
     }
     assert!(areas[1] < areas[2] && areas[2] < areas[0], "{areas:?}");
 }
@@ -218,46 +195,33 @@ fn solve_answers_in_the_order_asked_and_carries_the_load() {
 /// with its reason, or for want of the flag, where it is not known.
 #[test]
 fn solve_states_how_wrong_it_may_be() {
-    let dir = folder();
-    let at = dir.path();
-    rough_contact(
-        at,
-        "synth --shape 128,128 --pixel 1um --hurst 0.8 --rolloff 64um --cutoff 12um \
-         --rms-gradient 0.1 --seed 3 --out smooth.x3p --json",
-    )
-    .answered();
-    let solve = |file: &str, more: &str| {
-        let line = format!("solve {file} --modulus 70GPa --pressure 700MPa {more} --json");
-        rough_contact(at, &line).answered()["points"][0].clone()
+    let at = &folder();
+    let recipe = "--shape 128,128 --rolloff 64um --cutoff 12um --rms-gradient 0.1 --seed 3";
+    at.synth("smooth.x3p", recipe);
+    let solve = |more: &str| {
+        let line = format!("solve smooth.x3p --modulus 70GPa --pressure 700MPa {more}");
+        at.answer(&line)["points"][0].clone()
     };
-    let loose = solve("smooth.x3p", "--certify --tolerance 1e-4");
-    let tight = solve("smooth.x3p", "--certify --tolerance 1e-8");
-    let interval = |p: &serde_json::Value| [0, 1].map(|k| number(&p["area_interval"][k]));
-    let [low, high] = interval(&loose);
-    let area = number(&tight["area_fraction"]);
-    assert!(low < area && area < high && high - low < 0.2 * area, "{low} {area} {high}");
+    let [loose, tight] =
+        ["1e-4", "1e-8"].map(|tolerance| solve(&format!("--certify --tolerance {tolerance}")));
+    // An isolated contact is no sample of a surface that goes on.
+    let free = solve("--boundary free");
+    for (interval, area) in [(&loose, &tight), (&free, &free)] {
+        let ([low, high], area) =
+            (ends(&interval["area_interval"]), number(&area["area_fraction"]));
+        assert!(low < area && area < high && high - low < 0.2 * area, "{low} {area} {high}");
+    }
     let [wide, narrow] = [&loose, &tight].map(|p| number(&p["energy_bound"]));
     assert!(wide < 1e-3 && narrow < 1e-3 * wide, "{wide} {narrow}");
     assert!(loose["area_interval_reason"].is_null());
-
-    // An isolated contact is no sample of a surface that goes on.
-    let free = solve("smooth.x3p", "--boundary free");
-    let [low, high] = interval(&free);
-    let area = number(&free["area_fraction"]);
-    assert!(low < area && area < high && high - low < 0.2 * area, "{low} {area} {high}");
     assert!(free["energy_bound"].is_null());
     assert!(free["area_prediction_interval"].is_null());
 }
 
 #[test]
 fn threads_boundaries_and_methods_agree_where_they_should() {
-    let dir = folder();
-    let at = dir.path();
-    rough_contact(at, &format!("{SYNTH} --out a.npy")).answered();
-    let solve = |options: &str| {
-        let line = format!("solve a.npy {READ} --json --quiet {options}");
-        rough_contact(at, &line).answered()["points"][0].clone()
-    };
+    let at = &map();
+    let solve = |options: &str| at.answer(&format!("{SOLVE} {options}"))["points"][0].clone();
     let same = |a: &Value, b: &Value, key: &str, tolerance: f64| {
         let (a, b) = (number(&a[key]), number(&b[key]));
         assert!((a / b - 1.0).abs() <= tolerance, "{key}: {a} {b}");
@@ -274,23 +238,14 @@ fn threads_boundaries_and_methods_agree_where_they_should() {
         same(&one, &other, "max_pressure", 1e-6);
     }
     // A tilt changes the contact, and levelling takes it off again.
-    rough_contact(at, &format!("{SYNTH} --out b.npy")).answered();
-    let tilted = {
-        let (_, flat) = npy(&at.join("b.npy"));
-        let (mut text, mut tilt) = (String::new(), 0.0);
-        for row in flat.chunks(64) {
-            let cells: Vec<String> = row
-                .iter()
-                .enumerate()
-                .map(|(ix, h)| format!("{:e}", h + tilt + 1e-8 * ix as f64))
-                .collect();
-            text += &(cells.join(" ") + "\n");
-            tilt += 2e-8;
-        }
-        file(at, "tilted.txt", &text);
-        let line = format!("solve tilted.txt {READ} --json --quiet --level plane {load}");
-        rough_contact(at, &line).answered()
+    let (_, flat) = npy(at, "a.npy");
+    let tilted = |(i, height): (usize, &f64)| {
+        let [iy, ix] = [i / 64, i % 64].map(|n| n as f64);
+        format!("{:e}{}", height + 2e-8 * iy + 1e-8 * ix, if i % 64 == 63 { "\n" } else { " " })
     };
+    at.file("tilted.txt", &flat.iter().enumerate().map(tilted).collect::<String>());
+    let line = format!("{} --level plane {load}", SOLVE.replace("a.npy", "tilted.txt"));
+    let tilted = at.answer(&line);
     let levelled = solve(&format!("{load} --level plane"));
     same(&tilted["points"][0], &levelled, "mean_gap", 1e-6);
     // The same two bodies as one modulus: E* = 210/0.91/2 GPa.
@@ -305,14 +260,11 @@ fn threads_boundaries_and_methods_agree_where_they_should() {
 
 #[test]
 fn one_refused_load_does_not_lose_the_others() {
-    let dir = folder();
-    let at = dir.path();
-    rough_contact(at, &format!("{SYNTH} --out a.npy")).answered();
-    let line = format!("solve a.npy {READ} --modulus 1GPa --pressure 1e-310Pa,1MPa --json --quiet");
-    let said = rough_contact(at, &line);
+    let said =
+        map().run(&format!("{SOLVE} --modulus 1GPa --pressure 1e-310Pa,1MPa --json --quiet"));
     assert_eq!(said.status, 2);
     let object = said.json();
-    let points = object["points"].as_array().unwrap();
+    let points = list(&object["points"]);
     assert_eq!(points[0]["converged"], false);
     assert!(points[0]["area_fraction"].is_null() && !points[0]["error"]["message"].is_null());
     assert_eq!(points[1]["converged"], true);

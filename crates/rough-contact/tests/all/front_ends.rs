@@ -1,10 +1,8 @@
 //! The same questions to the command, to the engine of the page and to `rough-contact app`: every number is compared. Python is
 //! asked the same in `crates/python/tests/test_questions.py`, the page in a browser in `crates/web/tests/questions.test.mjs`.
 
-use crate::cli;
-
-use cli::app::App;
-use cli::{Said, folder, number, rough_contact};
+use crate::cli::app::RunningApp;
+use crate::cli::{RunOutput, folder, list, number, timeless};
 use contact_web::{Host, Messages, answer};
 use serde_json::{Value, json};
 use std::path::{Path, PathBuf};
@@ -33,39 +31,26 @@ fn word(question: &Value, key: &str) -> Option<String> {
 /// As options of `compare` and `solve`.
 fn options(question: &Value) -> String {
     let mut line = word(question, "file").expect("a file");
-    for body in question["bodies"].as_array().expect("bodies") {
+    for body in list(&question["bodies"]) {
         for key in ["material", "young", "poisson"] {
             line += &word(body, key).map_or_else(String::new, |value| format!(" --{key} {value}"));
         }
     }
-    for (key, usual) in [
-        ("hardness", None),
-        ("pressure", None),
-        ("load", None),
-        ("area", None),
-        ("pixel", None),
-        ("lateral_unit", None),
-        ("height_unit", None),
-        ("level", None),
-        ("edges", None),
-        ("outliers", None),
-        ("fill", Some("harmonic")),
-        ("crop", None),
-        ("layout", None),
-        ("resistivity", None),
-        ("against", None),
-    ] {
-        let value = word(question, key).or(usual.map(str::to_owned));
+    let keys = "hardness pressure load area pixel lateral_unit height_unit level edges outliers fill crop \
+                layout resistivity against";
+    for key in keys.split_whitespace() {
+        let usual = (key == "fill").then(|| "harmonic".to_owned());
+        let value = word(question, key).or(usual);
         let option = key.replace('_', "-");
         line += &value.map_or_else(String::new, |value| format!(" --{option} {value}"));
     }
-    line + " --threads 1 --json --quiet"
+    line + " --threads 1 --quiet"
 }
 
 /// As the page asks.
 fn request(question: &Value) -> Value {
     let text = |key: &str| word(question, key).unwrap_or_default();
-    let bodies = question["bodies"].as_array().expect("bodies").iter().map(|body| {
+    let bodies = list(&question["bodies"]).iter().map(|body| {
         let text = |key: &str| word(body, key).unwrap_or_default();
         json!({ "material": text("material"), "young": text("young"), "poisson": text("poisson") })
     });
@@ -92,27 +77,13 @@ fn request(question: &Value) -> Value {
     })
 }
 
-/// Without what a clock makes different.
-fn timeless(value: &Value) -> Value {
-    match value {
-        Value::Object(map) => {
-            let kept = map.iter().filter(|(key, _)| {
-                !key.contains("seconds") && !["speed", "explanation"].contains(&key.as_str())
-            });
-            Value::Object(kept.map(|(key, value)| (key.clone(), timeless(value))).collect())
-        }
-        Value::Array(list) => list.iter().map(timeless).collect(),
-        other => other.clone(),
-    }
-}
-
-fn kind(said: &Said) -> Value {
+fn kind(said: &RunOutput) -> Value {
     assert_eq!(said.status, 2, "{}", said.err);
     said.json()["error"]["kind"].clone()
 }
 
 /// The last message: by the engine in this process, and by the program over its socket.
-fn asked(app: &App, request: &Value, file: &[u8]) -> [Value; 2] {
+fn asked(app: &RunningApp, request: &Value, file: &[u8]) -> [Value; 2] {
     let mut out = Vec::new();
     let mut messages = Messages::new(&mut out);
     answer("run", &request.to_string(), file, Host::machine(1), &mut messages);
@@ -124,17 +95,16 @@ fn asked(app: &App, request: &Value, file: &[u8]) -> [Value; 2] {
 
 #[test]
 fn all_front_ends_give_the_same_numbers() {
-    let dir = folder();
+    let at = &folder();
     for entry in std::fs::read_dir(data()).expect("files").flatten() {
-        std::fs::copy(entry.path(), dir.path().join(entry.file_name())).expect("a copy");
+        std::fs::copy(entry.path(), at.path().join(entry.file_name())).expect("a copy");
     }
-    let app = App::start(dir.path());
+    let app = RunningApp::start(at.path());
     let all = questions();
     assert!(all.len() >= 20);
     for (i, question) in all.iter().enumerate() {
         let name = &question["name"];
-        let command =
-            rough_contact(dir.path(), &format!("compare {} --out {i}", options(question)));
+        let command = at.run(&format!("compare {} --json --out {i}", options(question)));
         let of_page = question["against"].is_null();
         let file = std::fs::read(data().join(word(question, "file").expect("a file")));
         let answers = of_page.then(|| asked(&app, &request(question), &file.expect("it is there")));
@@ -145,7 +115,8 @@ fn all_front_ends_give_the_same_numbers() {
             }
             continue;
         }
-        let command = command.answered();
+        assert_eq!(command.status, 0, "{name}: {}", command.err);
+        let command = command.json();
         if command["surfaces"].is_null() {
             // Of a line the page tells nothing; the command does.
             for answer in answers.into_iter().flatten() {
@@ -158,7 +129,9 @@ fn all_front_ends_give_the_same_numbers() {
             let results = results.unwrap_or_else(|| panic!("{name}: {answer}"));
             let found: Value = serde_json::from_str(results).expect("JSON");
             for key in ["settings", "surfaces", "materials"] {
-                assert_eq!(timeless(&found[key]), timeless(&command[key]), "{name}: {key}");
+                let [found, command] = [&found, &command]
+                    .map(|results| timeless(&results[key], &["speed", "explanation"]));
+                assert_eq!(found, command, "{name}: {key}");
             }
         }
         let hardness = &command["settings"]["hardness"];
@@ -166,10 +139,10 @@ fn all_front_ends_give_the_same_numbers() {
             None => assert!(hardness.is_null(), "{name}: {hardness}"),
             Some(is) => assert!((number(hardness) / is - 1.0).abs() < 2e-3, "{name}: {hardness}"),
         }
-        let solved = rough_contact(dir.path(), &format!("solve {}", options(question))).answered();
-        let points = solved["points"].as_array().expect("points");
+        let solved = at.answer(&format!("solve {}", options(question)));
+        let points = list(&solved["points"]);
         let studied = &command["surfaces"][0]["deterministic"]["points"];
-        assert_eq!(studied.as_array().map(Vec::len), Some(points.len()), "{name}");
+        assert_eq!(list(studied).len(), points.len(), "{name}");
         for (i, point) in points.iter().enumerate() {
             for key in ["mean_pressure", "area_fraction", "mean_gap"] {
                 let (a, b) = (number(&point[key]), number(&studied[i][key]));

@@ -7,14 +7,14 @@ use std::path::Path;
 use std::process::{Child, ChildStderr, Command, Stdio};
 
 /// The program, ended with the test.
-pub(crate) struct App {
+pub(crate) struct RunningApp {
     child: Child,
     pub(crate) stderr: BufReader<ChildStderr>,
     pub(crate) host: String,
     pub(crate) token: String,
 }
 
-impl App {
+impl RunningApp {
     pub(crate) fn start(dir: &Path) -> Self {
         Self::of(Command::new(env!("CARGO_BIN_EXE_rough-contact")), dir)
     }
@@ -97,7 +97,7 @@ impl App {
     }
 }
 
-impl Drop for App {
+impl Drop for RunningApp {
     fn drop(&mut self) {
         let _ = self.child.kill();
         let _ = self.child.wait();
