@@ -1,7 +1,7 @@
 //! A run file, and the solver against exact solutions: what is repeated.
 
 use crate::failure::{bug, raise};
-use crate::reading::Reading;
+use crate::reading::FileReading;
 use crate::watched::quietly;
 use contact_compare::{Method, Origin, RunFile, Settings};
 use contact_front_end::Failure;
@@ -13,7 +13,7 @@ use surface_io::Cut;
 
 /// What Python has to read or make again.
 #[derive(Serialize)]
-struct Run {
+struct RepeatedRun {
     settings: Settings,
     surfaces: Vec<Again>,
 }
@@ -22,7 +22,7 @@ struct Run {
 struct Again {
     name: String,
     /// Of a file: its path, its SHA-256, what is said of it.
-    file: Option<(String, String, Reading)>,
+    file: Option<(String, String, FileReading)>,
     recipe: Option<contact_compare::Recipe>,
 }
 
@@ -42,7 +42,7 @@ pub(crate) fn run_file(text: &str) -> PyResult<String> {
         Origin::File(mut file) => {
             let (path, hash) = (file.path.clone(), std::mem::take(&mut file.sha256));
             let crop = file.crop.map(|part| Cut::Rectangle(part).to_string());
-            let reading = Reading { file, crop, ..Reading::default() };
+            let reading = FileReading { file, crop, ..FileReading::default() };
             Ok(Again { name, file: Some((path, hash, reading)), recipe: None })
         }
         Origin::Recipe(recipe) => Ok(Again { name, file: None, recipe: Some(recipe) }),
@@ -54,7 +54,7 @@ pub(crate) fn run_file(text: &str) -> PyResult<String> {
         }
     };
     let surfaces = run.surfaces.into_iter().map(|s| again(s.name, s.origin));
-    let run = Run { settings: run.settings, surfaces: surfaces.collect::<PyResult<_>>()? };
+    let run = RepeatedRun { settings: run.settings, surfaces: surfaces.collect::<PyResult<_>>()? };
     serde_json::to_string(&run).map_err(|e| bug(&e))
 }
 

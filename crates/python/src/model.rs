@@ -1,11 +1,11 @@
 //! One closed form, asked.
 
 use crate::failure::{bug, raise};
-use crate::surface::{Laid, Second, surface_of};
+use crate::surface::{HeightFacts, LaidBody, Second, surface_of};
 use crate::watched::quietly;
 use contact_compare::{
     Body, BuildError, Card, ContactModel, ContactModulus, Input, Inputs, Joint, Level, MaterialUse,
-    PairOrigin, Spikes, Theory,
+    PairOrigin, Spikes, Surface, Theory,
 };
 use contact_front_end::model::{
     ModelLoad, ModelResult, Unasked, answers as asked, failure, measured, object, scene,
@@ -23,7 +23,7 @@ use surface_stats::clean::{Record, RowOffsets, row_offsets};
 /// What Python asks. SI units; `roughness` is left out where a surface is given.
 #[derive(Deserialize)]
 #[serde(deny_unknown_fields)]
-pub(crate) struct Request {
+pub(crate) struct ModelArguments {
     name: String,
     modulus: Option<f64>,
     pub(crate) bodies: Vec<Body>,
@@ -43,7 +43,7 @@ pub(crate) struct Request {
 pub(crate) const WAY_OUT: &str = "give pressure, or what the model needs: rc.Moments, rc.Asperities, rc.SelfAffine, \
                                   rc.Fractal, rc.Numbers or a surface; rc.models() lists the inputs";
 
-impl Request {
+impl ModelArguments {
     pub(crate) fn theory(&self) -> Result<&'static dyn Theory, Failure> {
         contact_compare::find(&self.name).ok_or_else(|| {
             let all: Vec<&str> =
@@ -137,15 +137,15 @@ pub(crate) fn model(
     surface: Option<(PyReadonlyArray2<'_, f64>, String)>,
     threads: usize,
     against: Option<Second<'_>>,
-) -> PyResult<Answered> {
-    let request: Request = serde_json::from_str(request).map_err(|e| bug(&e))?;
+) -> PyResult<ModelAnswer> {
+    let request: ModelArguments = serde_json::from_str(request).map_err(|e| bug(&e))?;
     let surface = surface.map(|(heights, facts)| surface_of(&heights, &facts)).transpose()?;
-    let laid = Laid::of(against.as_ref())?;
+    let laid = LaidBody::of(against.as_ref())?;
     let found = quietly(py, threads, move || answer(&request, surface, laid))?;
     found.map_err(|e| raise(&e))
 }
 
-pub(crate) type Answered = (String, Option<(String, String)>);
+pub(crate) type ModelAnswer = (String, Option<(String, String)>);
 
 /// What a theory is built from, and what is known of the heights that say it.
 struct Made {
@@ -159,23 +159,16 @@ struct Made {
 
 impl Made {
     fn of(
-        request: &Request,
+        request: &ModelArguments,
         card: &Card,
-        surface: Option<(contact_compare::Surface, crate::surface::Facts)>,
-        laid: Option<Laid>,
+        surface: Option<(Surface, HeightFacts)>,
+        laid: Option<LaidBody>,
     ) -> Result<Self, Failure> {
         let Some((mut surface, facts)) = surface else {
             let typed = request.roughness.clone().unwrap_or_default();
             let inputs = request.typed(card, &typed)?;
-            let (rows, level, pair) = (None, None, None);
-            return Ok(Self {
-                inputs,
-                rows,
-                spikes: Spikes::default(),
-                cleaned: Vec::new(),
-                level,
-                pair,
-            });
+            let (spikes, cleaned) = (Spikes::default(), Vec::new());
+            return Ok(Self { inputs, rows: None, spikes, cleaned, level: None, pair: None });
         };
         let given = request.complete(card, Inputs::new(request.modulus(card)?))?;
         let path = facts.path().to_owned();
@@ -196,10 +189,10 @@ impl Made {
 }
 
 fn answer(
-    request: &Request,
-    surface: Option<(contact_compare::Surface, crate::surface::Facts)>,
-    laid: Option<Laid>,
-) -> Result<Answered, Failure> {
+    request: &ModelArguments,
+    surface: Option<(Surface, HeightFacts)>,
+    laid: Option<LaidBody>,
+) -> Result<ModelAnswer, Failure> {
     let theory = request.theory()?;
     let card = theory.card();
     let Made { inputs, rows, spikes, cleaned, level, pair } =
@@ -239,7 +232,7 @@ impl Closed {
         surface: Option<(PyReadonlyArray2<'_, f64>, String)>,
         threads: usize,
     ) -> PyResult<Self> {
-        let request: Request = serde_json::from_str(request).map_err(|e| bug(&e))?;
+        let request: ModelArguments = serde_json::from_str(request).map_err(|e| bug(&e))?;
         let surface = surface.map(|(heights, facts)| surface_of(&heights, &facts)).transpose()?;
         let made = quietly(py, threads, move || {
             let theory = request.theory()?;
@@ -261,13 +254,11 @@ impl Closed {
     ) -> (Bound<'py, PyArray1<f64>>, Bound<'py, PyArray1<f64>>) {
         let asked: Vec<f64> = pressures.as_array().iter().copied().collect();
         let (areas, gaps): (Vec<f64>, Vec<f64>) = py.detach(|| {
-            let one = |&p: &f64| match contact_compare::at_pressure(
-                &self.title,
-                self.model.as_ref(),
-                p,
-            ) {
-                Ok(state) => (state.area_fraction, state.mean_gap.unwrap_or(f64::NAN)),
-                Err(_) => (f64::NAN, f64::NAN),
+            let one = |&p: &f64| {
+                let state = contact_compare::at_pressure(&self.title, self.model.as_ref(), p);
+                state.map_or((f64::NAN, f64::NAN), |state| {
+                    (state.area_fraction, state.mean_gap.unwrap_or(f64::NAN))
+                })
             };
             asked.iter().map(one).unzip()
         });

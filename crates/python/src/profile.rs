@@ -1,13 +1,13 @@
 //! Profiles: traces of a stylus, their statistics and what closed forms say of them.
 
 use crate::failure::{bug, raise};
-use crate::model::{Answered, Request};
-use crate::reading::{Reading, Unread, rule, unmade};
-use crate::surface::{Facts, array, form, measurement};
+use crate::model::{ModelAnswer, ModelArguments};
+use crate::reading::{FileReading, Unread, rule, unmade};
+use crate::study::{REPEAT, run_file_of, texts};
+use crate::surface::{HeightFacts, array, form, measurement};
 use crate::watched::quietly;
 use contact_compare::{
-    Cleaning, Level, Origin, ProfileComparison, ProfileSurface, Registry, RunFile, RunSurface,
-    Settings,
+    Cleaning, Level, Origin, ProfileComparison, ProfileSurface, Registry, RunSurface, Settings,
 };
 use contact_front_end::model::of_profile;
 use contact_front_end::{Failure, Traces};
@@ -37,7 +37,7 @@ pub(crate) fn profile<'py>(
     content: Option<Vec<u8>>,
     rows: Option<PyReadonlyArray2<'py, f64>>,
 ) -> PyResult<Profile<'py>> {
-    let mut how: Reading = serde_json::from_str(request).map_err(|e| bug(&e))?;
+    let mut how: FileReading = serde_json::from_str(request).map_err(|e| bug(&e))?;
     (how.content, how.is_array) = (content, rows.is_some());
     let given = rows.as_ref().map(|rows| -> Result<Vec<_>, Failure> {
         let pixel = how.file.pixel.unwrap_or_default();
@@ -56,14 +56,14 @@ pub(crate) fn profile<'py>(
     let name = at.file_name().unwrap_or(at.as_os_str()).to_string_lossy().into_owned();
     let origin = how.origin(path, format.clone(), crop, (missing, &cleaned, height_step));
     let known = (missing, cleaned, height_step);
-    let facts = Facts::new(name, [spacing; 2], &how.file.fill, known, origin);
-    let facts = Facts { uneven, ..facts };
+    let facts = HeightFacts::new(name, [spacing; 2], &how.file.fill, known, origin);
+    let facts = HeightFacts { uneven, ..facts };
     Ok((array(py, [count, points], heights)?, spacing, format, facts.text()?, json))
 }
 
 fn traces(
     path: &Path,
-    how: &Reading,
+    how: &FileReading,
     level: Level,
     given: Option<Vec<Measurement>>,
 ) -> Result<(Traces, String), Unread> {
@@ -72,18 +72,18 @@ fn traces(
         let message = format!("{}: this is a map; read it with rc.read", path.display());
         return Err(Unread::Other(Failure::refused("profile", message)));
     }
-    let refused = |message: &str| {
-        Err(Unread::Other(Failure::refused("profile", format!("{}: {message}", path.display()))))
-    };
-    if how.file.cleaning.align_rows {
-        return refused(
-            "align_rows puts the rows of a map in line, and this is a profile; leave it out",
-        );
-    }
-    if let Some(Form::Sphere | Form::Cylinder) = how.file.cleaning.form {
-        return refused(
+    let for_maps = match (how.file.cleaning.align_rows, how.file.cleaning.form) {
+        (true, _) => {
+            Some("align_rows puts the rows of a map in line, and this is a profile; leave it out")
+        }
+        (false, Some(Form::Sphere | Form::Cylinder)) => Some(
             "sphere and cylinder are forms of maps, and this is a profile; give form='polynomial:2', or another degree",
-        );
+        ),
+        _ => None,
+    };
+    if let Some(message) = for_maps {
+        let message = format!("{}: {message}", path.display());
+        return Err(Unread::Other(Failure::refused("profile", message)));
     }
     let traces = Traces::of(measurements, how.file.cleaning, rule(&how.file.fill)?)
         .map_err(|e| unmade(path, &e, how))?;
@@ -93,8 +93,8 @@ fn traces(
 }
 
 /// Traces that Python has kept, with what is known of them.
-fn kept(heights: &PyReadonlyArray2<'_, f64>, facts: &str) -> PyResult<(Traces, Facts)> {
-    let facts = Facts::of_text(facts)?;
+fn kept(heights: &PyReadonlyArray2<'_, f64>, facts: &str) -> PyResult<(Traces, HeightFacts)> {
+    let facts = HeightFacts::of_text(facts)?;
     let rows = heights.as_array();
     let each = rows.rows().into_iter().map(|row| Trace::new(facts.pixel[1], row.to_vec()));
     let each = each.collect::<Result<Vec<_>, _>>().map_err(|e| raise(&Failure::from_error(&e)))?;
@@ -123,10 +123,10 @@ pub(crate) fn profile_model(
     heights: PyReadonlyArray2<'_, f64>,
     facts: &str,
     threads: usize,
-) -> PyResult<Answered> {
-    let request: Request = serde_json::from_str(request).map_err(|e| bug(&e))?;
+) -> PyResult<ModelAnswer> {
+    let request: ModelArguments = serde_json::from_str(request).map_err(|e| bug(&e))?;
     let (traces, facts) = kept(&heights, facts)?;
-    let found = quietly(py, threads, move || -> Result<Answered, Failure> {
+    let found = quietly(py, threads, move || -> Result<ModelAnswer, Failure> {
         let theory = request.theory()?;
         let mut found = of_profile(
             theory,
@@ -166,19 +166,12 @@ pub(crate) fn profile_study(
     let found = quietly(py, threads, move || -> Result<_, Failure> {
         let listed =
             |s: &ProfileSurface| RunSurface { name: s.name.clone(), origin: s.origin.clone() };
-        let run_file = RunFile {
-            program: env!("CARGO_PKG_VERSION").to_owned(),
-            settings: settings.clone(),
-            surfaces: given.iter().map(listed).collect(),
-        };
+        let run_file = run_file_of(&settings, given.iter().map(listed).collect());
         let registry = Registry::built_in();
         let study = |s| ProfileComparison::run(s, settings.clone(), &registry);
         let studies = given.into_iter().map(study).collect::<Result<Vec<_>, _>>();
         let studies = studies.map_err(|e| Failure::from_error(&e))?;
-        let made = Provenance::here("rough-contact compare --from run.toml --out again");
-        contact_front_end::profile_documents(&studies, &made, &run_file)
+        contact_front_end::profile_documents(&studies, &Provenance::here(REPEAT), &run_file)
     })?;
-    let text = |bytes: Vec<u8>| String::from_utf8_lossy(&bytes).into_owned();
-    let files = found.map_err(|e| raise(&e))?;
-    Ok(files.into_iter().map(|(name, bytes)| (name, text(bytes))).collect())
+    found.map(texts).map_err(|e| raise(&e))
 }

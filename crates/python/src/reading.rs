@@ -16,7 +16,7 @@ use surface_stats::clean::Record;
 /// What is said of a file.
 #[derive(Debug, Clone, Default, Deserialize, Serialize)]
 #[serde(deny_unknown_fields)]
-pub(crate) struct Reading {
+pub(crate) struct FileReading {
     /// As a run file has it.
     pub(crate) file: FileOrigin,
     /// As the command takes it.
@@ -29,7 +29,7 @@ pub(crate) struct Reading {
     pub(crate) content: Option<Vec<u8>>,
 }
 
-impl Reading {
+impl FileReading {
     pub(crate) fn options(&self) -> Result<ReadOptions, Failure> {
         let mut options = ReadOptions::default();
         options.channel.clone_from(&self.file.channel);
@@ -167,7 +167,7 @@ pub(crate) fn rule(name: &str) -> Result<Fill, Failure> {
 }
 
 /// Why a measurement gives no map, with the arguments that help.
-pub(crate) fn unmade(path: &Path, error: &Incomplete, how: &Reading) -> Failure {
+pub(crate) fn unmade(path: &Path, error: &Incomplete, how: &FileReading) -> Failure {
     let way_out = match error {
         Incomplete::Line(_) => "of a profile, one row, see rc.read_profile".to_owned(),
         Incomplete::Short(_) => "measure a longer trace".to_owned(),
@@ -191,7 +191,7 @@ pub(crate) fn unmade(path: &Path, error: &Incomplete, how: &Reading) -> Failure 
 pub(crate) fn filled(
     path: &Path,
     measurement: Measurement,
-    how: &Reading,
+    how: &FileReading,
 ) -> Result<Complete, Failure> {
     let found = contact_front_end::complete(measurement, how.file.cleaning, rule(&how.file.fill)?);
     found.map_err(|e| unmade(path, &e, how))

@@ -1,14 +1,15 @@
 //! The deterministic solution.
 
 use crate::failure::{bug, raise};
-use crate::surface::{Laid, Second, array, surface_of};
-use crate::watched::{News, Outcome, Reporter, quietly, watched};
+use crate::surface::{LaidBody, Second, array, surface_of};
+use crate::watched::{News, Reporter, WatchedOutcome, quietly, watched};
 use contact_accuracy::Ladder;
 use contact_compare::AccuracyRequest as Accuracy;
 use contact_compare::{
     Body, EdgesName, Iteration, Joint, LeakRequest, Level, Load, MaterialUse, Method, Origin,
     Precision, Solution, Surface, WorkOfAdhesion, labelled_spots,
 };
+use contact_front_end::loads::Spread;
 use contact_front_end::{Failure, SolveInput, SolveRequest, Watch, bodies};
 use contact_types::Grid;
 use fft_bem_solver::{Boundary, FreeHalfSpace, HalfSpace};
@@ -27,7 +28,7 @@ const CHECK: &str = "check the units of load and area";
 #[derive(Default, Deserialize)]
 #[serde(default, deny_unknown_fields)]
 #[allow(clippy::struct_excessive_bools, reason = "the switches of a call")]
-struct Request {
+struct SolveArguments {
     modulus: f64,
     bodies: Vec<Body>,
     /// `pressure`, `gap` or `load`, with its values.
@@ -56,26 +57,18 @@ struct Request {
     threads: usize,
 }
 
-impl Request {
+impl SolveArguments {
     fn question(&self, surface: &Surface) -> Result<SolveRequest, Failure> {
         let modulus = bodies::of_modulus(self.modulus)?;
         let accuracy = self.accuracy.as_deref().map(Accuracy::parse).transpose();
         let accuracy = accuracy.map_err(|e| Failure::refused("setting", e.to_string()))?;
         let (kind, values) = &self.loads;
-        let mut spread = None;
-        let loads = match kind.as_str() {
-            "gap" => values.iter().map(|&g| Load::MeanGap(g)).collect(),
-            "load" => {
-                let spread = spread.insert(contact_front_end::loads::Spread::of(
-                    values,
-                    self.area,
-                    surface.heights.grid().area(),
-                    CHECK,
-                )?);
-                spread.pressures.iter().map(|&p| Load::MeanPressure(p)).collect()
-            }
-            _ => values.iter().map(|&p| Load::MeanPressure(p)).collect(),
-        };
+        let of_map = surface.heights.grid().area();
+        let spread = (kind == "load").then(|| Spread::of(values, self.area, of_map, CHECK));
+        let spread = spread.transpose()?;
+        let values = spread.as_ref().map_or(values, |spread| &spread.pressures);
+        let load: fn(f64) -> Load = if kind == "gap" { Load::MeanGap } else { Load::MeanPressure };
+        let loads = values.iter().copied().map(load).collect();
         Ok(SolveRequest {
             loads,
             spread,
@@ -104,7 +97,7 @@ impl Request {
 }
 
 /// Keeps the maps that are wanted, and tells.
-struct Kept<'a> {
+struct KeptMaps<'a> {
     maps: &'a str,
     loads: &'a [Load],
     told: Vec<bool>,
@@ -115,7 +108,7 @@ struct Kept<'a> {
     last: Option<(f64, f64)>,
 }
 
-impl Watch for Kept<'_> {
+impl Watch for KeptMaps<'_> {
     fn begin(&mut self, _: Grid, _: usize) {
         self.found.clear();
         self.told.fill(false);
@@ -157,12 +150,16 @@ impl Watch for Kept<'_> {
     }
 }
 
-type Map<'py> = Option<Bound<'py, PyArray2<f64>>>;
+type MapArray<'py> = Option<Bound<'py, PyArray2<f64>>>;
 
 /// JSON of the answer; pressure and gap by the place of the load, if they were kept; what went wrong, as kind and
 /// message; whether an accuracy was missed; the exception that stopped it.
-type Solved<'py> =
-    (String, Vec<(usize, Map<'py>, Map<'py>)>, Option<(String, String)>, Option<Py<PyAny>>);
+type SolveAnswer<'py> = (
+    String,
+    Vec<(usize, MapArray<'py>, MapArray<'py>)>,
+    Option<(String, String)>,
+    Option<Py<PyAny>>,
+);
 
 /// A solver that keeps its last solution, for the next call on the same grid. Private.
 #[pyclass(frozen)]
@@ -263,56 +260,57 @@ pub(crate) fn solve<'py>(
     progress: Option<Py<PyAny>>,
     against: Option<Second<'py>>,
     keep: Option<Py<Keep>>,
-) -> PyResult<Solved<'py>> {
-    let request: Request = serde_json::from_str(request).map_err(|e| bug(&e))?;
+) -> PyResult<SolveAnswer<'py>> {
+    let request: SolveArguments = serde_json::from_str(request).map_err(|e| bug(&e))?;
     let (surface, facts) = surface_of(&heights, facts)?;
     if request.plane_strain {
         one_trace(&surface).map_err(|e| raise(&e))?;
     }
     // Of a pair the area of their common part, which is known when they lie on each other.
-    let laid = Laid::of(against.as_ref())?;
+    let laid = LaidBody::of(against.as_ref())?;
     let kept = keep.map(|keep| Arc::clone(&keep.get().0));
     if kept.as_ref().is_some_and(|kept| kept.try_lock().is_err()) {
         return Err(busy());
     }
-    let Outcome { value, stopped_by } = watched(py, request.threads, progress, move |reporter| {
-        let (is_pair, surface) = match laid {
-            Some(laid) => (true, laid.on(surface, request.level)?),
-            None => (false, surface),
-        };
-        let question = request.question(&surface)?;
-        let mut watch = Kept {
-            maps: &request.maps,
-            loads: &question.loads,
-            told: vec![false; question.loads.len()],
-            reporter,
-            found: BTreeMap::new(),
-            name: &facts.name,
-            last: None,
-        };
-        let subject = SolveInput {
-            path: facts.path(),
-            map: surface.heights,
-            missing: if is_pair { surface.origin.missing() } else { facts.missing },
-            fill: &facts.fill,
-            cleaned: if is_pair { &[] } else { &facts.cleaned },
-            pair: surface.origin.pair(),
-        };
-        let answer = match &kept {
-            None => question.solve(subject, &mut watch),
-            Some(kept) => {
-                let mut kept = kept.lock().unwrap_or_else(PoisonError::into_inner);
-                question.solve_on(subject, &mut kept, &mut watch)
-            }
-        };
-        answer.map(|answer| (answer, watch.found))
-    })?;
+    let WatchedOutcome { value, stopped_by } =
+        watched(py, request.threads, progress, move |reporter| {
+            let (is_pair, surface) = match laid {
+                Some(laid) => (true, laid.on(surface, request.level)?),
+                None => (false, surface),
+            };
+            let question = request.question(&surface)?;
+            let mut watch = KeptMaps {
+                maps: &request.maps,
+                loads: &question.loads,
+                told: vec![false; question.loads.len()],
+                reporter,
+                found: BTreeMap::new(),
+                name: &facts.name,
+                last: None,
+            };
+            let subject = SolveInput {
+                path: facts.path(),
+                map: surface.heights,
+                missing: if is_pair { surface.origin.missing() } else { facts.missing },
+                fill: &facts.fill,
+                cleaned: if is_pair { &[] } else { &facts.cleaned },
+                pair: surface.origin.pair(),
+            };
+            let answer = match &kept {
+                None => question.solve(subject, &mut watch),
+                Some(kept) => {
+                    let mut kept = kept.lock().unwrap_or_else(PoisonError::into_inner);
+                    question.solve_on(subject, &mut kept, &mut watch)
+                }
+            };
+            answer.map(|answer| (answer, watch.found))
+        })?;
     let stopped_by = stopped_by.map(|e| e.into_value(py).into_any());
     let Some(value) = value else { return Ok((String::new(), Vec::new(), None, stopped_by)) };
     let (answer, found) = value.map_err(|e| raise(&e))?;
     let mut maps = Vec::with_capacity(found.len());
     for (index, (grid, pressure, gap)) in found {
-        let of = |values: Vec<f64>| -> PyResult<Map<'py>> {
+        let of = |values: Vec<f64>| -> PyResult<MapArray<'py>> {
             (values.len() == grid.len()).then(|| array(py, grid.shape(), values)).transpose()
         };
         maps.push((index, of(pressure)?, of(gap)?));

@@ -1,7 +1,7 @@
 //! Roughness statistics.
 
 use crate::failure::{bug, raise};
-use crate::surface::{Laid, Second, form, surface_of};
+use crate::surface::{LaidBody, Second, form, surface_of};
 use crate::watched::quietly;
 use contact_compare::Level;
 use contact_front_end::{Failure, Measured};
@@ -12,7 +12,7 @@ use surface_stats::spectrum::{Ring, Window, radial_psd};
 use surface_stats::{Edges, StatsOptions};
 
 #[derive(Deserialize)]
-struct Request {
+struct StatisticsArguments {
     level: Level,
     /// None: as the surface was made.
     boundary: Option<Edges>,
@@ -31,9 +31,9 @@ pub(crate) fn statistics(
     threads: usize,
     against: Option<Second<'_>>,
 ) -> PyResult<String> {
-    let request: Request = serde_json::from_str(request).map_err(|e| bug(&e))?;
+    let request: StatisticsArguments = serde_json::from_str(request).map_err(|e| bug(&e))?;
     let (surface, facts) = surface_of(&heights, facts)?;
-    let laid = Laid::of(against.as_ref())?;
+    let laid = LaidBody::of(against.as_ref())?;
     let found = quietly(py, threads, move || {
         let surface = match laid {
             Some(laid) => laid.on(surface, request.level)?,

@@ -1,8 +1,8 @@
 //! The study: every model beside the deterministic solution, as a report.
 
 use crate::failure::{bug, raise};
-use crate::surface::{Laid, Second, surface_of};
-use crate::watched::{News, Outcome, watched};
+use crate::surface::{LaidBody, Second, surface_of};
+use crate::watched::{News, WatchedOutcome, watched};
 use contact_compare::{
     BuildError, Card, Citation, Comparison, ContactModel, ContactState, CurvePoint, Inputs,
     ModelError, Origin, Progress, Registry, RunFile, RunSurface, Settings, StudyError, Surface,
@@ -19,7 +19,7 @@ use std::ops::{ControlFlow, RangeInclusive};
 
 /// A model that Python computed: a curve for each surface, or why there is none.
 #[derive(Deserialize)]
-struct Own {
+struct OwnModel {
     name: String,
     title: String,
     citation: String,
@@ -43,7 +43,7 @@ struct Answers {
 type Holes = Vec<RangeInclusive<f64>>;
 
 /// The same as a theory of the study.
-struct Given {
+struct GivenTheory {
     card: Card,
     curves: BTreeMap<String, Result<(Tabulated, Holes), String>>,
 }
@@ -75,8 +75,8 @@ impl ContactModel for Holed {
     }
 }
 
-impl Given {
-    fn of(own: Own) -> Result<Self, Failure> {
+impl GivenTheory {
+    fn of(own: OwnModel) -> Result<Self, Failure> {
         let citation = Citation {
             authors: own.title.clone().into(),
             year: own.year,
@@ -109,7 +109,7 @@ impl Given {
     }
 }
 
-impl Theory for Given {
+impl Theory for GivenTheory {
     fn card(&self) -> &Card {
         &self.card
     }
@@ -166,7 +166,7 @@ pub(crate) fn study(
     against: Option<Second<'_>>,
 ) -> PyResult<Studied> {
     let settings: Settings = serde_json::from_str(settings).map_err(|e| bug(&e))?;
-    let own: Vec<Own> = serde_json::from_str(own).map_err(|e| bug(&e))?;
+    let own: Vec<OwnModel> = serde_json::from_str(own).map_err(|e| bug(&e))?;
     let mut given = Vec::with_capacity(surfaces.len());
     for ((heights, facts, name), hash) in surfaces.iter().zip(hashes) {
         let (mut surface, _) = surface_of(heights, facts)?;
@@ -176,17 +176,17 @@ pub(crate) fn study(
         }
         given.push(surface);
     }
-    let laid = Laid::of(against.as_ref())?;
+    let laid = LaidBody::of(against.as_ref())?;
     let mut registry = Registry::built_in();
     let mut times = Times::new();
     for own in own {
         times.insert(own.name.clone(), own.seconds.clone());
-        let theory = Given::of(own).map_err(|e| raise(&e))?;
+        let theory = GivenTheory::of(own).map_err(|e| raise(&e))?;
         let refused = |e| raise(&Failure::refused("model", format!("{e}")));
         registry = registry.with(theory).map_err(|e: contact_compare::NotRegistered| refused(e))?;
     }
     let threads = settings.threads;
-    let Outcome { value, stopped_by } = watched(py, threads, progress, move |reporter| {
+    let WatchedOutcome { value, stopped_by } = watched(py, threads, progress, move |reporter| {
         let mut told = (String::new(), 0);
         let mut listen = move |news: Progress<'_>| {
             if let Progress::Surface { name, loads, .. } = news {
@@ -239,8 +239,6 @@ pub(crate) fn study(
     }
 }
 
-type Files = BTreeMap<String, String>;
-
 /// Seconds for a load, by model and surface.
 type Times = BTreeMap<String, BTreeMap<String, f64>>;
 
@@ -250,13 +248,9 @@ fn run(
     registry: &Registry,
     (runs, times): (Vec<RunSurface>, &Times),
     listen: &mut contact_compare::Listener<'_>,
-) -> Result<(Files, Option<Failure>), Failure> {
+) -> Result<(BTreeMap<String, String>, Option<Failure>), Failure> {
     let failed = |e: StudyError| Failure::from_error(&e);
-    let run_file = RunFile {
-        program: env!("CARGO_PKG_VERSION").to_owned(),
-        settings: settings.clone(),
-        surfaces: runs,
-    };
+    let run_file = run_file_of(&settings, runs);
     let mut found = Comparison::run(surfaces, settings, registry, listen).map_err(failed)?;
     contact_front_end::look_around(&mut found, listen)?;
     for surface in &mut found.surfaces {
@@ -268,9 +262,23 @@ fn run(
             }
         }
     }
-    let made = Provenance::here("rough-contact compare --from run.toml --out again");
+    let documents = contact_front_end::documents(&found, &Provenance::here(REPEAT), &run_file)?;
+    Ok((texts(documents), contact_front_end::not_met(&found)))
+}
+
+/// The command that repeats a study from the file beside its report.
+pub(crate) const REPEAT: &str = "rough-contact compare --from run.toml --out again";
+
+/// The run file of a study of these surfaces.
+pub(crate) fn run_file_of(settings: &Settings, surfaces: Vec<RunSurface>) -> RunFile {
+    let program = env!("CARGO_PKG_VERSION").to_owned();
+    RunFile { program, settings: settings.clone(), surfaces }
+}
+
+/// The documents of a study as text, by name.
+pub(crate) fn texts(
+    documents: impl IntoIterator<Item = (impl Into<String>, Vec<u8>)>,
+) -> BTreeMap<String, String> {
     let text = |bytes: Vec<u8>| String::from_utf8_lossy(&bytes).into_owned();
-    let documents = contact_front_end::documents(&found, &made, &run_file)?;
-    let files = documents.into_iter().map(|(name, bytes)| (name.to_owned(), text(bytes))).collect();
-    Ok((files, contact_front_end::not_met(&found)))
+    documents.into_iter().map(|(name, bytes)| (name.into(), text(bytes))).collect()
 }

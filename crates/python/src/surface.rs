@@ -1,7 +1,7 @@
 //! Surfaces: arrays with what is known of them.
 
 use crate::failure::{bug, raise};
-use crate::reading::{Reading, Unread, filled};
+use crate::reading::{FileReading, Unread, filled};
 use crate::watched::quietly;
 use contact_compare::{Cleaning, GivenOrigin, Level, Origin, Placing, Recipe, Surface, Unevenness};
 use contact_front_end::{Complete, Failure};
@@ -20,7 +20,7 @@ use surface_stats::clean::Record;
 
 /// What is known of heights, beside them. Python keeps it as text and gives it back; TOML, because it has infinities.
 #[derive(Debug, Clone, Serialize, Deserialize)]
-pub(crate) struct Facts {
+pub(crate) struct HeightFacts {
     pub(crate) name: String,
     pub(crate) pixel: [f64; 2],
     pub(crate) missing: usize,
@@ -35,8 +35,8 @@ pub(crate) struct Facts {
     pub(crate) uneven: Option<Unevenness>,
 }
 
-impl Facts {
-    /// Of heights that were read or made; what is known of them as in [`Reading::origin`].
+impl HeightFacts {
+    /// Of heights that were read or made; what is known of them as in [`FileReading::origin`].
     pub(crate) fn new(
         name: String,
         pixel: [f64; 2],
@@ -72,7 +72,10 @@ impl Facts {
 }
 
 /// The heights of an array.
-pub(crate) fn map_of(heights: &PyReadonlyArray2<'_, f64>, facts: &Facts) -> PyResult<HeightMap> {
+pub(crate) fn map_of(
+    heights: &PyReadonlyArray2<'_, f64>,
+    facts: &HeightFacts,
+) -> PyResult<HeightMap> {
     let array = heights.as_array();
     let refused = |e| raise(&Failure::from_error(&e));
     let grid = Grid::new([array.nrows(), array.ncols()], facts.pixel).map_err(refused)?;
@@ -93,8 +96,8 @@ pub(crate) fn measurement(
 pub(crate) fn surface_of(
     heights: &PyReadonlyArray2<'_, f64>,
     facts: &str,
-) -> PyResult<(Surface, Facts)> {
-    let facts = Facts::of_text(facts)?;
+) -> PyResult<(Surface, HeightFacts)> {
+    let facts = HeightFacts::of_text(facts)?;
     let heights = map_of(heights, &facts)?;
     let surface = Surface { name: facts.name.clone(), origin: facts.origin.clone(), heights };
     Ok((surface, facts))
@@ -105,22 +108,22 @@ pub(crate) type Second<'py> = (PyReadonlyArray2<'py, f64>, String, String);
 
 /// A second body that is to be laid on another.
 #[derive(Clone)]
-pub(crate) struct Laid {
+pub(crate) struct LaidBody {
     second: Surface,
     placing: Placing,
     /// SHA-256 of the files of both, empty where there is none.
     hashes: [String; 2],
 }
 
-impl Laid {
+impl LaidBody {
     pub(crate) fn of(against: Option<&Second<'_>>) -> PyResult<Option<Self>> {
         #[derive(Deserialize)]
-        struct How {
+        struct LaidHow {
             placing: Placing,
             hashes: [String; 2],
         }
         let Some((heights, facts, how)) = against else { return Ok(None) };
-        let How { placing, hashes } = serde_json::from_str(how).map_err(|e| bug(&e))?;
+        let LaidHow { placing, hashes } = serde_json::from_str(how).map_err(|e| bug(&e))?;
         let (second, _) = surface_of(heights, facts)?;
         Ok(Some(Self { second, placing, hashes }))
     }
@@ -170,14 +173,14 @@ pub(crate) fn array<T: Element>(
 }
 
 /// Heights, what is known of them, and what Python shows of that.
-type Made<'py> = (Bound<'py, PyArray2<f64>>, String, String);
+type MadeSurface<'py> = (Bound<'py, PyArray2<f64>>, String, String);
 
 fn made<'py>(
     py: Python<'py>,
     map: HeightMap,
-    facts: &Facts,
+    facts: &HeightFacts,
     said: &serde_json::Value,
-) -> PyResult<Made<'py>> {
+) -> PyResult<MadeSurface<'py>> {
     let shape = map.grid().shape();
     let mut shown = json!({
         "name": facts.name, "pixel": facts.pixel, "missing": facts.missing, "fill": facts.fill,
@@ -198,8 +201,8 @@ pub(crate) fn read<'py>(
     request: &str,
     threads: usize,
     content: Option<Vec<u8>>,
-) -> PyResult<Made<'py>> {
-    let mut how: Reading = serde_json::from_str(request).map_err(|e| bug(&e))?;
+) -> PyResult<MadeSurface<'py>> {
+    let mut how: FileReading = serde_json::from_str(request).map_err(|e| bug(&e))?;
     how.content = content;
     let at = Path::new(path);
     let (asked, file) = (how.clone(), path.to_owned());
@@ -223,7 +226,7 @@ pub(crate) fn read<'py>(
     let origin = how.origin(path, format, crop, (missing, &cleaned, height_step));
     let pixel = map.grid().pixel();
     let known = (missing, cleaned, height_step);
-    let facts = Facts::new(name, pixel, &how.file.fill, known, origin);
+    let facts = HeightFacts::new(name, pixel, &how.file.fill, known, origin);
     let said = json!({
         "format": said["format"], "channel": said["channel"], "channels": said["channels"],
         "metadata": said["metadata"], "ambiguity": said["ambiguity"],
@@ -240,7 +243,7 @@ pub(crate) fn info(
     request: &str,
     content: Option<Vec<u8>>,
 ) -> PyResult<String> {
-    let mut how: Reading = serde_json::from_str(request).map_err(|e| bug(&e))?;
+    let mut how: FileReading = serde_json::from_str(request).map_err(|e| bug(&e))?;
     how.content = content;
     let at = Path::new(path);
     let file = path.to_owned();
@@ -257,9 +260,9 @@ pub(crate) fn given<'py>(
     heights: PyReadonlyArray2<'py, f64>,
     request: &str,
     threads: usize,
-) -> PyResult<Made<'py>> {
+) -> PyResult<MadeSurface<'py>> {
     #[derive(Deserialize)]
-    struct Given {
+    struct GivenHeights {
         name: String,
         note: String,
         pixel: [f64; 2],
@@ -267,9 +270,9 @@ pub(crate) fn given<'py>(
         repeats: Option<bool>,
         cleaning: Cleaning,
     }
-    let given: Given = serde_json::from_str(request).map_err(|e| bug(&e))?;
+    let given: GivenHeights = serde_json::from_str(request).map_err(|e| bug(&e))?;
     let measurement = measurement(heights.as_array(), given.pixel).map_err(|e| raise(&e))?;
-    let mut how = Reading { is_array: true, ..Reading::default() };
+    let mut how = FileReading { is_array: true, ..FileReading::default() };
     (how.file.fill, how.file.cleaning) = (given.fill.clone(), given.cleaning);
     let name = given.name.clone();
     let found = quietly(py, threads, move || filled(Path::new(&name), measurement, &how))?;
@@ -277,18 +280,22 @@ pub(crate) fn given<'py>(
     let mut origin = GivenOrigin::of(&map, given.note);
     (origin.missing, origin.height_step, origin.repeats) = (missing, height_step, given.repeats);
     let (known, origin) = ((missing, cleaned, height_step), Origin::Given(origin));
-    let facts = Facts::new(given.name, given.pixel, &given.fill, known, origin);
+    let facts = HeightFacts::new(given.name, given.pixel, &given.fill, known, origin);
     made(py, map, &facts, &json!({}))
 }
 
 /// A random self-affine surface.
 #[pyfunction]
-pub(crate) fn synth<'py>(py: Python<'py>, recipe: &str, threads: usize) -> PyResult<Made<'py>> {
+pub(crate) fn synth<'py>(
+    py: Python<'py>,
+    recipe: &str,
+    threads: usize,
+) -> PyResult<MadeSurface<'py>> {
     let recipe: Recipe = serde_json::from_str(recipe).map_err(|e| bug(&e))?;
     let surface = quietly(py, threads, move || recipe.make())?;
     let Surface { name, origin, heights } = surface.map_err(|e| raise(&Failure::from_error(&e)))?;
     let known = (0, Vec::new(), None);
-    let facts = Facts::new(name, heights.grid().pixel(), "refuse", known, origin);
+    let facts = HeightFacts::new(name, heights.grid().pixel(), "refuse", known, origin);
     made(py, heights, &facts, &json!({}))
 }
 
@@ -300,7 +307,7 @@ pub(crate) fn reshape<'py>(
     facts: &str,
     level: &str,
     threads: usize,
-) -> PyResult<Made<'py>> {
+) -> PyResult<MadeSurface<'py>> {
     let (surface, mut facts) = surface_of(&heights, facts)?;
     let form = surface.origin.level(form(level)?).on(&surface.heights);
     let form = form.map_err(|e| raise(&Failure::from_error(&e)))?;

@@ -79,7 +79,7 @@ impl Reporter {
 }
 
 /// What the work came to, and why it was to end before, if it was.
-pub(crate) struct Outcome<T> {
+pub(crate) struct WatchedOutcome<T> {
     /// None if the work was left behind: it ends by itself where it next looks up.
     pub(crate) value: Option<T>,
     pub(crate) stopped_by: Option<PyErr>,
@@ -93,7 +93,7 @@ pub(crate) fn watched<T: Send + 'static>(
     threads: usize,
     progress: Option<Py<PyAny>>,
     work: impl FnOnce(&Reporter) -> T + Send + 'static,
-) -> PyResult<Outcome<T>> {
+) -> PyResult<WatchedOutcome<T>> {
     let pool = rayon::ThreadPoolBuilder::new()
         .num_threads(threads.max(1))
         .stack_size(STACK)
@@ -117,7 +117,7 @@ pub(crate) fn watched<T: Send + 'static>(
             has_load |= news.as_ref().is_some_and(|n| n.stage == "load");
             if let Some((_, since)) = &stopped {
                 if !has_load && since.elapsed() > PATIENCE {
-                    return Ok(Outcome { value: None, stopped_by: stopped.map(|s| s.0) });
+                    return Ok(WatchedOutcome { value: None, stopped_by: stopped.map(|s| s.0) });
                 }
                 continue;
             }
@@ -134,7 +134,9 @@ pub(crate) fn watched<T: Send + 'static>(
             }
         }
         match worker.join() {
-            Ok(value) => Ok(Outcome { value: Some(value), stopped_by: stopped.map(|s| s.0) }),
+            Ok(value) => {
+                Ok(WatchedOutcome { value: Some(value), stopped_by: stopped.map(|s| s.0) })
+            }
             Err(panic) => Err(panicked(panic.as_ref())),
         }
     })
@@ -146,7 +148,7 @@ pub(crate) fn quietly<T: Send + 'static>(
     threads: usize,
     work: impl FnOnce() -> T + Send + 'static,
 ) -> PyResult<T> {
-    let Outcome { value, stopped_by } = watched(py, threads, None, |_| work())?;
+    let WatchedOutcome { value, stopped_by } = watched(py, threads, None, |_| work())?;
     stopped_by.map_or_else(|| value.ok_or_else(|| bug(&"work without an end")), Err)
 }
 

@@ -19,8 +19,8 @@ use crate::text::{self, Columns, plain};
 use crate::units::Dimension::{Number, Pressure};
 use clap::Args;
 use rough_contact::compare::{
-    AccuracyRequest, Comparison, Level, Origin, Refused, Registry, RunFile, RunSurface, Settings,
-    Surface, SurfaceComparison, on_threads,
+    AccuracyRequest, Comparison, Level, ModelCurve, Origin, Refused, Registry, RunFile, RunSurface,
+    Settings, Surface, SurfaceComparison, on_threads,
 };
 pub(crate) use rough_contact::front_end::not_met;
 use rough_contact::front_end::run_file_in;
@@ -374,8 +374,8 @@ fn models(reference: &report::Reference<'_>) -> Columns {
         let range = |(low, high)| plain(&report::numbers::signed_range(low, high));
         columns.row([
             model.card.title.to_string(),
-            text::or_dash(curve.and_then(|c| c.worst_and_mean()), percent),
-            text::or_dash(curve.and_then(|c| c.range()), range),
+            text::or_dash(curve.and_then(ModelCurve::worst_and_mean), percent),
+            text::or_dash(curve.and_then(ModelCurve::range), range),
             text::or_dash(curve, |c| {
                 format!("{} + {}", text::seconds(c.preparation), text::seconds(c.seconds))
             }),

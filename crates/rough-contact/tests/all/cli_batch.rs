@@ -20,7 +20,7 @@ fn maps() -> TestFolder {
     at
 }
 
-fn changed(path: &PathBuf) -> SystemTime {
+fn changed(path: &Path) -> SystemTime {
     path.metadata().unwrap().modified().unwrap()
 }
 
@@ -87,9 +87,9 @@ fn a_run_goes_on_with_what_is_whole_and_of_the_same_content_and_options() {
     assert_eq!(maps.filter(|map| map.exists()).count(), 2, "the maps of two files, apart");
 
     // Nothing has changed: every answer is kept, to the last digit and second.
-    let times: Vec<_> = before.iter().map(changed).collect();
+    let times: Vec<_> = before.iter().map(|path| changed(path)).collect();
     has(&resumed("").out, &["2 of 3 answers were there already"]);
-    assert_eq!(times, before.iter().map(changed).collect::<Vec<_>>());
+    assert_eq!(times, before.iter().map(|path| changed(path)).collect::<Vec<_>>());
     assert_eq!(resumed("--json").json(), first.json());
 
     // Half an answer, one under its name of the time of writing, and one whose maps are gone.

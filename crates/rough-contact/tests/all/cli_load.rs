@@ -101,13 +101,10 @@ fn a_study_at_forces_reads_in_newtons() {
     has(&study("a.x3p b.x3p", &format!("{forces} --summary --out many")), &["10.0 N"]);
     has(&page("many"), &["Load (N)", cell, "the same for every map"]);
     for (folder, area) in [("n", 1e-6), ("p", 4096e-12)] {
-        let csv = at.read(&format!("{folder}/curves.csv"));
-        let mut rows = csv.lines().map(|line| line.split(',').collect::<Vec<_>>());
-        let head = rows.next().expect("a header");
-        let place = head.iter().position(|h| *h == "load [N]").expect("a column");
-        for row in rows {
-            let [p, force] = [row[1], row[place]].map(|cell| cell.parse::<f64>().unwrap());
-            close(force, p * area, 1e-12);
+        let [pressures, forces] = ["mean_pressure", "load [N]"]
+            .map(|heading| at.column(&format!("{folder}/curves.csv"), heading));
+        for (force, pressure) in forces.iter().zip(pressures) {
+            close(*force, pressure * area, 1e-12);
         }
     }
 }

@@ -88,6 +88,16 @@ impl TestFolder {
         std::fs::read_to_string(self.join(name)).unwrap_or_else(|e| panic!("{name}: {e}"))
     }
 
+    /// The numbers of a CSV file under the first heading that begins so.
+    #[track_caller]
+    pub(crate) fn column(&self, name: &str, heading: &str) -> Vec<f64> {
+        let text = self.read(name);
+        let mut rows = text.lines().map(|line| line.split(','));
+        let place = rows.next().unwrap().position(|head| head.starts_with(heading));
+        let place = place.unwrap_or_else(|| panic!("{name}: no {heading}"));
+        rows.map(|mut row| row.nth(place).unwrap().parse().unwrap()).collect()
+    }
+
     /// `results.json` of a study.
     #[track_caller]
     pub(crate) fn results(&self, study: &str) -> Value {
