@@ -2,7 +2,7 @@
 
 use crate::args;
 use crate::cleaning::CleaningOptions;
-use crate::input::{Complete, ReadingOptions};
+use crate::input::{Complete, MapOrTraces, ReadingOptions};
 use crate::outcome::Failure;
 use crate::surfaces::{One, from_file, pressed};
 use clap::{Args, Parser};
@@ -109,16 +109,15 @@ impl Against {
         let Some(path) = self.given()? else { return Ok(first) };
         let (reading, cleaning) =
             self.own.as_ref().map_or(how, |own| (&own.reading, own.cleaning.asked()));
-        let mut second = match from_file(path, reading, cleaning)? {
-            One::Map(map) => *map,
-            One::Profile(_) => return Err(profile(path)),
+        let One::Map(mut second) = from_file(path, reading, cleaning)? else {
+            return Err(profile(path));
         };
         // Files of one name are told apart by where they lie.
         if first.name == second.name
             && let (Origin::File(a), Origin::File(b)) = (&first.origin, &second.origin)
         {
             let mut names = told_apart(&[&a.path, &b.path]).into_iter();
-            for body in [&mut first, &mut second] {
+            for body in [&mut first, &mut *second] {
                 body.name = names.next().unwrap_or_default();
             }
         }
@@ -130,18 +129,18 @@ impl Against {
         pressed(&first, &second, &placing, level)
     }
 
-    /// The file with the second body on it, complete.
-    pub(crate) fn complete(
+    /// What is in the file, with the second body on it if there is one.
+    pub(crate) fn measured(
         &self,
         path: &Path,
         how: (&ReadingOptions, Cleaning),
         level: Level,
-    ) -> Result<(Complete, PairOrigin), Failure> {
-        let first = match from_file(path, how.0, how.1)? {
-            One::Map(map) => *map,
-            One::Profile(_) => return Err(profile(path)),
-        };
-        let Surface { origin, heights, .. } = self.pressed_on(first, how, level)?;
+    ) -> Result<(MapOrTraces, Option<PairOrigin>), Failure> {
+        if self.given()?.is_none() {
+            return Ok((how.0.measured(path, how.1)?, None));
+        }
+        let One::Map(first) = from_file(path, how.0, how.1)? else { return Err(profile(path)) };
+        let Surface { origin, heights, .. } = self.pressed_on(*first, how, level)?;
         let complete = Complete {
             map: heights,
             missing: origin.missing(),
@@ -150,9 +149,7 @@ impl Against {
             format: "pair".to_owned(),
             crop: None,
         };
-        let pair = origin.pair().cloned();
-        pair.map(|pair| (complete, pair))
-            .ok_or_else(|| Failure::refused("usage", "--against is missing"))
+        Ok((MapOrTraces::Map(complete), origin.pair().cloned()))
     }
 
     /// What the answer depends on beside the first file and the options.

@@ -1,11 +1,12 @@
-//! A load that was solved for, as a row of the table.
+//! Loads that were solved for: the rows of the table, and what is said below it about uncertainties.
 
 use crate::conduction;
-use crate::loads::shown;
+use crate::loads::{rising, shown};
 use crate::text;
-use rough_contact::contact_accuracy::{Prescribed, RealPressure};
-use rough_contact::fft_bem_solver::Yielded;
+use rough_contact::contact_accuracy::{NoUncertainty, Prescribed, RealPressure};
+use rough_contact::fft_bem_solver::{Load, Yielded};
 use rough_contact::front_end::Point;
+use std::fmt::Write as _;
 
 /// The cells of its row; `has_spot` if one spot is among what is conducted.
 pub(crate) fn cells(point: &Point, has_spot: bool) -> Vec<String> {
@@ -41,4 +42,42 @@ pub(crate) fn cells(point: &Point, has_spot: bool) -> Vec<String> {
         cells.splice(0..0, conduction::first_cells(found, has_spot));
     }
     cells
+}
+
+/// One line for each load on twice the points, and one for each reason without an uncertainty.
+pub(crate) fn notes(points: &[Point]) -> String {
+    let loads: Vec<Load> = points.iter().map(|point| point.load).collect();
+    let mut notes = String::new();
+    let mut missing: Vec<(String, Vec<String>)> = Vec::new();
+    for index in rising(&loads) {
+        let point = &points[index];
+        let (true, Some(solution), Some(budget)) =
+            (point.converged, &point.solution, &point.budget)
+        else {
+            continue;
+        };
+        let shown = shown(point.load);
+        if let Some(finer) = &point.finer {
+            // Writing to a String cannot fail.
+            let area = text::percent(finer.area);
+            let _ = writeln!(notes, "{shown}: twice the points read {area}; the ± covers both");
+        }
+        let Err(why) = budget.area.half_width() else { continue };
+        let why = match (why, solution.state.mean_gap) {
+            // The flat hangs above: by as much as it has approached less than nothing.
+            (NoUncertainty::NoContact, Some(gap)) => {
+                let first = text::length(gap + solution.approach);
+                format!("{why}; first contact at a mean gap of {first}")
+            }
+            _ => why.to_string(),
+        };
+        match missing.iter_mut().find(|(known, _)| *known == why) {
+            Some((_, loads)) => loads.push(shown),
+            None => missing.push((why, vec![shown])),
+        }
+    }
+    for (why, loads) in &missing {
+        let _ = writeln!(notes, "no ± at {}: {why}", loads.join(", "));
+    }
+    notes
 }

@@ -27,14 +27,12 @@ mod help;
 mod http;
 mod info;
 mod input;
-mod intervals;
 mod leak;
 mod loads;
 #[cfg(feature = "shell")]
 mod manual;
 mod materials;
 mod model;
-mod model_list;
 mod needs;
 mod outcome;
 mod output;
@@ -142,7 +140,7 @@ fn run(cli: &Cli) -> Result<Reply, Failure> {
     match &cli.command {
         Command::Info(info) => info.run(common),
         Command::Stats(stats) => stats.run(common),
-        Command::Model(model) => model.run(common),
+        Command::Model(model) => model.run(),
         Command::Solve(solve) => solve.run(common),
         Command::Compare(compare) => compare_many::run(compare, common),
         Command::Convert(convert) => convert.run(common),

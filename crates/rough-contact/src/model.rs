@@ -1,26 +1,28 @@
 //! `rough-contact model`: a closed-form model from a surface or from numbers.
 
 use crate::against::{self, Against};
-use crate::args::{self, CommonOptions, List};
+use crate::args::{self, List};
 use crate::bodies::BodyOptions;
 use crate::cleaning::CleaningOptions;
 use crate::conduction::{self, ConductionOptions};
 use crate::input::{MapOrTraces, ReadingOptions};
 use crate::loads::{self, Spread};
-use crate::model_list::{self, cited};
 use crate::outcome::{Failure, Reply};
 use crate::profiles::{self, Traces};
-use crate::roughness::{Source, ways};
+use crate::roughness::{Source, options_of, ways};
 use crate::surfaces::of_traces;
 use crate::text::{self, Columns};
 use crate::units::Dimension::{Force, Length, Pressure};
 use clap::Args;
 use multiscale_models::Persson;
 use rough_contact::compare::survey::SIMILAR;
-use rough_contact::compare::{Card, Conducted, Input, Inputs, Joint, PairOrigin, Spikes, Theory};
-use rough_contact::contact_types::{ContactState, Named};
+use rough_contact::compare::{
+    Card, Conducted, Input, Inputs, Joint, PairOrigin, Spikes, Theory, built_in,
+};
+use rough_contact::contact_types::{Citation, ContactState, Named};
 use rough_contact::front_end::bodies::Bodies;
 use rough_contact::front_end::model::{self, ModelLoad, ModelResult, Said, Unasked};
+use rough_contact::front_end::models;
 use rough_contact::surface_stats::clean::row_offsets;
 use rough_contact::{compare, report};
 use serde_json::json;
@@ -66,8 +68,8 @@ pub(crate) struct Model {
 }
 
 impl Model {
-    pub(crate) fn run(&self, _: &CommonOptions) -> Result<Reply, Failure> {
-        let Some(name) = &self.name else { return Ok(model_list::list()) };
+    pub(crate) fn run(&self) -> Result<Reply, Failure> {
+        let Some(name) = &self.name else { return Ok(list()) };
         let theory = compare::find(name).expect("clap accepts only these names");
         let card = theory.card();
         let hardness = self.source.hardness();
@@ -86,18 +88,14 @@ impl Model {
         self.source.refuse_unused(card, self.file.as_deref(), area_has_use)?;
         let inputs = if let Some(path) = &self.file {
             let how = (&self.reading, self.cleaning.asked());
-            let surface = if self.against.given()?.is_some() {
-                let (complete, both) = self.against.complete(path, how, self.source.level())?;
-                pair = Some(both);
-                complete
-            } else {
-                match self.reading.measured(path, how.1)? {
-                    MapOrTraces::Map(surface) => surface,
-                    MapOrTraces::Traces(traces) => {
-                        return self.of_profile((theory, joint), made_of, path, &traces);
-                    }
+            let (measured, both) = self.against.measured(path, how, self.source.level())?;
+            let surface = match measured {
+                MapOrTraces::Map(surface) => surface,
+                MapOrTraces::Traces(traces) => {
+                    return self.of_profile((theory, joint), made_of, path, &traces);
                 }
             };
+            pair = both;
             cleaned.clone_from(&surface.cleaned);
             spikes = Spikes::left(&surface.map, &cleaned, pair.as_ref());
             rows = row_offsets(surface.map.grid(), surface.map.heights()).ok();
@@ -371,4 +369,35 @@ fn cells(question: ModelLoad, answer: &ModelResult, has_bar: bool) -> Vec<String
         cells.insert(2, text::or_dash(bar, ends));
     }
     cells
+}
+
+/// A source, in a few words.
+fn cited(c: &Citation) -> String {
+    if c.doi.is_empty() {
+        format!("{} {}", c.authors, c.year)
+    } else {
+        format!("{} {}, doi:{}", c.authors, c.year, c.doi)
+    }
+}
+
+/// Every model with its source, inputs and domain.
+fn list() -> Reply {
+    let mut text = String::new();
+    let mut models = Vec::new();
+    for card in built_in().iter().map(Theory::card) {
+        let c = &card.citation;
+        let doi = if c.doi.is_empty() { String::new() } else { format!(" doi:{}", c.doi) };
+        let options = options_of(card).join(", or ");
+        let separation = if card.has_separation { "; --separation as well" } else { "" };
+        // A String takes everything.
+        let _ = writeln!(
+            text,
+            "{}: {}\n  {} ({}) {}. {}.{doi}\n  inputs: {}\n  domain: {}\n  options: {options}{separation}\n",
+            card.name, card.title, c.authors, c.year, c.title, c.journal, card.needs, card.domain,
+        );
+        let mut object = models::card(card);
+        object["options"] = json!(options_of(card));
+        models.push(object);
+    }
+    Reply::new(text, json!({ "models": models }))
 }

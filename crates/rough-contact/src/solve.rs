@@ -5,13 +5,12 @@ use crate::against::{self, Against};
 use crate::args::{self, CommonOptions, SolverOptions};
 use crate::batch::{self, PerFile};
 use crate::bodies::BodyOptions;
-use crate::cells::cells;
+use crate::cells::{cells, notes};
 use crate::conduction::{self, ConductionOptions};
 use crate::fields::{FieldFolder, FieldOptions};
 use crate::files::folder_name;
 use crate::hardness;
 use crate::input::{Complete, InputFiles, MapOrTraces};
-use crate::intervals;
 use crate::leak::{self, LeakOptions};
 use crate::loads::{Loads, carried, shown};
 use crate::outcome::{Failure, Reply};
@@ -200,7 +199,7 @@ impl PerFile for Solve {
         let answer = on_threads(common.threads(), || question.solve(subject, &mut terminal))?;
         drop(terminal);
         let notes = match answer.plan {
-            None => intervals::notes(&answer.points),
+            None => notes(&answer.points),
             Some(_) => String::new(),
         };
         let plan = answer.plan.clone();
@@ -253,15 +252,6 @@ impl Watch for Terminal {
 }
 
 impl Solve {
-    /// The map, or the one trace that is to be solved in plane strain.
-    fn section(&self) -> Result<(Complete, Option<PairOrigin>), Failure> {
-        if self.against.given()?.is_some() && !self.plane_strain {
-            let pair = self.against.complete(&self.input.file, self.input.how(), self.level)?;
-            return Ok((pair.0, Some(pair.1)));
-        }
-        self.alone().map(|complete| (complete, None))
-    }
-
     /// Whether more than the solution is asked, which only maps answer.
     fn asks_set(&self) -> Result<bool, Failure> {
         let adhesion = self.adhesion.asked()?.is_some();
@@ -269,13 +259,19 @@ impl Solve {
         Ok(self.stiffness || self.conduction.is_asked() || leak || adhesion)
     }
 
-    fn alone(&self) -> Result<Complete, Failure> {
+    /// The map, or the one trace that is to be solved in plane strain.
+    fn section(&self) -> Result<(Complete, Option<PairOrigin>), Failure> {
         let path = &self.input.file;
         let refused = |message: &str| {
             Err(Failure::refused("profile", format!("{}: {message}", path.display())))
         };
-        match (self.input.measured()?, self.plane_strain) {
-            (MapOrTraces::Map(complete), false) => Ok(complete),
+        let (measured, pair) = if self.plane_strain {
+            (self.input.measured()?, None)
+        } else {
+            self.against.measured(path, self.input.how(), self.level)?
+        };
+        match (measured, self.plane_strain) {
+            (MapOrTraces::Map(complete), false) => Ok((complete, pair)),
             (MapOrTraces::Map(_), true) => refused(
                 "this is a map, and --plane-strain is for a profile; leave it out, or cut out a row with \
                  --crop Y0,0,1,NX",
@@ -308,7 +304,7 @@ impl Solve {
             (MapOrTraces::Traces(traces), true) => {
                 let (map, traces) = profiles::only(traces, path)?;
                 let Traces { missing, cleaned, height_step, format, crop, .. } = traces;
-                Ok(Complete { map, missing, cleaned, height_step, format, crop })
+                Ok((Complete { map, missing, cleaned, height_step, format, crop }, None))
             }
         }
     }

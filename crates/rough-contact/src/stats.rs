@@ -106,20 +106,16 @@ impl PerFile for Stats {
 
     fn answer(&self, _: &CommonOptions) -> Result<Reply, Failure> {
         let asked = self.asked()?; // refused before any work
-        let (complete, pair) = if self.against.given()?.is_some() {
-            let pair = self.against.complete(&self.input.file, self.input.how(), self.level)?;
-            (pair.0, Some(pair.1))
-        } else {
-            match self.input.measured()? {
-                MapOrTraces::Map(complete) => (complete, None),
-                MapOrTraces::Traces(_) if asked.is_some() => {
-                    let message = "modulus and hardness are for maps; of a profile leave them out";
-                    return Err(Failure::refused("profile", message));
-                }
-                MapOrTraces::Traces(traces) => {
-                    let degree = self.level.degree().unwrap_or(0);
-                    return profile_stats::run(&self.input.file, &traces, degree);
-                }
+        let path = &self.input.file;
+        let (measured, pair) = self.against.measured(path, self.input.how(), self.level)?;
+        let complete = match measured {
+            MapOrTraces::Map(complete) => complete,
+            MapOrTraces::Traces(_) if asked.is_some() => {
+                let message = "modulus and hardness are for maps; of a profile leave them out";
+                return Err(Failure::refused("profile", message));
+            }
+            MapOrTraces::Traces(traces) => {
+                return profile_stats::run(path, &traces, self.level.degree().unwrap_or(0));
             }
         };
         let Complete { map, missing, cleaned, height_step, .. } = complete;
@@ -128,11 +124,10 @@ impl PerFile for Stats {
             .with_edges(self.boundary)
             .with_missing(missing)
             .with_height_step(height_step);
-        let subject =
-            front_end::Measured { path: &self.input.file, cleaned: &cleaned, pair: pair.as_ref() };
+        let subject = front_end::Measured { path, cleaned: &cleaned, pair: pair.as_ref() };
         let mut found = front_end::statistics(&map, &options, subject, self.iso, self.scales)?;
         if let Some((made_of, Some(given))) = &asked {
-            found.stick(*given, &map, self.level, made_of.modulus, &self.input.file)?;
+            found.stick(*given, &map, self.level, made_of.modulus, path)?;
         }
         let mut text = text::cleaning(&cleaned)
             + &text::all_findings(&found.findings)

@@ -218,16 +218,8 @@ fn the_list_is_complete_and_refusals_name_the_way_out() {
     let object = at.answer("model --list");
     let listed: Vec<&str> =
         list(&object["models"]).iter().filter_map(|m| m["name"].as_str()).collect();
-    for name in [
-        "gw",
-        "bgt",
-        "greenwood-elliptical",
-        "persson",
-        "stacked",
-        "multiscale",
-        "archard",
-        "majumdar-bhushan",
-    ] {
+    let names = "gw bgt greenwood-elliptical persson stacked multiscale archard majumdar-bhushan";
+    for name in names.split_whitespace() {
         assert!(listed.contains(&name), "{name}");
         at.refuses(&format!("model {name} --modulus 1GPa --pressure 1MPa"), &["needs", "--"]);
     }
