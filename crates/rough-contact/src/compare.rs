@@ -76,12 +76,7 @@ pub(crate) struct Compare {
     #[command(flatten)]
     solver: SolverOptions,
     /// Repeat the run that wrote this run.toml
-    #[arg(long, value_name = "RUN.TOML", conflicts_with_all = [
-        "files", "against", "flip", "shift", "against_options", "summary", "pressure", "load", "area",
-        "headline", "models", "hardness", "gamma", "resistivity", "conductivity", "gas", "leak", "viscosity", "pressure_drop", "seal_length", "seal_width", "level", "fractal_range", "edges", "method",
-        "precision", "tolerance", "accuracy", "fast", "modulus", "young", "material", "work_of_adhesion", "channel", "pixel",
-        "lateral_unit", "height_unit", "override_height_unit", "layout", "decimal", "missing", "fill", "crop", "align_rows", "outliers", "form", "s_filter", "l_filter",
-    ])]
+    #[arg(long, value_name = "RUN.TOML")]
     from: Option<PathBuf>,
     /// Folder for report.html, results.json, curves.csv, area.svg, pressure.svg and run.toml
     #[arg(long, value_name = "DIR")]
@@ -91,7 +86,7 @@ pub(crate) struct Compare {
     #[arg(long)]
     summary: bool,
     /// Go on with a summary in --out: answers to the same content and the same options are kept
-    #[arg(long, conflicts_with = "from")]
+    #[arg(long)]
     pub(crate) resume: bool,
     #[command(flatten)]
     pub(crate) against: Against,

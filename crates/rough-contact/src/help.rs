@@ -1,4 +1,4 @@
-//! The sections of the help: where an option stands, and whether `-h` shows it.
+//! The options as one: the sections of the help, and what `--from` excludes.
 
 use clap::{Arg, Command};
 use rough_contact::compare;
@@ -49,8 +49,10 @@ pub(crate) fn grouped(command: Command, words: &[String]) -> Command {
     let command = command.mut_args(|arg| placed(arg, false));
     names.into_iter().fold(command, |command, name| {
         let is_model = name == "model";
+        let is_compare = name == "compare";
         command.mut_subcommand(name, |sub| {
             let sub = sub.mut_args(|arg| placed(arg, is_model));
+            let sub = if is_compare { alone(sub, "from", "out") } else { sub };
             if is_model && model.is_none() {
                 sub.after_help("`rough-contact model NAME -h` shows what a model is made from, --list all of them.")
             } else {
@@ -58,4 +60,12 @@ pub(crate) fn grouped(command: Command, words: &[String]) -> Command {
             }
         })
     })
+}
+
+/// The command whose option `whole` stands for all others but `kept`: a run file has every setting of its run.
+fn alone(command: Command, whole: &str, kept: &str) -> Command {
+    let ids =
+        command.get_arguments().map(Arg::get_id).filter(|id| ![whole, kept].contains(&id.as_str()));
+    let others: Vec<_> = ids.cloned().collect();
+    command.mut_arg(whole, |arg| arg.conflicts_with_all(others))
 }

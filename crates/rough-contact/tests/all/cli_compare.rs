@@ -178,4 +178,11 @@ fn a_study_can_be_told_apart_and_repeated_as_its_page_says() {
     let words = ["compare", "--from", "../out/run.toml", "--out", "third", "--quiet"];
     let elsewhere = crate::cli::run(&at.join("one"), &words);
     assert_eq!(elsewhere.status, 0, "{}", elsewhere.err);
+    // Whatever is set beside a run file is refused, not ignored.
+    for option in
+        ["--temperature 300K", "--attraction-range 1nm", "--pressure 1MPa", "--poisson 0.3"]
+    {
+        let line = format!("compare --from out/run.toml {option} --out fourth");
+        at.refuses_with(2, &line, &["--from"]);
+    }
 }
