@@ -7,7 +7,7 @@ use criterion::{BatchSize, Criterion, Throughput, criterion_group, criterion_mai
 use std::fmt::Write as _;
 use std::hint::black_box;
 use std::io::Cursor;
-use surface_io::{Fill, ReadOptions, read_bytes, write};
+use surface_io::{Fill, HeightUnit, ReadOptions, read_bytes, write};
 
 const N: usize = 1024;
 
@@ -59,7 +59,11 @@ fn reading(criterion: &mut Criterion) {
         ("matrix", matrix(&map, |_, _| false).into_bytes()),
         ("xyz", list(&map).into_bytes()),
     ];
-    let options = ReadOptions::default().with_pixel([1e-6; 2]).with_height_unit(1.0);
+    let options = ReadOptions {
+        pixel: Some([1e-6; 2]),
+        height_unit: Some(HeightUnit::IfSilent(1.0)),
+        ..ReadOptions::default()
+    };
     for (name, bytes) in files {
         group.bench_function(name, |b| b.iter(|| read_bytes(black_box(&bytes), &options).unwrap()));
     }

@@ -148,7 +148,11 @@ fn reading(said: &Value, mut options: ReadOptions) -> ReadOptions {
 /// Compares every height with those of an NPY file.
 fn point_by_point(m: &Measurement, truth: &Path, expected: &Value) -> Result<(), String> {
     let unit = expected.get("unit_m").and_then(Value::as_f64).unwrap_or(1.0);
-    let options = ReadOptions::default().with_pixel([1.0; 2]).with_height_unit(unit);
+    let options = ReadOptions {
+        pixel: Some([1.0; 2]),
+        height_unit: Some(HeightUnit::IfSilent(unit)),
+        ..ReadOptions::default()
+    };
     let truth = read(truth, &options).map_err(|e| e.to_string())?;
     if truth.grid().shape() != m.grid().shape() {
         return Err(format!("{:?} points, expected {:?}", m.grid().shape(), truth.grid().shape()));

@@ -1,5 +1,6 @@
 //! Checked access to bytes: every read either lies inside the file or is an error with its offset.
 
+use crate::encoding::latin1;
 use crate::{Format, Place, ReadError};
 use std::borrow::Cow;
 
@@ -34,6 +35,21 @@ impl Sample {
             Self::I32 | Self::U32 | Self::F32 => 4,
             Self::I64 | Self::U64 | Self::F64 => 8,
         }
+    }
+
+    /// Whole numbers of so many bytes.
+    pub(crate) fn whole(bytes: usize, is_signed: bool) -> Option<Self> {
+        Some(match (bytes, is_signed) {
+            (1, true) => Self::I8,
+            (1, false) => Self::U8,
+            (2, true) => Self::I16,
+            (2, false) => Self::U16,
+            (4, true) => Self::I32,
+            (4, false) => Self::U32,
+            (8, true) => Self::I64,
+            (8, false) => Self::U64,
+            _ => return None,
+        })
     }
 
     /// All numbers in `bytes`, as `f64`; a last incomplete one is left out.
@@ -130,6 +146,21 @@ impl<'a> Bytes<'a> {
         Ok(sample.decode(self.slice(at, length)?, self.order))
     }
 
+    /// `ny` rows of `nx` numbers from `at`, each `stride` bytes behind the one before.
+    pub(crate) fn rows(
+        &self,
+        at: usize,
+        [ny, nx]: [usize; 2],
+        stride: usize,
+        sample: Sample,
+    ) -> Result<Vec<f64>, ReadError> {
+        let mut values = Vec::with_capacity(ny * nx);
+        for iy in 0..ny {
+            values.extend(self.samples(at + iy * stride, nx, sample)?);
+        }
+        Ok(values)
+    }
+
     /// Bytes of a map of `shape` points, after checking that they lie inside the file.
     pub(crate) fn map_length(
         &self,
@@ -160,7 +191,7 @@ impl<'a> Bytes<'a> {
 
     /// A `Malformed` error at byte `at`.
     pub(crate) fn fault(&self, at: usize, what: impl Into<Cow<'static, str>>) -> ReadError {
-        ReadError::Malformed { format: self.format, place: Place::Byte(at), what: what.into() }
+        self.format.malformed(Place::Byte(at), what)
     }
 
     /// A `Malformed` error in a named field.
@@ -169,8 +200,7 @@ impl<'a> Bytes<'a> {
         name: impl Into<Cow<'static, str>>,
         what: impl Into<Cow<'static, str>>,
     ) -> ReadError {
-        let place = Place::Field(name.into());
-        ReadError::Malformed { format: self.format, place, what: what.into() }
+        self.format.field(name, what)
     }
 }
 
@@ -181,7 +211,7 @@ pub(crate) fn text(raw: &[u8]) -> String {
     let raw = &raw[..end];
     match std::str::from_utf8(raw) {
         Ok(s) => s.trim().to_owned(),
-        Err(_) => raw.iter().map(|&b| char::from(b)).collect::<String>().trim().to_owned(),
+        Err(_) => latin1(raw).trim().to_owned(),
     }
 }
 

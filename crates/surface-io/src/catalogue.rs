@@ -1,6 +1,5 @@
 //! How each format is recognised and read.
 
-use crate::binary::Bytes;
 use crate::error::ReadError;
 use crate::finish::{finish, finish_traces};
 use crate::format::{Format, every_format};
@@ -49,7 +48,7 @@ impl FormatSpec {
     /// # Errors
     /// As [`read_bytes`](crate::read_bytes).
     pub fn read(&self, bytes: &[u8], options: &ReadOptions) -> Result<Measurement, ReadError> {
-        finish(self.format, self.laid_out(bytes, options)?, options)
+        finish(self.format, self.contents(bytes, options)?, options)
     }
 
     /// Every trace in `bytes`, see [`read_traces`](crate::read_traces).
@@ -58,33 +57,24 @@ impl FormatSpec {
         bytes: &[u8],
         options: &ReadOptions,
     ) -> Result<Vec<Measurement>, ReadError> {
-        finish_traces(self.format, self.laid_out(bytes, options)?, options)
+        finish_traces(self.format, self.contents(bytes, options)?, options)
     }
 
-    /// What is in `bytes` in the layout asked for.
-    fn laid_out<'a>(
+    /// What is in `bytes`, with nothing decoded yet.
+    fn contents<'a>(
         &self,
         bytes: &'a [u8],
         options: &ReadOptions,
     ) -> Result<Contents<'a>, ReadError> {
         match options.layout {
             _ if self.format == Format::Text => formats::table::parse_as(bytes, options),
-            None => self.contents(bytes, &options.limits),
+            None => (self.parse)(bytes, &options.limits),
             Some(layout) => Err(ReadError::BadLayout {
                 format: self.format,
                 layout,
                 reason: Cow::Borrowed("only the columns of a text can be more than one thing"),
             }),
         }
-    }
-
-    /// What is in `bytes`, with nothing decoded yet.
-    pub(crate) fn contents<'a>(
-        &self,
-        bytes: &'a [u8],
-        limits: &Limits,
-    ) -> Result<Contents<'a>, ReadError> {
-        (self.parse)(bytes, limits)
     }
 }
 
@@ -99,7 +89,7 @@ pub(crate) fn recognise(bytes: &[u8]) -> Result<&'static FormatSpec, ReadError> 
     FORMATS.iter().find(|spec| (spec.sniff)(bytes)).ok_or_else(|| {
         if bytes.starts_with(b"PK\x03\x04") {
             let what = "the list of files at its end cannot be read: it was cut off, or is damaged";
-            return Bytes::little(bytes, Format::Zip).field("archive", what);
+            return Format::Zip.field("archive", what);
         }
         let start = bytes[..bytes.len().min(16)].escape_ascii().to_string();
         ReadError::UnknownFormat { start }

@@ -4,21 +4,28 @@ use std::borrow::Cow;
 
 /// The text of a file: UTF-8, UTF-16 with a byte order mark, or else Latin-1.
 pub(crate) fn decode(bytes: &[u8]) -> Cow<'_, str> {
-    let wide = |order: fn([u8; 2]) -> u16| {
-        let units = bytes[2..].chunks_exact(2).map(|pair| order([pair[0], pair[1]]));
-        char::decode_utf16(units).map(|c| c.unwrap_or(char::REPLACEMENT_CHARACTER)).collect()
-    };
     match bytes {
-        [0xff, 0xfe, ..] => Cow::Owned(wide(u16::from_le_bytes)),
-        [0xfe, 0xff, ..] => Cow::Owned(wide(u16::from_be_bytes)),
+        [0xff, 0xfe, rest @ ..] => Cow::Owned(utf16(rest, u16::from_le_bytes)),
+        [0xfe, 0xff, rest @ ..] => Cow::Owned(utf16(rest, u16::from_be_bytes)),
         _ => {
             let bytes = bytes.strip_prefix(b"\xef\xbb\xbf").unwrap_or(bytes);
             match std::str::from_utf8(bytes) {
                 Ok(text) => Cow::Borrowed(text),
-                Err(_) => Cow::Owned(bytes.iter().map(|&b| char::from(b)).collect()),
+                Err(_) => Cow::Owned(latin1(bytes)),
             }
         }
     }
+}
+
+/// Text in UTF-16, of numbers in this order.
+pub(crate) fn utf16(bytes: &[u8], order: fn([u8; 2]) -> u16) -> String {
+    let units = bytes.chunks_exact(2).map(|pair| order([pair[0], pair[1]]));
+    char::decode_utf16(units).map(|c| c.unwrap_or(char::REPLACEMENT_CHARACTER)).collect()
+}
+
+/// Text of one byte a character.
+pub(crate) fn latin1(bytes: &[u8]) -> String {
+    bytes.iter().map(|&byte| char::from(byte)).collect()
 }
 
 /// True if `bytes` can be the start of a text file: no control characters in the first 4 KiB.

@@ -17,13 +17,8 @@ pub enum Place {
     Line(usize),
     /// A named field of the header or member of a container.
     Field(Cow<'static, str>),
-    /// A point of the map.
-    Point {
-        /// Row.
-        iy: usize,
-        /// Column.
-        ix: usize,
-    },
+    /// Row and column of a point of the map.
+    Point(usize, usize),
 }
 
 impl std::fmt::Display for Place {
@@ -32,7 +27,7 @@ impl std::fmt::Display for Place {
             Self::Byte(at) => write!(f, "byte {at}"),
             Self::Line(line) => write!(f, "line {line}"),
             Self::Field(name) => write!(f, "{name}"),
-            Self::Point { iy, ix } => write!(f, "row {iy}, column {ix}"),
+            Self::Point(iy, ix) => write!(f, "row {iy}, column {ix}"),
         }
     }
 }
@@ -108,18 +103,15 @@ pub enum ReadError {
     },
     /// A pixel size was given that contradicts the coordinates in the file.
     #[error(
-        "the pixel size given, dx = {dx:e} m, dy = {dy:e} m, contradicts the file, whose steps \
-         along x and y are in the ratio {step_x} : {step_y}"
+        "the pixel size given, dx = {:e} m, dy = {:e} m, contradicts the file, whose steps \
+         along x and y are in the ratio {} : {}",
+        given[1], given[0], steps[1], steps[0]
     )]
     PixelContradicts {
-        /// Given, in metres.
-        dx: f64,
-        /// Given, in metres.
-        dy: f64,
-        /// In the file, in its unknown unit.
-        step_x: f64,
-        /// In the file, in its unknown unit.
-        step_y: f64,
+        /// `[dy, dx]` given, in metres.
+        given: [f64; 2],
+        /// Along y and x in the file, in its unknown unit.
+        steps: [f64; 2],
     },
     /// What was given is not a usable number.
     #[error("the {given} given, {value:e} m, must be finite and greater than 0")]
@@ -198,18 +190,12 @@ pub enum ReadError {
     },
     /// The rectangle to cut out is not inside the map.
     #[error(
-        "crop y0, x0, ny, nx = {y0}, {x0}, {ny}, {nx} is not inside the map of {} x {} points",
-        shape[0], shape[1]
+        "crop y0, x0, ny, nx = {}, {}, {}, {} is not inside the map of {} x {} points",
+        part[0], part[1], part[2], part[3], shape[0], shape[1]
     )]
     Crop {
-        /// First row.
-        y0: usize,
-        /// First column.
-        x0: usize,
-        /// Rows.
-        ny: usize,
-        /// Columns.
-        nx: usize,
+        /// `[y0, x0, ny, nx]` asked for.
+        part: [usize; 4],
         /// Rows and columns there are.
         shape: [usize; 2],
     },
@@ -266,6 +252,33 @@ impl ReadError {
     }
 }
 
+/// Refusals of a file of this format.
+impl Format {
+    /// It holds something that is not read.
+    pub(crate) fn unsupported(self, feature: impl Into<Cow<'static, str>>) -> ReadError {
+        ReadError::Unsupported { format: self, feature: feature.into() }
+    }
+
+    /// It breaks the rules of the format.
+    pub(crate) fn malformed(self, place: Place, what: impl Into<Cow<'static, str>>) -> ReadError {
+        ReadError::Malformed { format: self, place, what: what.into() }
+    }
+
+    /// It breaks them in a named field.
+    pub(crate) fn field(
+        self,
+        name: impl Into<Cow<'static, str>>,
+        what: impl Into<Cow<'static, str>>,
+    ) -> ReadError {
+        self.malformed(Place::Field(name.into()), what)
+    }
+
+    /// It breaks them in a line of text.
+    pub(crate) fn line(self, line: usize, what: impl Into<Cow<'static, str>>) -> ReadError {
+        self.malformed(Place::Line(line), what)
+    }
+}
+
 fn missing_scale(format: Format, needs: &[Need], unused: Option<&str>) -> String {
     let names: Vec<String> = needs.iter().map(Need::to_string).collect();
     let mut text = format!("{format}: the file gives no {}", names.join(" and no "));
@@ -285,16 +298,17 @@ fn missing_scale(format: Format, needs: &[Need], unused: Option<&str>) -> String
 #[non_exhaustive]
 pub enum FillError {
     /// Points are missing and [`Fill::Refuse`](crate::Fill::Refuse) was asked for.
-    #[error("{missing} of {points} points are missing, the first at row {iy}, column {ix}")]
+    #[error(
+        "{missing} of {points} points are missing, the first at row {}, column {}",
+        first[0], first[1]
+    )]
     Missing {
         /// How many points are missing.
         missing: usize,
         /// How many points there are.
         points: usize,
-        /// Row of the first.
-        iy: usize,
-        /// Column of the first.
-        ix: usize,
+        /// Row and column of the first.
+        first: [usize; 2],
     },
     /// Not a single height.
     #[error("all {points} points are missing: there is nothing to fill from")]

@@ -42,8 +42,7 @@ impl Measurement {
                     return Err(FillError::Missing {
                         missing: self.missing,
                         points: heights.len(),
-                        iy: first / nx,
-                        ix: first % nx,
+                        first: [first / nx, first % nx],
                     });
                 }
                 Fill::Harmonic => harmonic::fill(grid, &mut heights)?,

@@ -48,7 +48,8 @@ pub(crate) fn finish(
             && channel.shape[1] > 1
             && ((dy / dx) / (step_y / step_x) - 1.0).abs() > 1e-3
         {
-            return Err(ReadError::PixelContradicts { dx, dy, step_x, step_y });
+            let (given, steps) = ([dy, dx], [step_y, step_x]);
+            return Err(ReadError::PixelContradicts { given, steps });
         }
         if let Pixel::Metres([dy, dx]) = channel.pixel {
             metadata.insert("overridden pixel".into(), format!("{dx:e} m, {dy:e} m"));
@@ -93,9 +94,7 @@ pub(crate) fn finish(
     };
 
     options.limits.check_points(format, channel.shape)?;
-    let malformed = |place, what: String| ReadError::Malformed { format, place, what: what.into() };
-    let grid = Grid::new(channel.shape, pixel)
-        .map_err(|e| malformed(Place::Field("grid".into()), e.to_string()))?;
+    let grid = Grid::new(channel.shape, pixel).map_err(|e| format.field("grid", e.to_string()))?;
     let mut heights = (channel.decode)()?;
     for mark in options.missing.iter().filter_map(|mark| mark_value(mark)) {
         // A mark of a file in single precision is that number only nearly.
@@ -104,7 +103,7 @@ pub(crate) fn finish(
     }
     if heights.len() != grid.len() {
         let what = format!("{} heights for {} points", heights.len(), grid.len());
-        return Err(malformed(Place::Field("data".into()), what));
+        return Err(format.field("data", what));
     }
     // A file that says what its unit is and means this is damaged; numbers whose unit was given
     // may be anything.
@@ -120,9 +119,10 @@ pub(crate) fn finish(
             missing += 1;
         } else if height.abs() > highest {
             let [_, nx] = grid.shape();
-            let place = Place::Point { iy: i / nx, ix: i % nx };
-            let what = "if it marks missing points, give --missing and that number";
-            return Err(malformed(place, format!("the height is {height:e} m; {what}")));
+            let what = format!(
+                "the height is {height:e} m; if it marks missing points, give --missing and that number"
+            );
+            return Err(format.malformed(Place::Point(i / nx, i % nx), what));
         }
     }
     Ok(Measurement {
@@ -208,10 +208,7 @@ fn choose(
         return match (best, channels.first()) {
             (Some((index, _)), _) => Ok(index),
             (None, Some(first)) => Err(not_height(first)),
-            (None, None) => Err(ReadError::Unsupported {
-                format,
-                feature: "a file without any map or profile".into(),
-            }),
+            (None, None) => Err(format.unsupported("a file without any map or profile")),
         };
     };
     let number = asked.strip_prefix('#').and_then(|n| n.parse::<usize>().ok());

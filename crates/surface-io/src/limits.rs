@@ -8,7 +8,6 @@ use crate::format::Format;
 ///
 /// The memory used is at most the file, one decompressed copy of it, and the heights in `f64`.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
-#[non_exhaustive]
 pub struct Limits {
     /// Largest file in bytes (default 4 GiB).
     pub file_bytes: u64,

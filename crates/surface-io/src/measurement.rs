@@ -42,6 +42,16 @@ pub(crate) enum Pixel {
     Unknown,
 }
 
+impl Pixel {
+    /// `[dy, dx]` in these units; unknown unless both are lengths.
+    pub(crate) fn in_units([dy, dx]: [f64; 2], [y, x]: [&str; 2]) -> Self {
+        match (metres_per(y), metres_per(x)) {
+            (Some(y), Some(x)) => Self::Metres([dy * y, dx * x]),
+            _ => Self::Unknown,
+        }
+    }
+}
+
 /// Entry of the metadata with the unit of the file where another one was given for silent files.
 pub(crate) const KEPT_UNIT: &str = "height unit of the file, kept";
 
@@ -117,7 +127,7 @@ impl<'a> Channel<'a> {
         channel
     }
 
-    /// A map of stored numbers from byte `at`, in rows; `convert` brings one to `unit`, or to NaN
+    /// A map of stored numbers, in rows; `convert` brings one to `unit`, or to NaN
     /// if it marks a missing point.
     pub(crate) fn raster(
         name: impl Into<String>,
@@ -128,32 +138,58 @@ impl<'a> Channel<'a> {
     ) -> Result<Self, ReadError> {
         let Raster { bytes, at, shape, sample } = raster;
         bytes.map_length(at, shape, sample)?;
-        Ok(Self::new(name, unit, shape, pixel, move || {
-            let mut values = bytes.samples(at, shape[0] * shape[1], sample)?;
-            for value in &mut values {
-                *value = convert(*value);
-            }
-            Ok(values)
-        }))
+        let decode = move || bytes.samples(at, shape[0] * shape[1], sample);
+        Ok(Self::new(name, unit, shape, pixel, decode).converted(convert))
+    }
+
+    /// Changes the heights once they are decoded.
+    fn then(self, change: impl FnOnce(&mut [f64]) -> Result<(), ReadError> + 'a) -> Self {
+        let decode = self.decode;
+        let changed = move || {
+            let mut heights = decode()?;
+            change(&mut heights)?;
+            Ok(heights)
+        };
+        Self { decode: Box::new(changed), ..self }
+    }
+
+    /// Brings every stored number to the unit, or to NaN if it marks a missing point.
+    pub(crate) fn converted(self, convert: impl Fn(f64) -> f64 + 'a) -> Self {
+        self.then(move |heights| {
+            heights.iter_mut().for_each(|height| *height = convert(*height));
+            Ok(())
+        })
+    }
+
+    /// Makes the points missing whose mark is above 0.
+    pub(crate) fn masked(self, marks: impl FnOnce() -> Result<Vec<f64>, ReadError> + 'a) -> Self {
+        self.then(move |heights| {
+            let marked = heights.iter_mut().zip(marks()?).filter(|(_, mark)| *mark > 0.0);
+            marked.for_each(|(height, _)| *height = f64::NAN);
+            Ok(())
+        })
     }
 
     /// Turns the map upside down: for formats that store the bottom row first.
     pub(crate) fn flipped(self) -> Self {
         let [_, nx] = self.shape;
-        let decode = self.decode;
-        Self { decode: Box::new(move || Ok(flip_rows(decode()?, nx))), ..self }
+        self.then(move |heights| {
+            let ny = heights.len() / nx.max(1);
+            for iy in 0..ny / 2 {
+                let (top, bottom) = heights.split_at_mut((ny - 1 - iy) * nx);
+                top[iy * nx..(iy + 1) * nx].swap_with_slice(&mut bottom[..nx]);
+            }
+            Ok(())
+        })
     }
 
     /// Turns every row around: for formats that store some of them from right to left.
     pub(crate) fn mirrored(self) -> Self {
         let [_, nx] = self.shape;
-        let decode = self.decode;
-        let turn = move || {
-            let mut values = decode()?;
-            values.chunks_mut(nx.max(1)).for_each(<[f64]>::reverse);
-            Ok(values)
-        };
-        Self { decode: Box::new(turn), ..self }
+        self.then(move |heights| {
+            heights.chunks_mut(nx.max(1)).for_each(<[f64]>::reverse);
+            Ok(())
+        })
     }
 
     pub(crate) fn info(&self) -> ChannelInfo {
@@ -183,15 +219,6 @@ pub(crate) struct Raster<'a> {
     pub(crate) sample: Sample,
 }
 
-fn flip_rows(mut values: Vec<f64>, nx: usize) -> Vec<f64> {
-    let ny = values.len() / nx.max(1);
-    for iy in 0..ny / 2 {
-        let (top, bottom) = values.split_at_mut((ny - 1 - iy) * nx);
-        top[iy * nx..(iy + 1) * nx].swap_with_slice(&mut bottom[..nx]);
-    }
-    values
-}
-
 /// Everything a reader finds in a file.
 #[derive(Default)]
 pub(crate) struct Contents<'a> {
@@ -199,7 +226,28 @@ pub(crate) struct Contents<'a> {
     pub(crate) metadata: BTreeMap<String, String>,
 }
 
-impl Contents<'_> {
+impl<'a> Contents<'a> {
+    /// Channels, and what the file says of instrument, date and settings.
+    pub(crate) fn new<const N: usize>(
+        channels: Vec<Channel<'a>>,
+        metadata: [(&str, String); N],
+    ) -> Self {
+        Self { channels, metadata: metadata.map(|(key, text)| (key.to_owned(), text)).into() }
+    }
+
+    /// Keeps what the file says, unless that is nothing.
+    pub(crate) fn note(&mut self, key: &str, text: Option<impl Into<String>>) {
+        if let Some(text) = text.map(Into::into).filter(|text: &String| !text.is_empty()) {
+            self.metadata.insert(key.into(), text);
+        }
+    }
+
+    /// Adds a channel. One that cannot be read must not cost the others.
+    pub(crate) fn add(&mut self, name: &str, channel: Result<Channel<'a>, ReadError>) {
+        let channel = channel.unwrap_or_else(|fault| Channel::unreadable(name, fault));
+        self.channels.push(channel);
+    }
+
     /// Keeps an entry that no reader understands if it looks like a size, a scale or a unit.
     pub(crate) fn not_used(&mut self, key: &str, value: &str) {
         let name = key.rsplit('/').next().unwrap_or(key);
@@ -364,7 +412,7 @@ impl Measurement {
         let inside = |start: usize, length: usize, size: usize| {
             length > 0 && start.checked_add(length).is_some_and(|end| end <= size)
         };
-        let fault = ReadError::Crop { y0, x0, ny, nx, shape };
+        let fault = ReadError::Crop { part: [y0, x0, ny, nx], shape };
         if !inside(y0, ny, shape[0]) || !inside(x0, nx, shape[1]) {
             return Err(fault);
         }

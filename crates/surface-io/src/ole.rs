@@ -27,6 +27,7 @@
 //! Source: Microsoft, *\[MS-CFB\]: Compound File Binary File Format*.
 
 use crate::binary::Bytes;
+use crate::encoding::utf16;
 use crate::{Format, ReadError};
 
 pub(crate) const MAGIC: &[u8] = b"\xd0\xcf\x11\xe0\xa1\xb1\x1a\xe1";
@@ -194,7 +195,7 @@ impl<'a> Document<'a> {
                 if self.sector == 512 {
                     length &= 0xffff_ffff;
                 }
-                let (name, start) = (utf16(&raw[..bytes]), entry.u32(116)?);
+                let (name, start) = (utf16(&raw[..bytes], u16::from_le_bytes), entry.u32(116)?);
                 self.entries.push(Entry { name, kind, start, length });
             }
             at = self.next(at)?;
@@ -205,10 +206,4 @@ impl<'a> Document<'a> {
 
 fn numbers(raw: &[u8]) -> impl Iterator<Item = u32> + '_ {
     raw.chunks_exact(4).map(|b| u32::from_le_bytes([b[0], b[1], b[2], b[3]]))
-}
-
-/// Text in UTF-16, little endian.
-pub(crate) fn utf16(raw: &[u8]) -> String {
-    let units = raw.chunks_exact(2).map(|b| u16::from_le_bytes([b[0], b[1]]));
-    char::decode_utf16(units).map(|c| c.unwrap_or(char::REPLACEMENT_CHARACTER)).collect()
 }

@@ -26,13 +26,16 @@ impl HeightUnit {
 /// What the file does not say, and which part of it is wanted.
 ///
 /// ```
-/// use surface_io::ReadOptions;
+/// use surface_io::{HeightUnit, ReadOptions};
 ///
-/// let options = ReadOptions::default().with_pixel([1e-6, 1e-6]).with_height_unit(1e-9);
-/// assert_eq!(options.pixel, Some([1e-6, 1e-6]));
+/// let options = ReadOptions {
+///     pixel: Some([1e-6, 1e-6]),
+///     height_unit: Some(HeightUnit::IfSilent(1e-9)),
+///     ..ReadOptions::default()
+/// };
+/// assert!(options.channel.is_none());
 /// ```
 #[derive(Debug, Clone, PartialEq, Default)]
-#[non_exhaustive]
 pub struct ReadOptions {
     /// Channel by name, or `#2` for the second; default is the first one that is a topography.
     pub channel: Option<String>,
@@ -53,61 +56,4 @@ pub struct ReadOptions {
     pub missing: Vec<String>,
     /// What reading may cost.
     pub limits: Limits,
-}
-
-impl ReadOptions {
-    /// Reads this channel: its name, or `#2` for the second.
-    #[must_use]
-    pub fn with_channel(self, name: impl Into<String>) -> Self {
-        Self { channel: Some(name.into()), ..self }
-    }
-
-    /// `[dy, dx]` in metres, whatever the file says.
-    #[must_use]
-    pub fn with_pixel(self, pixel: [f64; 2]) -> Self {
-        Self { pixel: Some(pixel), ..self }
-    }
-
-    /// Metres per unit of the coordinates x and y, if the file gives no unit for them.
-    #[must_use]
-    pub fn with_lateral_unit(self, metres: f64) -> Self {
-        Self { lateral_unit: Some(metres), ..self }
-    }
-
-    /// Metres per unit of the heights, if the file gives no unit.
-    #[must_use]
-    pub fn with_height_unit(self, metres: f64) -> Self {
-        Self { height_unit: Some(HeightUnit::IfSilent(metres)), ..self }
-    }
-
-    /// Metres per unit of the heights, whatever the file says.
-    #[must_use]
-    pub fn overriding_height_unit(self, metres: f64) -> Self {
-        Self { height_unit: Some(HeightUnit::Always(metres)), ..self }
-    }
-
-    /// What the columns of a text file are.
-    #[must_use]
-    pub fn with_layout(self, layout: Layout) -> Self {
-        Self { layout: Some(layout), ..self }
-    }
-
-    /// The decimal mark of a text file.
-    #[must_use]
-    pub fn with_decimal(self, mark: DecimalMark) -> Self {
-        Self { decimal: Some(mark), ..self }
-    }
-
-    /// One more mark of missing points.
-    #[must_use]
-    pub fn with_missing(mut self, mark: impl Into<String>) -> Self {
-        self.missing.push(mark.into());
-        self
-    }
-
-    /// What reading may cost.
-    #[must_use]
-    pub fn with_limits(self, limits: Limits) -> Self {
-        Self { limits, ..self }
-    }
 }

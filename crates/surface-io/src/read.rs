@@ -3,7 +3,7 @@
 use crate::catalogue::recognise;
 use crate::error::ReadError;
 use crate::limits::Limits;
-use crate::measurement::{Channel, ChannelInfo, Measurement};
+use crate::measurement::Measurement;
 use crate::options::ReadOptions;
 use std::borrow::Cow;
 use std::fs::File;
@@ -51,16 +51,6 @@ pub fn read_traces_bytes(
 ) -> Result<Vec<Measurement>, ReadError> {
     let bytes = unwrap_container(bytes, &options.limits)?;
     recognise(&bytes)?.read_traces(&bytes, options)
-}
-
-/// Lists the channels in the bytes of a file without decoding them.
-///
-/// # Errors
-/// As [`read`], except that nothing is refused for missing units or being no height.
-pub fn read_channels_bytes(bytes: &[u8], limits: &Limits) -> Result<Vec<ChannelInfo>, ReadError> {
-    let bytes = unwrap_container(bytes, limits)?;
-    let spec = recognise(&bytes)?;
-    Ok(spec.contents(&bytes, limits)?.channels.iter().map(Channel::info).collect())
 }
 
 fn load(path: &Path, limits: &Limits) -> Result<Vec<u8>, ReadError> {

@@ -1,9 +1,8 @@
 //! Text files: encodings, line ends, separators, decimal marks, and the one table of numbers in
 //! them.
 
-use crate::binary::Bytes;
 use crate::cells::{Cell, Digits, Doubt, Marks, Separator, Written, cell};
-pub(crate) use crate::encoding::{decode, is_text, lines};
+pub(crate) use crate::encoding::{decode, is_text, latin1, lines};
 use crate::units::metres_per;
 use crate::{Format, Need, ReadError};
 
@@ -26,10 +25,12 @@ pub(crate) struct Table<'a> {
 }
 
 /// Lines with their numbers.
-pub(crate) type Lines<'a> = Vec<(usize, &'a str)>;
+pub(crate) type NumberedLines<'a> = Vec<(usize, &'a str)>;
+
+const FORMAT: Format = Format::Text;
 
 impl<'a> Table<'a> {
-    pub(crate) fn empty(header: Lines<'a>) -> Self {
+    pub(crate) fn empty(header: NumberedLines<'a>) -> Self {
         Self {
             header,
             separator: Separator::Blank,
@@ -56,55 +57,48 @@ impl<'a> Table<'a> {
     /// which may be without rows.
     pub(crate) fn all(
         text: &'a str,
-        format: Format,
         written: Written<'_>,
-        begins: &dyn Fn(&Lines<'a>) -> bool,
+        begins: &dyn Fn(&NumberedLines<'a>) -> bool,
     ) -> Result<Vec<Self>, ReadError> {
-        let mut scan = Scan::over(text, format, written, begins)?;
+        let (mut tables, marks) = scan(text, written, begins)?;
         if written.decimal.is_none() {
-            let malformed = |what: &'static str| Bytes::little(&[], format).field("numbers", what);
-            let torn = scan.marks.are_torn()
-                && scan.tables.iter().all(|t| t.separator == Separator::Comma);
-            if torn && scan.tables.iter().all(|t| t.columns.is_multiple_of(2)) {
-                return Err(malformed(
+            let is_in_pairs =
+                |t: &Self| t.separator == Separator::Comma && t.columns.is_multiple_of(2);
+            if marks.are_torn() && tables.iter().all(is_in_pairs) {
+                return Err(FORMAT.field(
+                    "numbers",
                     "decimal commas stand between cells that are parted by commas, as in 0,034,1,855: save it with \
                      semicolons between the cells, or with decimal points",
                 ));
             }
-            let decided = scan.marks.decide().map_err(|doubt| match doubt {
-                Doubt::Both => {
-                    malformed("both decimal points and decimal commas occur: which of them is the decimal mark?")
-                }
+            let decided = marks.decide().map_err(|doubt| match doubt {
+                Doubt::Both => FORMAT.field(
+                    "numbers",
+                    "both decimal points and decimal commas occur: which of them is the decimal mark?",
+                ),
                 Doubt::Either((line, text)) => {
                     let digits: String = text.chars().filter(|c| !matches!(c, '.' | ',' | '"')).collect();
                     let decimal = text.trim_matches('"').replace(',', ".");
                     let what = format!("line {line}: {text} can be {decimal}, or {digits} with a mark of thousands");
-                    ReadError::TwoReadings { format, what, needs: vec![Need::DecimalMark] }
+                    ReadError::TwoReadings { format: FORMAT, what, needs: vec![Need::DecimalMark] }
                 }
             })?;
             if let Some((decimal, true)) = decided {
                 let written = Written { decimal: Some(decimal), ..written };
-                scan = Scan::over(text, format, written, begins)?;
+                tables = scan(text, written, begins)?.0;
             }
         }
-        scan.tables
-            .into_iter()
-            .map(|mut table| {
-                table.mind_rows_in_header(format, written)?;
-                table.drop_trailing_separator();
-                Ok(table)
-            })
-            .collect()
+        for table in &mut tables {
+            table.mind_rows_in_header(written)?;
+            table.drop_trailing_separator();
+        }
+        Ok(tables)
     }
 
     /// A row with a bad character before the first two sound rows looks like a line of the header:
     /// it, and the rows before it, would vanish without a word. A row of coordinates behind a word in the corner
     /// is the first row.
-    fn mind_rows_in_header(
-        &mut self,
-        format: Format,
-        written: Written<'_>,
-    ) -> Result<(), ReadError> {
+    fn mind_rows_in_header(&mut self, written: Written<'_>) -> Result<(), ReadError> {
         let (columns, separator) = (self.columns, self.separator);
         let last = self.header.last().map(|(number, _)| *number);
         let mut whole = None;
@@ -146,7 +140,7 @@ impl<'a> Table<'a> {
                         && (columns > 3 || cells[0].starts_with(starts_a_number))
                         && metres_per(cells[bad]).is_none() =>
                 {
-                    return Err(not_a_number(format, number, bad, cells[bad]));
+                    return Err(not_a_number(number, bad, cells[bad]));
                 }
                 None if numbers.len() > 3 && columns > 3 => {
                     whole.get_or_insert((number, numbers.len()));
@@ -156,13 +150,12 @@ impl<'a> Table<'a> {
         }
         whole.map_or(Ok(()), |(number, numbers)| {
             let what = format!("a row of {numbers} numbers stands before lines that are no rows");
-            let place = crate::Place::Line(number);
-            Err(ReadError::Malformed { format, place, what: what.into() })
+            Err(FORMAT.line(number, what))
         })
     }
 
     /// The first cell that is no number in a text without any row, if some of its lines look like rows.
-    pub(crate) fn obstacle(&self, format: Format, written: Written<'_>) -> Option<ReadError> {
+    pub(crate) fn obstacle(&self, written: Written<'_>) -> Option<ReadError> {
         let starts_a_number = |text: &&&str| {
             let text = text.trim_matches('"').trim_start_matches(['+', '-', '.', ',']);
             text.starts_with(|c: char| c.is_ascii_digit())
@@ -173,8 +166,7 @@ impl<'a> Table<'a> {
             let alike = cells.iter().filter(starts_a_number).count();
             let bad =
                 cells.iter().position(|text| cell(text, separator, written) == Cell::Other)?;
-            (2 * alike >= cells.len())
-                .then(|| (cells.len(), not_a_number(format, number, bad, cells[bad])))
+            (2 * alike >= cells.len()).then(|| (cells.len(), not_a_number(number, bad, cells[bad])))
         });
         // Two lines in a row: one may be a date.
         let mut before = None;
@@ -190,18 +182,68 @@ impl<'a> Table<'a> {
     /// Appends a row.
     fn push(
         &mut self,
-        number: usize,
-        line: &str,
-        (written, marks): (Written<'_>, &mut Marks),
-        format: Format,
+        (number, line): (usize, &str),
+        written: Written<'_>,
+        marks: &mut Marks,
     ) -> Result<(), ReadError> {
         let line = written.joined(line);
-        let mut row = Row { table: self, number, format, written, marks };
-        match row.table.separator {
-            Separator::Blank => row.push(line.split_ascii_whitespace()),
-            separator if line.contains('"') => row.push(separator.cells(&line)),
-            separator => row.push(line.split(separator.char()).map(str::trim)),
+        match self.separator {
+            Separator::Blank => {
+                self.push_cells(number, line.split_ascii_whitespace(), written, marks)
+            }
+            separator if line.contains('"') => {
+                self.push_cells(number, separator.cells(&line), written, marks)
+            }
+            separator => {
+                let cells = line.split(separator.char()).map(str::trim);
+                self.push_cells(number, cells, written, marks)
+            }
         }
+    }
+
+    fn push_cells<'l>(
+        &mut self,
+        number: usize,
+        cells: impl Iterator<Item = &'l str>,
+        written: Written<'_>,
+        marks: &mut Marks,
+    ) -> Result<(), ReadError> {
+        let (before, is_first) = (self.values.len(), self.values.is_empty());
+        for (column, text) in cells.enumerate() {
+            let cell = cell(text, self.separator, written);
+            if let Cell::Number(_) | Cell::Length(..) = cell {
+                if written.decimal.is_none() {
+                    marks.see(column, number, text);
+                }
+                if let Some(digits) = self.digits.get_mut(column) {
+                    digits.add(text);
+                }
+                if is_first && column > 0 {
+                    self.first_row.add(text);
+                }
+            }
+            self.values.push(match cell {
+                Cell::Number(value) => value,
+                Cell::Length(value, unit) => {
+                    self.units.resize(self.units.len().max(column + 1), None);
+                    let known = self.units[column].get_or_insert_with(|| unit.to_owned());
+                    if known != unit {
+                        let column = column + 1;
+                        let what =
+                            format!("cell {column}: {text:?}, the cells above are in {known}");
+                        return Err(FORMAT.line(number, what));
+                    }
+                    value
+                }
+                Cell::Missing => f64::NAN,
+                Cell::Other => return Err(not_a_number(number, column, text)),
+            });
+        }
+        let (found, expected) = (self.values.len() - before, self.columns);
+        if found == expected {
+            return Ok(());
+        }
+        Err(FORMAT.line(number, format!("{found} values, the rows before have {expected}")))
     }
 
     /// A separator at the end of every row is no column, nor are empty columns behind a list of
@@ -224,68 +266,9 @@ impl<'a> Table<'a> {
     }
 }
 
-/// A row while it is read.
-struct Row<'r, 'a, 'o> {
-    table: &'r mut Table<'a>,
-    number: usize,
-    format: Format,
-    written: Written<'o>,
-    marks: &'r mut Marks,
-}
-
-impl Row<'_, '_, '_> {
-    fn push<'l>(&mut self, cells: impl Iterator<Item = &'l str>) -> Result<(), ReadError> {
-        let Row { table, number, format, written, marks } = self;
-        let (before, is_first) = (table.values.len(), table.values.is_empty());
-        for (column, text) in cells.enumerate() {
-            let cell = cell(text, table.separator, *written);
-            if let Cell::Number(_) | Cell::Length(..) = cell {
-                if written.decimal.is_none() {
-                    marks.see(column, *number, text);
-                }
-                if let Some(digits) = table.digits.get_mut(column) {
-                    digits.add(text);
-                }
-                if is_first && column > 0 {
-                    table.first_row.add(text);
-                }
-            }
-            table.values.push(match cell {
-                Cell::Number(value) => value,
-                Cell::Length(value, unit) => {
-                    table.units.resize(table.units.len().max(column + 1), None);
-                    let known = table.units[column].get_or_insert_with(|| unit.to_owned());
-                    if known != unit {
-                        let place = crate::Place::Line(*number);
-                        let what = format!(
-                            "cell {}: {text:?}, the cells above are in {known}",
-                            column + 1
-                        );
-                        return Err(ReadError::Malformed {
-                            format: *format,
-                            place,
-                            what: what.into(),
-                        });
-                    }
-                    value
-                }
-                Cell::Missing => f64::NAN,
-                Cell::Other => return Err(not_a_number(*format, *number, column, text)),
-            });
-        }
-        let (found, expected) = (table.values.len() - before, table.columns);
-        if found == expected {
-            return Ok(());
-        }
-        let what = format!("{found} values, the rows before have {expected}");
-        let place = crate::Place::Line(*number);
-        Err(ReadError::Malformed { format: *format, place, what: what.into() })
-    }
-}
-
-fn not_a_number(format: Format, line: usize, column: usize, text: &str) -> ReadError {
+fn not_a_number(line: usize, column: usize, text: &str) -> ReadError {
     let text = text.trim_matches('"').chars().take(40).collect();
-    ReadError::NotANumber { format, line, cell: column + 1, text }
+    ReadError::NotANumber { format: FORMAT, line, cell: column + 1, text }
 }
 
 /// True if the numbers only rise or only fall.
@@ -297,121 +280,113 @@ pub(crate) fn is_monotone(numbers: &[f64]) -> bool {
 /// Most single numbers before a table that are taken for counts of its rows and columns.
 const MOST_COUNTS: usize = 16;
 
-/// The tables of a text while they are found.
-struct Scan<'a> {
-    tables: Vec<Table<'a>>,
-    marks: Marks,
-}
-
-impl<'a> Scan<'a> {
-    fn over(
-        text: &'a str,
-        format: Format,
-        written: Written<'_>,
-        begins: &dyn Fn(&Lines<'a>) -> bool,
-    ) -> Result<Self, ReadError> {
-        let (mut tables, mut marks) = (Vec::new(), Marks::default());
-        let mut table = Table::empty(Vec::new());
-        // The line before, if it may be the first row: the next one decides.
-        let mut held: Option<(usize, &str, Separator, usize)> = None;
-        let mut started = false;
-        let mut counts: Lines<'_> = Vec::new();
-        // Lines between rows: comments, or the header of the next table. And why the first of them is no row.
-        let mut between: Lines<'_> = Vec::new();
-        let mut trouble = None;
-        let mut is_parted = false;
-        for (number, line) in lines(text) {
-            let line = line.trim_end_matches(['\u{1a}', '\0']);
-            let is_blank = line.trim().is_empty() && !line.contains('\t');
-            if is_blank || is_comment(line, written) {
-                is_parted = started;
-                match (started, is_blank) {
-                    (true, false) => between.push((number, line)),
-                    (false, false) => {
-                        table.header.extend(held.take().map(|(n, l, _, _)| (n, l)));
-                        table.header.push((number, line));
-                    }
-                    (_, true) => {}
-                }
-                continue;
-            }
-            // Numbers that stand alone before wider rows are counts in the header.
-            if started
-                && table.columns == 1
-                && table.rows() <= MOST_COUNTS
-                && let Some((_, 2..)) = row_shape(line, written)
-            {
-                let mut header = std::mem::take(&mut table.header);
-                header.append(&mut counts);
-                (table, started) = (Table::empty(header), false);
-            }
-            if started
-                && (!between.is_empty() || trouble.is_some())
-                && row_shape(line, written).is_some()
-            {
-                if begins(&between) {
-                    tables.push(std::mem::replace(
-                        &mut table,
-                        Table::empty(std::mem::take(&mut between)),
-                    ));
-                    (started, trouble, is_parted) = (false, None, false);
-                } else if let Some(error) = trouble {
-                    return Err(error);
-                } else {
-                    between.clear();
-                }
-            }
-            if started {
-                if counts.len() < MOST_COUNTS {
-                    counts.push((number, line));
-                }
-                let length = table.values.len();
-                match table.push(number, line, (written, &mut marks), format) {
-                    Ok(()) if is_parted => table.parted.push(length / table.columns),
-                    Ok(()) => {}
-                    Err(error @ ReadError::NotANumber { .. }) => {
-                        table.values.truncate(length);
-                        between.push((number, line));
-                        trouble.get_or_insert(error);
-                        continue;
-                    }
-                    Err(error) => return Err(error),
-                }
-                is_parted = false;
-                continue;
-            }
-            let shape = row_shape(line, written);
-            match (held.take(), shape) {
-                (Some((n, first, separator, columns)), Some((s, c)))
-                    if s == separator && c == columns =>
-                {
-                    (table.separator, table.columns, started) = (separator, columns, true);
-                    counts = vec![(n, first), (number, line)];
-                    table.push(n, first, (written, &mut marks), format)?;
-                    table.push(number, line, (written, &mut marks), format)?;
-                }
-                (previous, Some((separator, columns))) => {
-                    table.header.extend(previous.map(|(n, l, _, _)| (n, l)));
-                    held = Some((number, line, separator, columns));
-                }
-                (previous, None) => {
-                    table.header.extend(previous.map(|(n, l, _, _)| (n, l)));
+/// Finds the tables of a text, and what their numbers show of their marks.
+fn scan<'a>(
+    text: &'a str,
+    written: Written<'_>,
+    begins: &dyn Fn(&NumberedLines<'a>) -> bool,
+) -> Result<(Vec<Table<'a>>, Marks), ReadError> {
+    let (mut tables, mut marks) = (Vec::new(), Marks::default());
+    let mut table = Table::empty(Vec::new());
+    // The line before, if it may be the first row: the next one decides.
+    let mut held: Option<(usize, &str, Separator, usize)> = None;
+    let mut started = false;
+    let mut counts: NumberedLines<'_> = Vec::new();
+    // Lines between rows: comments, or the header of the next table. And why the first of them is no row.
+    let mut between: NumberedLines<'_> = Vec::new();
+    let mut trouble = None;
+    let mut is_parted = false;
+    for (number, line) in lines(text) {
+        let line = line.trim_end_matches(['\u{1a}', '\0']);
+        let is_blank = line.trim().is_empty() && !line.contains('\t');
+        if is_blank || is_comment(line, written) {
+            is_parted = started;
+            match (started, is_blank) {
+                (true, false) => between.push((number, line)),
+                (false, false) => {
+                    table.header.extend(held.take().map(|(n, l, _, _)| (n, l)));
                     table.header.push((number, line));
                 }
+                (_, true) => {}
+            }
+            continue;
+        }
+        // Numbers that stand alone before wider rows are counts in the header.
+        if started
+            && table.columns == 1
+            && table.rows() <= MOST_COUNTS
+            && let Some((_, 2..)) = row_shape(line, written)
+        {
+            let mut header = std::mem::take(&mut table.header);
+            header.append(&mut counts);
+            (table, started) = (Table::empty(header), false);
+        }
+        if started
+            && (!between.is_empty() || trouble.is_some())
+            && row_shape(line, written).is_some()
+        {
+            if begins(&between) {
+                tables.push(std::mem::replace(
+                    &mut table,
+                    Table::empty(std::mem::take(&mut between)),
+                ));
+                (started, trouble, is_parted) = (false, None, false);
+            } else if let Some(error) = trouble {
+                return Err(error);
+            } else {
+                between.clear();
             }
         }
-        if let Some(error) = trouble {
-            return Err(error);
+        if started {
+            if counts.len() < MOST_COUNTS {
+                counts.push((number, line));
+            }
+            let length = table.values.len();
+            match table.push((number, line), written, &mut marks) {
+                Ok(()) if is_parted => table.parted.push(length / table.columns),
+                Ok(()) => {}
+                Err(error @ ReadError::NotANumber { .. }) => {
+                    table.values.truncate(length);
+                    between.push((number, line));
+                    trouble.get_or_insert(error);
+                    continue;
+                }
+                Err(error) => return Err(error),
+            }
+            is_parted = false;
+            continue;
         }
-        if let Some((n, line, separator, columns)) = held {
-            (table.separator, table.columns) = (separator, columns);
-            table.push(n, line, (written, &mut marks), format)?;
+        let shape = row_shape(line, written);
+        match (held.take(), shape) {
+            (Some((n, first, separator, columns)), Some((s, c)))
+                if s == separator && c == columns =>
+            {
+                (table.separator, table.columns, started) = (separator, columns, true);
+                counts = vec![(n, first), (number, line)];
+                table.push((n, first), written, &mut marks)?;
+                table.push((number, line), written, &mut marks)?;
+            }
+            (previous, Some((separator, columns))) => {
+                table.header.extend(previous.map(|(n, l, _, _)| (n, l)));
+                held = Some((number, line, separator, columns));
+            }
+            (previous, None) => {
+                table.header.extend(previous.map(|(n, l, _, _)| (n, l)));
+                table.header.push((number, line));
+            }
         }
-        if tables.is_empty() || table.rows() > 0 {
-            tables.push(table);
-        }
-        Ok(Self { tables, marks })
     }
+    if let Some(error) = trouble {
+        return Err(error);
+    }
+    if let Some((n, line, separator, columns)) = held {
+        (table.separator, table.columns) = (separator, columns);
+        table.push((n, line), written, &mut marks)?;
+    }
+    if tables.is_empty() || table.rows() > 0 {
+        tables.push(table);
+    }
+    Ok((tables, marks))
 }
 
 fn is_comment(line: &str, written: Written<'_>) -> bool {
@@ -455,8 +430,7 @@ fn row_shape(line: &str, written: Written<'_>) -> Option<(Separator, usize)> {
 impl<'a> Table<'a> {
     /// The first table of a text.
     pub(crate) fn parse(text: &'a str) -> Result<Self, ReadError> {
-        Self::all(text, Format::Text, Written::default(), &|_| false)
-            .map(|mut all| all.swap_remove(0))
+        Self::all(text, Written::default(), &|_| false).map(|mut all| all.swap_remove(0))
     }
 }
 

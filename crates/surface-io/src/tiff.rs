@@ -19,7 +19,7 @@ use crate::binary::{Bytes, Order, Sample};
 use crate::error::ReadError;
 use crate::format::Format;
 use crate::limits::Limits;
-use crate::unpack::{lzw, packbits};
+use crate::unpack::{lzw, packbits, zlib};
 use std::borrow::Cow;
 use std::collections::BTreeMap;
 
@@ -35,7 +35,7 @@ pub(crate) fn first_page_has(bytes: &[u8], tag: u16) -> bool {
     let only_first = Limits { items: 1 << 12, ..Limits::default() };
     is_tiff(bytes)
         && pages(bytes, Format::Tiff, &only_first, 1)
-            .is_ok_and(|pages| pages.first().is_some_and(|page| page.entries.contains_key(&tag)))
+            .is_ok_and(|pages| pages.first().is_some_and(|page| page.has(tag)))
 }
 
 /// One directory.
@@ -64,8 +64,7 @@ pub(crate) fn pages<'a>(
         b.order = Order::Big;
     }
     if b.u16(2)? != 42 {
-        let feature = "BigTIFF (save it as TIFF)".into();
-        return Err(ReadError::Unsupported { format, feature });
+        return Err(format.unsupported("BigTIFF (save it as TIFF)"));
     }
     let (mut pages, mut at) = (Vec::new(), b.u32(4)? as usize);
     let mut entries_read = 0;
@@ -74,16 +73,8 @@ pub(crate) fn pages<'a>(
         // Directories that point at each other end at this limit.
         entries_read += u64::from(count) + 1;
         limits.check_items(format, entries_read)?;
-        let mut entries = BTreeMap::new();
-        for i in 0..usize::from(count) {
-            let place = at + 2 + 12 * i;
-            let (kind, count) = (b.u16(place + 2)?, b.u32(place + 4)? as usize);
-            let fits = size(kind).saturating_mul(count) <= 4;
-            let value = if fits { place + 8 } else { b.u32(place + 8)? as usize };
-            entries.insert(b.u16(place)?, Entry { kind, count, at: value });
-        }
+        pages.push(Page::at(b, at)?);
         at = b.u32(at + 2 + 12 * usize::from(count))? as usize;
-        pages.push(Page { bytes: b, entries });
     }
     Ok(pages)
 }
@@ -99,6 +90,19 @@ fn size(kind: u16) -> usize {
 }
 
 impl<'a> Page<'a> {
+    /// The directory at byte `at`.
+    fn at(b: Bytes<'a>, at: usize) -> Result<Self, ReadError> {
+        let mut entries = BTreeMap::new();
+        for i in 0..usize::from(b.u16(at)?) {
+            let place = at + 2 + 12 * i;
+            let (kind, count) = (b.u16(place + 2)?, b.u32(place + 4)? as usize);
+            let fits = size(kind).saturating_mul(count) <= 4;
+            let value = if fits { place + 8 } else { b.u32(place + 8)? as usize };
+            entries.insert(b.u16(place)?, Entry { kind, count, at: value });
+        }
+        Ok(Self { bytes: b, entries })
+    }
+
     pub(crate) fn has(&self, tag: u16) -> bool {
         self.entries.contains_key(&tag)
     }
@@ -153,26 +157,13 @@ impl<'a> Page<'a> {
     /// The directory that an entry points at.
     #[cfg(feature = "zip")] // of LEXT only
     pub(crate) fn sub_page(&self, tag: u16) -> Result<Self, ReadError> {
-        let at = self.number(tag)? as usize;
-        let b = self.bytes;
-        let count = b.u16(at)?;
-        let mut entries = BTreeMap::new();
-        for i in 0..usize::from(count) {
-            let place = at + 2 + 12 * i;
-            let (kind, count) = (b.u16(place + 2)?, b.u32(place + 4)? as usize);
-            let fits = size(kind).saturating_mul(count) <= 4;
-            let value = if fits { place + 8 } else { b.u32(place + 8)? as usize };
-            entries.insert(b.u16(place)?, Entry { kind, count, at: value });
-        }
-        Ok(Self { bytes: b, entries })
+        Self::at(self.bytes, self.number(tag)? as usize)
     }
 
     /// The picture of this directory.
     pub(crate) fn image(&self, limits: &Limits) -> Result<Image<'a>, ReadError> {
         let b = self.bytes;
-        let unsupported = |feature: String| {
-            Err(ReadError::Unsupported { format: b.format, feature: feature.into() })
-        };
+        let unsupported = |feature: String| Err(b.format.unsupported(feature));
         let shape = [self.number(257)? as usize, self.number(256)? as usize];
         limits.check_points(b.format, shape)?;
         let [ny, nx] = shape;
@@ -186,16 +177,14 @@ impl<'a> Page<'a> {
             ));
         }
         let (bits, kind) = (self.number_or(258, 1.0)?, self.number_or(339, 1.0)?);
-        let sample = match (bits as u32, kind as u32) {
-            (8, 1 | 4) => Sample::U8,
-            (16, 1 | 4) => Sample::U16,
-            (32, 1 | 4) => Sample::U32,
-            (8, 2) => Sample::I8,
-            (16, 2) => Sample::I16,
-            (32, 2) => Sample::I32,
-            (32, 3) => Sample::F32,
-            (64, 3) => Sample::F64,
-            _ => return unsupported(format!("{bits} bits a point in sample format {kind}")),
+        let sample = match (bits as usize, kind as u32) {
+            (8 | 16 | 32, 1 | 2 | 4) => Sample::whole(bits as usize / 8, kind as u32 == 2),
+            (32, 3) => Some(Sample::F32),
+            (64, 3) => Some(Sample::F64),
+            _ => None,
+        };
+        let Some(sample) = sample else {
+            return unsupported(format!("{bits} bits a point in sample format {kind}"));
         };
         let compression = self.number_or(259, 1.0)? as u32;
         if !matches!(compression, 1 | 5 | 8 | 32946 | 32773) {
@@ -212,18 +201,13 @@ impl<'a> Page<'a> {
         } else {
             [(self.number_or(278, ny as f64)? as usize).min(ny), nx]
         };
-        if block[0] == 0
-            || block[1] == 0
-            || block[0] > 2 * ny.max(4096)
-            || block[1] > 2 * nx.max(4096)
-        {
-            return Err(
-                b.field("strips or tiles", format!("of {} x {} points", block[0], block[1]))
-            );
+        let [rows, columns] = block;
+        if !(1..=2 * ny.max(4096)).contains(&rows) || !(1..=2 * nx.max(4096)).contains(&columns) {
+            return Err(b.field("strips or tiles", format!("of {rows} x {columns} points")));
         }
         let [offsets, lengths] = if is_tiled { [324, 325] } else { [273, 279] };
         let offsets = self.numbers(offsets)?;
-        let block_bytes = block[0] * block[1] * sample.size();
+        let block_bytes = rows * columns * sample.size();
         let lengths = if self.has(lengths) || compression != 1 {
             self.numbers(lengths)?
         } else {
@@ -232,7 +216,7 @@ impl<'a> Page<'a> {
         };
         let blocks: Vec<(usize, usize)> =
             offsets.iter().zip(&lengths).map(|(&at, &n)| (at as usize, n as usize)).collect();
-        let needed = ny.div_ceil(block[0]) * nx.div_ceil(block[1]);
+        let needed = ny.div_ceil(rows) * nx.div_ceil(columns);
         if blocks.len() < needed {
             let what = format!("{} for a picture that needs {needed}", blocks.len());
             return Err(b.field("strips or tiles", what));
@@ -314,24 +298,12 @@ impl Image<'_> {
 
     fn unpack(&self, at: usize, length: usize, most: usize) -> Result<Cow<'_, [u8]>, ReadError> {
         let packed = self.bytes.slice(at, length)?;
-        let broken = |what: &str| self.bytes.fault(at, what.to_owned());
-        match self.compression {
-            5 => lzw(packed, most).map(Cow::Owned).ok_or_else(|| broken("bad LZW data")),
-            32773 => packbits(packed, most).map(Cow::Owned).ok_or_else(|| broken("bad PackBits")),
-            8 | 32946 => {
-                inflate(packed, most).map(Cow::Owned).map_err(|what| self.bytes.fault(at, what))
-            }
-            _ => Ok(Cow::Borrowed(&packed[..packed.len().min(most)])),
-        }
+        let unpacked = match self.compression {
+            5 => lzw(packed, most).ok_or_else(|| "bad LZW data".into()),
+            32773 => packbits(packed, most).ok_or_else(|| "bad PackBits".into()),
+            8 | 32946 => zlib(packed, most),
+            _ => return Ok(Cow::Borrowed(&packed[..packed.len().min(most)])),
+        };
+        unpacked.map(Cow::Owned).map_err(|what| self.bytes.fault(at, what))
     }
-}
-
-#[cfg(feature = "zip")]
-fn inflate(packed: &[u8], most: usize) -> Result<Vec<u8>, String> {
-    crate::unpack::zlib(packed, most)
-}
-
-#[cfg(not(feature = "zip"))]
-fn inflate(_: &[u8], _: usize) -> Result<Vec<u8>, String> {
-    Err("deflate needs the feature `zip`".into())
 }

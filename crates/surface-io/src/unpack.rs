@@ -91,6 +91,11 @@ pub(crate) fn zlib(packed: &[u8], most: usize) -> Result<Vec<u8>, String> {
     Ok(unpacked)
 }
 
+#[cfg(not(feature = "zip"))]
+pub(crate) fn zlib(_: &[u8], _: usize) -> Result<Vec<u8>, String> {
+    Err("deflate needs the feature `zip`".into())
+}
+
 /// Zstandard frames, at most `most` bytes of what they hold.
 #[cfg(feature = "zip")]
 pub(crate) fn zstd(packed: &[u8], most: usize) -> Result<Vec<u8>, String> {

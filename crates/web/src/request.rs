@@ -185,7 +185,7 @@ impl FileFields {
     }
 
     pub(crate) fn options(&self, limits: Limits) -> Result<ReadOptions, Failure> {
-        let mut options = ReadOptions::default().with_limits(limits);
+        let mut options = ReadOptions { limits, ..ReadOptions::default() };
         options.channel.clone_from(&self.channel);
         options.pixel = self.pixel()?;
         options.lateral_unit = self.lateral_unit()?;

@@ -4,7 +4,7 @@ use crate::cli::{TestFolder, ends, folder, has, list, number};
 use contact_types::{ContactModulus, Grid, HeightMap};
 use fft_bem_solver::{Load, Solver};
 use serde_json::{Value, json};
-use surface_io::ReadOptions;
+use surface_io::{HeightUnit, ReadOptions};
 use surface_stats::Edges;
 use surface_stats::clean::resample;
 
@@ -17,7 +17,8 @@ struct Truth {
 
 /// `map.npy` in the folder on four times as many points a side, pressed by these loads.
 fn truths(at: &TestFolder, pressures: &[f64]) -> Vec<Truth> {
-    let options = ReadOptions::default().with_pixel([1e-6; 2]).with_height_unit(1.0);
+    let height_unit = Some(HeightUnit::IfSilent(1.0));
+    let options = ReadOptions { pixel: Some([1e-6; 2]), height_unit, ..ReadOptions::default() };
     let read = surface_io::read(at.join("map.npy"), &options).unwrap();
     let map =
         HeightMap::new(Grid::new([192; 2], [1e-6; 2]).unwrap(), read.heights().to_vec()).unwrap();

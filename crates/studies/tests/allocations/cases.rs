@@ -17,7 +17,7 @@ use multiscale_models::{
 use std::hint::black_box;
 use std::io::Cursor;
 use std::ops::ControlFlow;
-use surface_io::{Fill, ReadOptions};
+use surface_io::{Fill, HeightUnit, ReadOptions};
 use surface_stats::spectrum::{Axis, amplitudes, radial};
 use surface_stats::{DirectionalMoments, Edges, SpectralScales, StatsOptions, SurfaceStatistics};
 
@@ -148,7 +148,9 @@ fn files(map: &HeightMap) -> [Case; 2] {
     let (mut npy, mut x3p) = (Vec::new(), Cursor::new(Vec::new()));
     surface_io::write::npy(&mut npy, map).expect("memory takes everything");
     surface_io::write::x3p(&mut x3p, map, "").expect("memory takes everything");
-    let options = ReadOptions::default().with_pixel(map.grid().pixel()).with_height_unit(1.0);
+    let height_unit = Some(HeightUnit::IfSilent(1.0));
+    let options =
+        ReadOptions { pixel: Some(map.grid().pixel()), height_unit, ..ReadOptions::default() };
     let read = |bytes: &[u8], options: &ReadOptions| {
         let measurement = surface_io::read_bytes(bytes, options).expect("what was written");
         black_box(measurement.fill(Fill::Refuse).expect("nothing is missing"));

@@ -4,7 +4,7 @@
 
 use libfuzzer_sys::fuzz_target;
 use std::sync::OnceLock;
-use surface_io::{FORMATS, FormatSpec, Layout, Limits, ReadOptions, read_bytes, read_channels_bytes};
+use surface_io::{FORMATS, FormatSpec, HeightUnit, Layout, Limits, ReadOptions, read_bytes};
 
 /// `None` if none is named: it is recognised.
 fn format() -> Option<&'static FormatSpec> {
@@ -19,13 +19,18 @@ fn format() -> Option<&'static FormatSpec> {
 }
 
 fuzz_target!(|bytes: &[u8]| {
-    let mut limits = Limits::default();
-    (limits.file_bytes, limits.unpacked_bytes) = (1 << 20, 1 << 20);
-    (limits.points, limits.items) = (1 << 16, 1 << 10);
-    let options = ReadOptions::default().with_limits(limits);
-    let given = options.clone().with_pixel([3e-6, 2e-6]).with_height_unit(1e-9);
-    let [matrix, list, traces] =
-        [Layout::Matrix, Layout::List, Layout::Traces].map(|l| given.clone().with_layout(l));
+    let limits = Limits {
+        file_bytes: 1 << 20,
+        unpacked_bytes: 1 << 20,
+        points: 1 << 16,
+        items: 1 << 10,
+    };
+    let options = ReadOptions { limits, ..ReadOptions::default() };
+    let pixel = Some([3e-6, 2e-6]);
+    let height_unit = Some(HeightUnit::IfSilent(1e-9));
+    let given = ReadOptions { pixel, height_unit, ..options.clone() };
+    let [matrix, list, traces] = [Layout::Matrix, Layout::List, Layout::Traces]
+        .map(|layout| ReadOptions { layout: Some(layout), ..given.clone() });
     for options in [options, given, matrix, list, traces] {
         let result = match format() {
             Some(spec) => spec.read(bytes, &options),
@@ -39,8 +44,5 @@ fuzz_target!(|bytes: &[u8]| {
             assert_eq!(found.heights().iter().filter(|h| h.is_nan()).count(), found.missing());
             assert!(found.grid().pixel().iter().all(|side| side.is_finite() && *side > 0.0));
         }
-    }
-    if format().is_none() {
-        let _ = read_channels_bytes(bytes, &limits);
     }
 });

@@ -19,6 +19,7 @@
 //! Source: Alicona, *Description of the AL3D file format*; the files.
 
 use crate::binary::{Bytes, Sample, text};
+use crate::entries::Entries;
 use crate::measurement::{Channel, Contents, Pixel};
 use crate::{Format, Limits, ReadError};
 use std::collections::BTreeMap;
@@ -48,12 +49,9 @@ pub(crate) fn parse<'a>(bytes: &'a [u8], limits: &Limits) -> Result<Contents<'a>
     limits.check_items(FORMAT, count as u64)?;
     let metadata: BTreeMap<String, String> =
         (2..2 + count).map(tag).collect::<Result<_, ReadError>>()?;
-    let number = |key: &'static str| {
-        let value = metadata.get(key).ok_or_else(|| b.field(key, "the tag is missing"))?;
-        value.parse::<f64>().map_err(|_| b.field(key, format!("{value:?} is no number")))
-    };
+    let tags = Entries::new(FORMAT, &metadata, "the tag is missing");
     let whole = |key: &'static str| {
-        let value = number(key)?;
+        let value = tags.number(key)?;
         if (0.0..1e15).contains(&value) && value.fract() == 0.0 {
             return Ok(value as usize);
         }
@@ -70,23 +68,14 @@ pub(crate) fn parse<'a>(bytes: &'a [u8], limits: &Limits) -> Result<Contents<'a>
     let stride = fitting.unwrap_or(paddings[1]);
     b.map_length(at, [ny, stride], Sample::U8)?;
 
-    let pixel = Pixel::Metres([number("PixelSizeYMeter")?, number("PixelSizeXMeter")?]);
+    let pixel = Pixel::Metres([tags.number("PixelSizeYMeter")?, tags.number("PixelSizeXMeter")?]);
     // Printed with about 11 digits, stored as f32.
-    let invalid = number("InvalidPixelValue").ok().filter(|value| value.is_finite());
+    let invalid = tags.number("InvalidPixelValue").ok().filter(|value| value.is_finite());
     let is_invalid = move |value: f64| {
         invalid.is_some_and(|invalid| (value - invalid).abs() <= 1.5e-7 * invalid.abs())
     };
-    let channel = Channel::new("Depth", Some("m"), [ny, nx], pixel, move || {
-        let mut values = Vec::with_capacity(ny * nx);
-        for iy in 0..ny {
-            values.extend(b.samples(at + iy * stride, nx, Sample::F32)?);
-        }
-        for value in &mut values {
-            if is_invalid(*value) {
-                *value = f64::NAN;
-            }
-        }
-        Ok(values)
-    });
+    let decode = move || b.rows(at, [ny, nx], stride, Sample::F32);
+    let convert = move |z: f64| if is_invalid(z) { f64::NAN } else { z };
+    let channel = Channel::new("Depth", Some("m"), [ny, nx], pixel, decode).converted(convert);
     Ok(Contents { channels: vec![channel], metadata })
 }

@@ -2,7 +2,6 @@
 //!
 //! Nothing is unpacked beyond [`Limits::unpacked_bytes`], whatever the archive claims.
 
-use crate::binary::Bytes;
 use crate::{Format, Limits, ReadError};
 use std::borrow::Cow;
 use std::io::{Cursor, Read};
@@ -25,7 +24,8 @@ impl<'a> Archive<'a> {
         format: Format,
         limits: &Limits,
     ) -> Result<Self, ReadError> {
-        let zip = ZipArchive::new(Cursor::new(bytes)).map_err(|e| fault(bytes, format, &e))?;
+        let zip = ZipArchive::new(Cursor::new(bytes))
+            .map_err(|e| format.field("archive", e.to_string()))?;
         limits.check_items(format, zip.len() as u64)?;
         let names = zip
             .file_names()
@@ -39,7 +39,8 @@ impl<'a> Archive<'a> {
     /// Unpacks a member.
     pub(crate) fn unpack(&mut self, name: &str, limits: &Limits) -> Result<Vec<u8>, ReadError> {
         let (format, bytes) = (self.format, self.bytes);
-        let member = self.zip.by_name(name).map_err(|e| fault(bytes, format, &e))?;
+        let member = self.zip.by_name(name);
+        let member = member.map_err(|e| format.field("archive", e.to_string()))?;
         limits.check_unpacked(format, member.size())?;
         // The size in the directory is a claim: read no more than the limit, and reserve no more
         // than deflate can make of the packed bytes (1032 : 1).
@@ -48,14 +49,10 @@ impl<'a> Archive<'a> {
         member
             .take(limits.unpacked_bytes.saturating_add(1))
             .read_to_end(&mut unpacked)
-            .map_err(|e| Bytes::little(bytes, format).field(name.to_owned(), e.to_string()))?;
+            .map_err(|e| format.field(name.to_owned(), e.to_string()))?;
         limits.check_unpacked(format, unpacked.len() as u64)?;
         Ok(unpacked)
     }
-}
-
-fn fault(bytes: &[u8], format: Format, e: &zip::result::ZipError) -> ReadError {
-    Bytes::little(bytes, format).field("archive", e.to_string())
 }
 
 /// The single file in a ZIP archive that is no format of its own, or in a gzip file; any other
@@ -95,7 +92,7 @@ pub(crate) fn unwrap_single<'a>(
                 shown.join(", "),
                 if names.len() > 4 { ", ..." } else { "" }
             );
-            Err(ReadError::Unsupported { format: Format::Zip, feature: feature.into() })
+            Err(Format::Zip.unsupported(feature))
         }
     }
 }
@@ -105,7 +102,7 @@ fn gunzip(bytes: &[u8], limits: &Limits) -> Result<Vec<u8>, ReadError> {
     flate2::read::MultiGzDecoder::new(bytes)
         .take(limits.unpacked_bytes.saturating_add(1))
         .read_to_end(&mut unpacked)
-        .map_err(|e| Bytes::little(bytes, Format::Zip).field("gzip data", e.to_string()))?;
+        .map_err(|e| Format::Zip.field("gzip data", e.to_string()))?;
     limits.check_unpacked(Format::Zip, unpacked.len() as u64)?;
     Ok(unpacked)
 }

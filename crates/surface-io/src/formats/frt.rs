@@ -43,12 +43,7 @@ pub(crate) fn parse<'a>(bytes: &'a [u8], limits: &Limits) -> Result<Contents<'a>
         at += head;
         b.slice(at, length)?;
         match tag {
-            0x65 | 0x77 => {
-                let text = b.text(at, length)?;
-                if !text.is_empty() {
-                    contents.metadata.insert(format!("comment {tag:#x}"), text);
-                }
-            }
+            0x65 | 0x77 => contents.note(&format!("comment {tag:#x}"), Some(b.text(at, length)?)),
             0x66 => {
                 let [nx, ny, bits] = [b.u32(at)?, b.u32(at + 4)?, b.u32(at + 8)?];
                 grid = Some([ny as usize, nx as usize, bits as usize]);

@@ -53,36 +53,36 @@ pub(crate) fn parse<'a>(bytes: &'a [u8], limits: &Limits) -> Result<Contents<'a>
         .collect();
     numbers.sort_unstable();
     for number in numbers {
-        let Some(Item::Object(kind, field)) = items.get(&format!("/{number}/data")) else {
-            continue;
-        };
+        let item = |name: &str| items.get(&format!("/{number}/{name}"));
+        let Some(Item::Object(kind, field)) = item("data") else { continue };
         if kind != "GwyDataField" {
             continue;
         }
-        let title = match items.get(&format!("/{number}/data/title")) {
+        let title = match item("data/title") {
             Some(Item::Text(title)) => title.clone(),
             _ => format!("channel {number}"),
         };
-        let mask = match items.get(&format!("/{number}/mask")) {
-            Some(Item::Object(_, mask)) => match mask.get("data") {
-                Some(Item::Doubles(mask)) => Some(*mask),
-                _ => None,
-            },
+        let mask = match item("mask") {
+            Some(Item::Object(_, mask)) => mask.get("data"),
             _ => None,
         };
-        contents.channels.push(channel(b, title, field, mask, limits)?);
-        if let Some(Item::Object(_, meta)) = items.get(&format!("/{number}/meta")) {
+        let mut channel = channel(b, title, field, limits)?;
+        if let Some(&Item::Doubles(mask)) = mask {
+            let marks = move || Sample::F64.decode(mask.data, mask.order);
+            let marked = marks().iter().filter(|mark| **mark > 0.0).count();
+            let note = format!("{marked} points, read as missing");
+            contents.metadata.insert(format!("mask of channel {number}"), note);
+            if mask.data.len() == 8 * channel.shape[0] * channel.shape[1] {
+                channel = channel.masked(move || Ok(marks()));
+            }
+        }
+        contents.channels.push(channel);
+        if let Some(Item::Object(_, meta)) = item("meta") {
             for (key, value) in meta {
                 if let Item::Text(value) = value {
                     contents.metadata.entry(key.clone()).or_insert_with(|| value.clone());
                 }
             }
-        }
-        if let Some(mask) = mask {
-            let marked =
-                Sample::F64.decode(mask.data, mask.order).iter().filter(|m| **m > 0.0).count();
-            let note = format!("{marked} points, read as missing");
-            contents.metadata.insert(format!("mask of channel {number}"), note);
         }
     }
     Ok(contents)
@@ -92,7 +92,6 @@ fn channel<'a>(
     b: Bytes<'a>,
     title: String,
     field: &BTreeMap<String, Item<'a>>,
-    mask: Option<Bytes<'a>>,
     limits: &Limits,
 ) -> Result<Channel<'a>, ReadError> {
     let number = |key: &'static str| match field.get(key) {
@@ -117,27 +116,15 @@ fn channel<'a>(
         Some(scale) => Pixel::Metres(size.map(|side| side * scale)),
         None => Pixel::Steps(size),
     };
-    let Some(Item::Doubles(data)) = field.get("data") else {
+    let Some(&Item::Doubles(data)) = field.get("data") else {
         return Err(b.field("data", "is missing in a data field"));
     };
-    let data = *data;
     if data.data.len() != 8 * ny * nx {
         let what = format!("{} heights for {ny} x {nx} points", data.data.len() / 8);
         return Err(b.field("data", what));
     }
-    Ok(Channel::new(title, Some(&unit("si_unit_z")), [ny, nx], pixel, move || {
-        let mut values = Sample::F64.decode(data.data, data.order);
-        if let Some(mask) = mask
-            && mask.data.len() == data.data.len()
-        {
-            for (value, mask) in values.iter_mut().zip(Sample::F64.decode(mask.data, mask.order)) {
-                if mask > 0.0 {
-                    *value = f64::NAN;
-                }
-            }
-        }
-        Ok(values)
-    }))
+    let decode = move || Ok(Sample::F64.decode(data.data, data.order));
+    Ok(Channel::new(title, Some(&unit("si_unit_z")), [ny, nx], pixel, decode))
 }
 
 /// Walks through the items, never outside the object they are in.
@@ -169,10 +156,13 @@ impl<'a> Reader<'a, '_> {
         Ok(text(&self.take(length + 1)?[..length]))
     }
 
+    fn number(&mut self, sample: Sample) -> Result<f64, ReadError> {
+        let raw = self.take(sample.size())?;
+        Ok(sample.decode(raw, self.b.order)[0])
+    }
+
     fn length(&mut self) -> Result<usize, ReadError> {
-        let at = self.at;
-        self.take(4)?;
-        Ok(self.b.u32(at)? as usize)
+        self.number(Sample::U32).map(|length| length as usize)
     }
 
     fn object(&mut self, depth: usize) -> Result<Item<'a>, ReadError> {
@@ -183,9 +173,8 @@ impl<'a> Reader<'a, '_> {
         let length = self.length()?;
         let outer = self.end;
         if length > outer.saturating_sub(self.at) {
-            return Err(self
-                .b
-                .fault(self.at, format!("object {name:?} reaches beyond its parent")));
+            let what = format!("object {name:?} reaches beyond its parent");
+            return Err(self.b.fault(self.at, what));
         }
         self.end = self.at + length;
         let mut items = BTreeMap::new();
@@ -201,22 +190,13 @@ impl<'a> Reader<'a, '_> {
     }
 
     fn value(&mut self, depth: usize) -> Result<Item<'a>, ReadError> {
-        let kind = self.take(1)?[0];
         let at = self.at;
+        let kind = self.take(1)?[0];
         Ok(match kind {
-            b'b' | b'c' => Item::Number(self.take(1)?[0].into()),
-            b'i' => {
-                self.take(4)?;
-                Item::Number(self.b.i32(at)?.into())
-            }
-            b'q' => {
-                self.take(8)?;
-                Item::Number(self.b.i64(at)? as f64)
-            }
-            b'd' => {
-                self.take(8)?;
-                Item::Number(self.b.f64(at)?)
-            }
+            b'b' | b'c' => Item::Number(self.number(Sample::U8)?),
+            b'i' => Item::Number(self.number(Sample::I32)?),
+            b'q' => Item::Number(self.number(Sample::I64)?),
+            b'd' => Item::Number(self.number(Sample::F64)?),
             b's' => Item::Text(self.text()?),
             b'o' => self.object(depth + 1)?,
             b'C' | b'I' | b'Q' | b'D' => {
@@ -243,7 +223,7 @@ impl<'a> Reader<'a, '_> {
             }
             other => {
                 let what = format!("an item of unknown type {:?}", char::from(other));
-                return Err(self.b.fault(at - 1, what));
+                return Err(self.b.fault(at, what));
             }
         })
     }

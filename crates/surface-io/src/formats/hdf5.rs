@@ -18,7 +18,7 @@
 
 use super::npy::transpose;
 use super::scattered::Line;
-use crate::binary::{Bytes, find};
+use crate::binary::find;
 use crate::cells::Digits;
 use crate::hdf5::{self, Dataset, Value};
 use crate::measurement::{Channel, Contents, Pixel};
@@ -58,18 +58,16 @@ pub(crate) fn parse_as<'a>(
         match Dataset::at(&file, at) {
             Ok(Some(dataset)) => match sides(&dataset)[..] {
                 [_, _] => {
-                    for (name, value) in &dataset.attributes {
-                        let value = match value {
+                    let attributes = dataset.attributes.iter();
+                    for (name, value) in attributes.filter(|(name, _)| !USED.contains(&&name[..])) {
+                        let shown = match value {
                             Value::Text(text) => text.clone(),
                             Value::Numbers(numbers) if numbers.len() <= 3 => {
-                                let numbers = numbers.iter().map(f64::to_string);
-                                numbers.collect::<Vec<_>>().join(" ")
+                                numbers.iter().map(f64::to_string).collect::<Vec<_>>().join(" ")
                             }
                             _ => continue,
                         };
-                        if !USED.contains(&name.as_str()) {
-                            contents.not_used(&format!("{path}/{name}"), &value);
-                        }
+                        contents.not_used(&format!("{path}/{name}"), &shown);
                     }
                     contents.channels.push(channel(path, dataset, format, limits)?);
                 }
@@ -83,7 +81,7 @@ pub(crate) fn parse_as<'a>(
                 _ => {}
             },
             Ok(None) => {} // texts and compounds
-            Err(fault) => contents.channels.push(Channel::unreadable(path, fault)),
+            Err(fault) => contents.add(&path, Err(fault)),
         }
     }
     if contents.channels.is_empty() {
@@ -106,15 +104,15 @@ fn channel<'a>(
     limits.check_points(format, stored)?;
     let is_by_columns = dataset.attribute(&["MATLAB_class"]).is_some();
     let shape = if is_by_columns { [stored[1], stored[0]] } else { stored };
-    let unit = unit(&dataset);
     let pixel = match (pixel(&dataset, "Y Converter"), pixel(&dataset, "X Converter")) {
         (Some(dy), Some(dx)) => Pixel::Metres([dy, dx]),
         _ => written_pixel(&dataset).map_or(Pixel::Unknown, Pixel::Metres),
     };
+    let unit = unit(&dataset).map(str::to_owned);
     Ok(Channel::new(path, unit.as_deref(), shape, pixel, move || {
         let values = values(&dataset)?;
         if values.len() != shape[0] * shape[1] {
-            return Err(Bytes::little(&[], format).field("data", "of another size"));
+            return Err(format.field("data", "of another size"));
         }
         Ok(if is_by_columns { transpose(&values, stored) } else { values })
     }))
@@ -129,19 +127,13 @@ fn sides(dataset: &Dataset<'_>) -> Vec<usize> {
     dataset.shape.iter().filter(|&&side| side != 1).map(side).collect()
 }
 
-fn unit(dataset: &Dataset<'_>) -> Option<String> {
-    match dataset.attribute(&["unit", "units", "Unit", "Units"]) {
-        Some(Value::Text(text)) => Some(text.clone()),
-        _ => None,
-    }
+fn unit<'d>(dataset: &'d Dataset<'_>) -> Option<&'d str> {
+    dataset.attribute(&["unit", "units", "Unit", "Units"])?.text()
 }
 
 /// The numbers of a data set, unpacked.
 fn values(dataset: &Dataset<'_>) -> Result<Vec<f64>, ReadError> {
-    let packing = Packing::of(|key| match dataset.attribute(&[key]) {
-        Some(Value::Numbers(numbers)) => Some(&numbers[..]),
-        _ => None,
-    });
+    let packing = Packing::of(|key| dataset.attribute(&[key])?.numbers());
     let mut values = dataset.values()?;
     packing.unpack(&mut values);
     Ok(values)
@@ -160,52 +152,34 @@ fn profiles<'a>(
     for (path, dataset) in lines {
         let count = sides(&dataset)[0];
         limits.check_points(format, [1, count])?;
-        let unit = unit(&dataset);
         let beside = |(other, x): &&(String, Dataset<'a>)| {
             folder(other) == folder(&path) && sides(x) == [count]
         };
         let line = match positions.iter().find(beside) {
             None => None,
             Some((name, x)) => {
-                let line = Line::new(&values(x)?, Digits::NONE);
-                let fault = |what: String| Bytes::little(&[], format).field(name.clone(), what);
-                Some((line.map_err(fault)?, self::unit(x)))
+                let fault = |what| format.field(name.clone(), what);
+                Some((Line::new(&values(x)?, Digits::NONE).map_err(fault)?, self::unit(x)))
             }
         };
+        let unit = unit(&dataset).map(str::to_owned);
         let decode = move || values(&dataset);
-        found.push(match line {
-            None => Channel::new(path, unit.as_deref(), [1, count], Pixel::Unknown, decode),
-            Some((line, x_unit)) => line.profile(path, unit.as_deref(), x_unit.as_deref(), decode),
-        });
+        found.push(Line::profile_along(line, path, unit.as_deref(), count, decode));
     }
     Ok(found)
 }
 
 /// `[dy, dx]` (m), as this crate writes it.
 fn written_pixel(dataset: &Dataset<'_>) -> Option<[f64; 2]> {
-    let (Some(Value::Numbers(sides)), Some(Value::Text(unit))) =
-        (dataset.attribute(&["pixel"]), dataset.attribute(&["pixel_unit"]))
-    else {
-        return None;
-    };
-    let &[dy, dx] = &sides[..] else { return None };
-    (unit == "m").then_some([dy, dx])
+    let sides = dataset.attribute(&["pixel"])?.numbers()?.try_into().ok();
+    sides.filter(|_| dataset.attribute(&["pixel_unit"]).and_then(Value::text) == Some("m"))
 }
 
 /// Metres per point of a converter in points.
 fn pixel(dataset: &Dataset<'_>, name: &str) -> Option<f64> {
-    let Some(Value::Members(members)) = dataset.attribute(&[name]) else { return None };
-    let texts: Vec<&str> = members
-        .iter()
-        .filter_map(|(_, value)| match value {
-            Value::Text(text) => Some(text.as_str()),
-            _ => None,
-        })
-        .collect();
-    let numbers = members.iter().find_map(|(_, value)| match value {
-        Value::Numbers(numbers) => Some(numbers),
-        _ => None,
-    });
-    let is_lateral = texts.contains(&"LateralCat") || texts.contains(&"Pixels");
-    numbers.filter(|_| is_lateral)?.get(1).copied()
+    let Value::Members(members) = dataset.attribute(&[name])? else { return None };
+    let values = || members.iter().map(|(_, value)| value);
+    let mut texts = values().filter_map(Value::text);
+    let is_lateral = texts.any(|text| matches!(text, "LateralCat" | "Pixels"));
+    values().find_map(Value::numbers).filter(|_| is_lateral)?.get(1).copied()
 }

@@ -52,11 +52,10 @@ pub(crate) fn sniff(bytes: &[u8]) -> bool {
 pub(crate) fn parse<'a>(bytes: &'a [u8], limits: &Limits) -> Result<Contents<'a>, ReadError> {
     let (version, order) = version(bytes).unwrap_or((5, Order::Little));
     if version != 5 {
-        let feature = format!(
+        return Err(FORMAT.unsupported(format!(
             "a wave of version {version} (load it in Igor Pro and save a copy, which is version 5, \
              or save it as text)"
-        );
-        return Err(ReadError::Unsupported { format: FORMAT, feature: feature.into() });
+        )));
     }
     let b = Bytes { data: bytes, format: FORMAT, order };
     let size = |at: usize| {
@@ -67,8 +66,7 @@ pub(crate) fn parse<'a>(bytes: &'a [u8], limits: &Limits) -> Result<Contents<'a>
     // Dimensions that are not used have 0 points.
     let (ny, layers) = (ny.max(1), layers.max(1));
     if nx == 0 || more > 1 {
-        let feature = "a wave without points or with four dimensions".into();
-        return Err(ReadError::Unsupported { format: FORMAT, feature });
+        return Err(FORMAT.unsupported("a wave without points or with four dimensions"));
     }
     limits.check_points(FORMAT, [ny, nx])?;
     limits.check_items(FORMAT, layers as u64)?;
@@ -82,8 +80,7 @@ pub(crate) fn parse<'a>(bytes: &'a [u8], limits: &Limits) -> Result<Contents<'a>
         80 => Sample::U16,
         96 => Sample::U32,
         kind => {
-            let feature = format!("data of type {kind}");
-            return Err(ReadError::Unsupported { format: FORMAT, feature: feature.into() });
+            return Err(FORMAT.unsupported(format!("data of type {kind}")));
         }
     };
     let layer_size = b.map_length(DATA, [ny, nx], sample)?;

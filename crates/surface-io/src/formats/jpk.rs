@@ -20,7 +20,7 @@
 
 use crate::measurement::{Channel, Contents, Pixel};
 use crate::tiff::{self, Page};
-use crate::{Format, Limits, Place, ReadError};
+use crate::{Format, Limits, ReadError};
 
 const FORMAT: Format = Format::Jpk;
 const GRID_WIDTH: u16 = 0x8042;
@@ -47,13 +47,10 @@ pub(crate) fn parse<'a>(bytes: &'a [u8], limits: &Limits) -> Result<Contents<'a>
         let title = title.unwrap_or_else(|| format!("Image {}", number + 1));
         let is_retrace = page.number(RETRACE).is_ok_and(|flag| flag > 0.0);
         let name = format!("{title} ({})", if is_retrace { "retrace" } else { "trace" });
-        let channel = channel(&name, page, size, limits);
-        contents.channels.push(channel.unwrap_or_else(|e| Channel::unreadable(name, e)));
+        contents.add(&name, channel(&name, page, size, limits));
     }
     for (key, tag) in [("date", 0x8003), ("name", 0x8004), ("comment", 0x8005)] {
-        if let Some(text) = global.text(tag).filter(|text| !text.is_empty() && text != "<empty>") {
-            contents.metadata.insert(key.into(), text);
-        }
+        contents.note(key, global.text(tag).filter(|text| text != "<empty>"));
     }
     Ok(contents)
 }
@@ -67,35 +64,24 @@ fn channel<'a>(
     let image = page.image(limits)?;
     let [ny, nx] = image.shape;
     let pixel = Pixel::Metres([size[0] / ny as f64, size[1] / nx as f64]);
-    let fault = |what: String| ReadError::Malformed {
-        format: FORMAT,
-        place: Place::Field("slots".into()),
-        what: what.into(),
-    };
-    let wanted = page.text(DEFAULT_SLOT).ok_or_else(|| fault("none is the default".into()))?;
+    let wanted = page.text(DEFAULT_SLOT);
+    let wanted = wanted.ok_or_else(|| FORMAT.field("slots", "none is the default"))?;
     let count = page.number(SLOTS)?;
     let first = (0..64u16)
         .take_while(|slot| f64::from(*slot) < count)
         .map(|slot| 0x30 * slot)
         .find(|shift| page.text(0x8090 + shift).is_some_and(|slot| slot == wanted))
-        .ok_or_else(|| fault(format!("none is called {wanted:?}, the default")))?;
+        .ok_or_else(|| FORMAT.field("slots", format!("none is called {wanted:?}, the default")))?;
     let kind = page.text(0x80A3 + first).unwrap_or_default();
     let [factor, offset] = match kind.as_str() {
         "LinearScaling" => [page.number(0x80A4 + first)?, page.number(0x80A5 + first)?],
         "NullScaling" => [1.0, 0.0],
         _ => {
-            let feature = format!("scaling of kind {kind:?}");
-            return Err(ReadError::Unsupported { format: FORMAT, feature: feature.into() });
+            return Err(FORMAT.unsupported(format!("scaling of kind {kind:?}")));
         }
     };
     // Numbers without a unit are those of the converter, no heights.
     let unit = page.text(0x80A2 + first).unwrap_or_else(|| "counts".into());
-    let channel = Channel::new(name, Some(&unit), image.shape, pixel, move || {
-        let mut values = image.decode()?;
-        for value in &mut values {
-            *value = *value * factor + offset;
-        }
-        Ok(values)
-    });
-    Ok(channel.flipped())
+    let channel = Channel::new(name, Some(&unit), image.shape, pixel, move || image.decode());
+    Ok(channel.converted(move |raw| raw * factor + offset).flipped())
 }

@@ -61,23 +61,16 @@ pub(crate) fn parse<'a>(bytes: &'a [u8], limits: &Limits) -> Result<Contents<'a>
         let title = page.text(IMAGE_DESCRIPTION).filter(|text| !text.contains('<'));
         let name = title.unwrap_or_else(|| format!("Picture {}", i + 1));
         let is_height = name.eq_ignore_ascii_case("height");
+        let (unit, factor) = if is_height { ("m", step) } else { ("counts", 1.0) };
         let channel = page.image(limits).map(|image| {
-            let unit = if is_height { "m" } else { "counts" };
-            let factor = if is_height { step } else { 1.0 };
-            Channel::new(name.clone(), Some(unit), image.shape, pixel, move || {
-                let mut values = image.decode()?;
-                for value in &mut values {
-                    *value *= factor;
-                }
-                Ok(values)
-            })
+            let shape = image.shape;
+            Channel::new(name.as_str(), Some(unit), shape, pixel, move || image.decode())
+                .converted(move |raw| raw * factor)
         });
-        contents.channels.push(channel.unwrap_or_else(|e| Channel::unreadable(name, e)));
+        contents.add(&name, channel);
     }
     for (key, tag) in [("software", 305), ("date", 306)] {
-        if let Some(text) = first.text(tag).filter(|text| !text.is_empty()) {
-            contents.metadata.insert(key.into(), text);
-        }
+        contents.note(key, first.text(tag));
     }
     Ok(contents)
 }

@@ -30,7 +30,7 @@
 
 use crate::binary::{Bytes, Sample};
 use crate::measurement::{Channel, Contents, Pixel, Raster};
-use crate::{Format, Limits, ReadError, metres_per};
+use crate::{Format, Limits, ReadError};
 
 const FORMAT: Format = Format::Mdt;
 
@@ -50,17 +50,13 @@ pub(crate) fn parse<'a>(bytes: &'a [u8], limits: &Limits) -> Result<Contents<'a>
             return Err(b.fault(at, format!("a frame of {size} bytes; its header has 22")));
         }
         let frame = Frame { b, at, own: Bytes::little(b.slice(at, size)?, FORMAT), number };
-        let name = format!("Frame {number}");
+        at += size;
         let channel = match frame.own.u16(4)? {
             0 => frame.scan(limits),
             106 => frame.map(limits),
-            _ => {
-                at += size;
-                continue;
-            }
+            _ => continue,
         };
-        contents.channels.push(channel.unwrap_or_else(|e| Channel::unreadable(name, e)));
-        at += size;
+        contents.add(&format!("Frame {number}"), channel);
     }
     Ok(contents)
 }
@@ -82,16 +78,10 @@ impl<'a> Frame<'a> {
         let shape = [f.u16(mode + 4)?.into(), f.u16(mode + 2)?.into()];
         limits.check_points(FORMAT, shape)?;
         if f.u16(mode + 6)? > 0 {
-            let feature = "a scan with spectra at single points".into();
-            return Err(ReadError::Unsupported { format: FORMAT, feature });
+            return Err(FORMAT.unsupported("a scan with spectra at single points"));
         }
-        let pixel = match (unit(y.2), unit(x.2)) {
-            (Some(uy), Some(ux)) => Pixel::Metres([
-                f64::from(y.1.abs()) * metres_per(uy).unwrap_or(1.0),
-                f64::from(x.1.abs()) * metres_per(ux).unwrap_or(1.0),
-            ]),
-            _ => Pixel::Unknown,
-        };
+        let steps = [y.1.abs(), x.1.abs()].map(f64::from);
+        let pixel = Pixel::in_units(steps, [unit(y.2), unit(x.2)]);
         let (offset, step) = (f64::from(z.0), f64::from(z.1));
         let data = mode + 8;
         let length = f.map_length(data, shape, Sample::I16)?;
@@ -100,9 +90,8 @@ impl<'a> Frame<'a> {
         let kind = if f.u8(52)? == 0 { "Height" } else { "Scan" };
         let name = format!("{} (frame {})", title.as_deref().unwrap_or(kind), self.number);
         let raster = Raster { bytes: self.b, at: self.at + data, shape, sample: Sample::I16 };
-        let unit = unit(z.2).unwrap_or("no length");
         let convert = move |raw: f64| offset + raw * step;
-        Ok(Channel::raster(name, Some(unit), pixel, raster, convert)?.flipped())
+        Ok(Channel::raster(name, Some(unit(z.2)), pixel, raster, convert)?.flipped())
     }
 
     fn map(&self, limits: &Limits) -> Result<Channel<'a>, ReadError> {
@@ -118,9 +107,9 @@ impl<'a> Frame<'a> {
         let counts = [f.u32(head + 4 + 12)?, f.u32(head + 4 + 16)?];
         let [2, 1] = counts else {
             let [dimensions, quantities] = counts;
-            let feature =
-                format!("{quantities} quantities over {dimensions} dimensions (one over two is)");
-            return Err(ReadError::Unsupported { format: FORMAT, feature: feature.into() });
+            return Err(FORMAT.unsupported(format!(
+                "{quantities} quantities over {dimensions} dimensions (one over two is)"
+            )));
         };
         let mut at = (head + 4).saturating_add(structure);
         let x = Calibration::at(f, &mut at)?;
@@ -129,22 +118,12 @@ impl<'a> Frame<'a> {
         let shape = [y.count, x.count];
         limits.check_points(FORMAT, shape)?;
         let sample = match z.kind {
-            -1 => Sample::I8,
-            1 => Sample::U8,
-            -2 => Sample::I16,
-            2 => Sample::U16,
-            -4 => Sample::I32,
-            4 => Sample::U32,
-            -8 => Sample::I64,
-            8 => Sample::U64,
-            -5892 => Sample::F32,
-            -13320 => Sample::F64,
-            kind => return Err(f.fault(at, format!("numbers of type {kind}"))),
+            -5892 => Some(Sample::F32),
+            -13320 => Some(Sample::F64),
+            kind => Sample::whole(kind.unsigned_abs() as usize, kind < 0),
         };
-        let pixel = match (metres_per(&y.unit), metres_per(&x.unit)) {
-            (Some(uy), Some(ux)) => Pixel::Metres([y.scale.abs() * uy, x.scale.abs() * ux]),
-            _ => Pixel::Unknown,
-        };
+        let sample = sample.ok_or_else(|| f.fault(at, format!("numbers of type {}", z.kind)))?;
+        let pixel = Pixel::in_units([y.scale.abs(), x.scale.abs()], [&y.unit, &x.unit]);
         let name = format!("{name} (frame {})", self.number);
         let raster = Raster { bytes: self.b, at: data, shape, sample };
         let convert = move |raw: f64| z.bias + raw * z.scale;
@@ -152,17 +131,17 @@ impl<'a> Frame<'a> {
     }
 }
 
-/// Unit of a scan's axis, if it is a length.
-fn unit(code: i16) -> Option<&'static str> {
-    Some(match code {
+/// Unit of a scan's axis.
+fn unit(code: i16) -> &'static str {
+    match code {
         -5 => "m",
         -4 => "cm",
         -3 => "mm",
         -2 => "\u{b5}m",
         -1 => "nm",
         0 => "\u{c5}",
-        _ => return None,
-    })
+        _ => "no length",
+    }
 }
 
 /// What an axis or a quantity of a general map means.

@@ -15,6 +15,7 @@
 //! Source: Molecular Imaging, *MI file format*, as implemented by several free readers.
 
 use crate::binary::{Bytes, Sample, find};
+use crate::entries::Entries;
 use crate::measurement::{Channel, Contents, Pixel, Raster};
 use crate::text;
 use crate::{Format, Limits, ReadError};
@@ -53,32 +54,26 @@ pub(crate) fn parse<'a>(bytes: &'a [u8], limits: &Limits) -> Result<Contents<'a>
             }
         }
     }
-    let number = |key: &'static str| {
-        let text = contents.metadata.get(key).ok_or_else(|| b.field(key, "is missing"))?;
-        text.parse::<f64>().map_err(|_| b.field(key, format!("{text:?} is no number")))
-    };
-    if let Some(kind) = contents.metadata.get("fileType").filter(|kind| *kind != "Image") {
-        let feature = format!("a file of type {kind}");
-        return Err(ReadError::Unsupported { format: FORMAT, feature: feature.into() });
+    let entries = Entries::new(FORMAT, &contents.metadata, "is missing");
+    if let Some(kind) = entries.get("fileType").filter(|kind| *kind != "Image") {
+        return Err(FORMAT.unsupported(format!("a file of type {kind}")));
     }
-    let (sample, full) = match contents.metadata.get("data").map_or("", String::as_str) {
+    let (sample, full) = match entries.get("data").unwrap_or_default() {
         "BINARY" | "" => (Sample::I16, 32768.0),
         "BINARY_32" => (Sample::I32, 2147483648.0),
         other => {
-            let feature = format!("data written as {other}");
-            return Err(ReadError::Unsupported { format: FORMAT, feature: feature.into() });
+            return Err(FORMAT.unsupported(format!("data written as {other}")));
         }
     };
-    let (nx, ny) = (number("xPixels")?, number("yPixels")?);
+    let (nx, ny) = (entries.number("xPixels")?, entries.number("yPixels")?);
     if !(1.0..=1e9).contains(&nx) || !(1.0..=1e9).contains(&ny) {
         return Err(b.field("xPixels, yPixels", format!("{nx} x {ny}")));
     }
     let shape = [ny as usize, nx as usize];
     limits.check_points(FORMAT, shape)?;
     // Some writers leave the size out: the pixel is then to be given.
-    let has_size = ["xLength", "yLength"].iter().all(|key| contents.metadata.contains_key(*key));
-    let pixel = if has_size {
-        Pixel::Metres([number("yLength")? / ny, number("xLength")? / nx])
+    let pixel = if entries.get("xLength").and(entries.get("yLength")).is_some() {
+        Pixel::Metres([entries.number("yLength")? / ny, entries.number("xLength")? / nx])
     } else {
         Pixel::Unknown
     };

@@ -16,9 +16,9 @@
 
 use super::archive::{Archive, MAGIC};
 use super::scattered::Line;
-use crate::binary::{Bytes, find};
+use crate::binary::find;
 use crate::cells::Digits;
-use crate::measurement::{Channel, Contents, Pixel};
+use crate::measurement::Contents;
 use crate::units::quantity;
 use crate::{Format, Limits, ReadError, metres_per, xml};
 use std::collections::BTreeMap;
@@ -30,7 +30,6 @@ pub(crate) fn sniff(bytes: &[u8]) -> bool {
 }
 
 pub(crate) fn parse<'a>(bytes: &'a [u8], limits: &Limits) -> Result<Contents<'a>, ReadError> {
-    let b = Bytes::little(bytes, FORMAT);
     let mut book = Book::open(bytes, limits)?;
     let mut contents = Contents::default();
     let (mut x, mut z) = (BTreeMap::new(), BTreeMap::new());
@@ -61,31 +60,17 @@ pub(crate) fn parse<'a>(bytes: &'a [u8], limits: &Limits) -> Result<Contents<'a>
     })?;
     if x.len() != z.len() || x.is_empty() {
         let what = format!("{} positions in column E, {} heights in F", x.len(), z.len());
-        return Err(b.field("DATA", what));
+        return Err(FORMAT.field("DATA", what));
     }
     let mut digits = Digits::NONE;
     for x in x.values() {
         digits.add(&x.to_string());
     }
     let x: Vec<f64> = x.into_values().collect();
-    let z: Vec<f64> = z.into_values().collect();
-    let line = Line::new(&x, digits).map_err(|what| b.field("DATA, column E", what))?;
-    let pixel = match x_unit.as_deref().and_then(metres_per) {
-        Some(scale) => Pixel::Metres([line.step * scale; 2]),
-        None => Pixel::Steps([line.step; 2]),
-    };
-    let is_falling = line.is_falling;
-    let shape = [1, z.len()];
-    let mut channel = Channel::new("Profile", height_unit.as_deref(), shape, pixel, move || {
-        let mut z = z;
-        if is_falling {
-            z.reverse();
-        }
-        Ok(z)
-    });
-    channel.uneven = line.uneven;
-    channel.places = line.places;
-    contents.channels.push(channel);
+    let line = Line::new(&x, digits).map_err(|what| FORMAT.field("DATA, column E", what))?;
+    let heights = move || Ok(z.into_values().collect());
+    let (unit, x_unit) = (height_unit.as_deref(), x_unit.as_deref());
+    contents.channels.push(line.profile("Profile", unit, x_unit, heights));
     Ok(contents)
 }
 
@@ -154,12 +139,11 @@ impl<'a> Book<'a> {
     ) -> Result<(), ReadError> {
         let Some(member) = self.sheets.get(name) else {
             let names: Vec<&str> = self.sheets.keys().map(String::as_str).collect();
-            let feature = format!(
+            return Err(FORMAT.unsupported(format!(
                 "a workbook without a sheet {name:?} (a Mitutoyo SurfTest file has one; this has \
                  {}; save a sheet of numbers as CSV)",
                 names.join(", ")
-            );
-            return Err(ReadError::Unsupported { format: FORMAT, feature: feature.into() });
+            )));
         };
         let sheet = self.archive.unpack(member, limits)?;
         let mut value = String::new();

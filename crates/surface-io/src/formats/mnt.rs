@@ -29,8 +29,9 @@
 //! both files is 10 beside the size of a sheet of paper, and stored 0 for a missing point.
 
 use crate::binary::Bytes;
+use crate::encoding::utf16;
 use crate::measurement::{Channel, Contents, Pixel};
-use crate::ole::{self, Document, MAGIC};
+use crate::ole::{Document, MAGIC};
 use crate::{Format, Limits, ReadError, metres_per};
 use std::sync::Arc;
 
@@ -51,18 +52,16 @@ pub(crate) fn parse<'a>(bytes: &'a [u8], limits: &Limits) -> Result<Contents<'a>
 /// Whatever is not as expected: the program that wrote the file knows better.
 fn with_way_out(error: ReadError) -> ReadError {
     match error {
-        ReadError::Malformed { format, place, what } => {
-            let what =
-                format!("{what}; save the surface as SUR in the program that wrote it").into();
-            ReadError::Malformed { format, place, what }
-        }
+        ReadError::Malformed { format, place, what } => format.malformed(
+            place,
+            format!("{what}; save the surface as SUR in the program that wrote it"),
+        ),
         other => other,
     }
 }
 
 fn unsupported(feature: &str) -> ReadError {
-    let feature = format!("{feature} (save the surface as SUR in Mountains)");
-    ReadError::Unsupported { format: FORMAT, feature: feature.into() }
+    FORMAT.unsupported(format!("{feature} (save the surface as SUR in Mountains)"))
 }
 
 fn contents<'a>(bytes: &'a [u8], limits: &Limits) -> Result<Contents<'a>, ReadError> {
@@ -78,7 +77,7 @@ fn contents<'a>(bytes: &'a [u8], limits: &Limits) -> Result<Contents<'a>, ReadEr
                 names.join(", ")
             )
         };
-        return Err(ReadError::Unsupported { format: FORMAT, feature: feature.into() });
+        return Err(FORMAT.unsupported(feature));
     }
     let stream: Arc<[u8]> = document.stream(STREAM)?.into();
     let b = Bytes::little(&stream, FORMAT);
@@ -110,8 +109,7 @@ fn contents<'a>(bytes: &'a [u8], limits: &Limits) -> Result<Contents<'a>, ReadEr
                 found.heights(Bytes::little(&stream, FORMAT)).map_err(with_way_out)
             })
         });
-        let channel = channel.map_err(with_way_out);
-        contents.channels.push(channel.unwrap_or_else(|e| Channel::unreadable(name, e)));
+        contents.add(&name, channel.map_err(with_way_out));
     }
     if contents.channels.is_empty() {
         let what = if classes.is_empty() { "no data".into() } else { classes.join(", ") };
@@ -174,7 +172,7 @@ impl Part<'_> {
 
     fn text(self) -> Result<String, ReadError> {
         match self.bytes.data.split_first() {
-            Some((4, text)) if !text.is_empty() => Ok(ole::utf16(text)),
+            Some((4, text)) if !text.is_empty() => Ok(utf16(text, u16::from_le_bytes)),
             _ => Err(self.bytes.field(STREAM, format!("no plain text at byte {}", self.at))),
         }
     }

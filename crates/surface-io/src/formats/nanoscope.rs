@@ -53,10 +53,10 @@ type Section = BTreeMap<String, String>;
 
 pub(crate) fn parse<'a>(bytes: &'a [u8], limits: &Limits) -> Result<Contents<'a>, ReadError> {
     let b = Bytes::little(bytes, FORMAT);
-    let unsupported =
-        |feature: &'static str| ReadError::Unsupported { format: FORMAT, feature: feature.into() };
     if bytes.starts_with(b"?") {
-        return Err(unsupported("data stored as text (save the image as binary, or export it)"));
+        return Err(
+            FORMAT.unsupported("data stored as text (save the image as binary, or export it)")
+        );
     }
     let (sections, ended) = sections(bytes, limits)?;
     if !ended {
@@ -82,17 +82,14 @@ pub(crate) fn parse<'a>(bytes: &'a [u8], limits: &Limits) -> Result<Contents<'a>
     }
     let says = |key: &str| common.get(key).map_or("", |value| value.trim());
     if says("operating mode") == "Force" || says("start context") == "FOL" {
-        return Err(unsupported("a force curve (an image is)"));
+        return Err(FORMAT.unsupported("a force curve (an image is)"));
     }
     if says("start context").ends_with("VAR") && says("operating mode") != "Force Volume" {
-        return Err(unsupported("a set of lines of different length (deep trench mode)"));
+        return Err(FORMAT.unsupported("a set of lines of different length (deep trench mode)"));
     }
     for (_, section) in sections.iter().filter(|(name, _)| is_image(name)) {
         limits.check_items(FORMAT, contents.channels.len() as u64 + 1)?;
-        // An auxiliary channel that cannot be read must not cost the others.
-        let found = channel(b, section, &common, limits)
-            .unwrap_or_else(|fault| Channel::unreadable(channel_name(section), fault));
-        contents.channels.push(found);
+        contents.add(&channel_name(section), channel(b, section, &common, limits));
     }
     Ok(contents)
 }
@@ -107,12 +104,10 @@ fn sections(bytes: &[u8], limits: &Limits) -> Result<(Vec<(String, Section)>, bo
     let end = bytes.iter().position(|&byte| byte == 0x1a);
     let list_end = crate::binary::find(bytes, b"File list end");
     let header = &bytes[..end.into_iter().chain(list_end).min().unwrap_or(bytes.len())];
-    let header: String = header.iter().map(|&byte| char::from(byte)).collect();
+    let header = text::latin1(header);
     let mut sections: Vec<(String, Section)> = Vec::new();
-    let mut count = 0;
-    for (_, line) in text::lines(&header) {
-        count += 1;
-        limits.check_items(FORMAT, count)?;
+    for (number, line) in text::lines(&header) {
+        limits.check_items(FORMAT, number as u64)?;
         let Some(line) = line.trim().strip_prefix(['\\', '?']) else { continue };
         if let Some(name) = line.strip_prefix('*') {
             sections.push((name.trim().to_lowercase(), Section::new()));

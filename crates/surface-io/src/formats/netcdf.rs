@@ -63,17 +63,27 @@ impl Variable {
             .map(|attribute| attribute.text.as_str())
     }
 
-    fn packing(&self) -> Packing {
-        Packing::of(|key| {
-            self.attributes.get(key).map(|a| &a.numbers[..]).filter(|numbers| !numbers.is_empty())
-        })
+    /// Reads its values; NaN where one is missing.
+    fn values<'a>(
+        &self,
+        b: Bytes<'a>,
+        sample: Sample,
+        count: usize,
+    ) -> impl Fn() -> Result<Vec<f64>, ReadError> + use<'a> {
+        let numbers = |key: &str| self.attributes.get(key).map(|a| &a.numbers[..]);
+        let packing = Packing::of(|key| numbers(key).filter(|numbers| !numbers.is_empty()));
+        let at = self.at;
+        move || {
+            let mut values = b.samples(at, count, sample)?;
+            packing.unpack(&mut values);
+            Ok(values)
+        }
     }
 
-    /// Its values; NaN where one is missing.
-    fn values(&self, b: Bytes<'_>, sample: Sample, count: usize) -> Result<Vec<f64>, ReadError> {
-        let mut values = b.samples(self.at, count, sample)?;
-        self.packing().unpack(&mut values);
-        Ok(values)
+    /// Its values as positions along a line.
+    fn positions(&self, b: Bytes<'_>, sample: Sample, count: usize) -> Result<Line, ReadError> {
+        let line = Line::new(&self.values(b, sample, count)()?, Digits::NONE);
+        line.map_err(|what| b.field(format!("coordinate {}", self.name), what))
     }
 }
 
@@ -111,32 +121,39 @@ pub(crate) fn parse<'a>(bytes: &'a [u8], limits: &Limits) -> Result<Contents<'a>
         if mask.is_some_and(|mask| std::ptr::eq(mask, variable)) {
             continue;
         }
-        let ([slow, fast], Some(sample)) = (&variable.dimensions[..], variable.sample) else {
+        let (&[slow, fast], Some(sample)) = (&variable.dimensions[..], variable.sample) else {
             continue;
         };
-        let axes = [&dimensions[*slow], &dimensions[*fast]];
-        if axes[0].1 == 0 {
+        let axes = [&dimensions[slow], &dimensions[fast]];
+        let stored = axes.map(|axis| axis.1);
+        if stored[0] == 0 {
             continue; // records are interleaved with those of other variables
         }
-        let stored = axes.map(|axis| axis.1);
         limits.check_points(FORMAT, stored)?;
         b.map_length(variable.at, stored, sample)?;
-        let spacing = axes.map(|(name, count)| spacing(b, &variables, name, *count));
-        let [slow, fast] = spacing;
-        let [slow, fast] = [slow.transpose()?, fast.transpose()?];
-        let pixel = match (slow, fast) {
+        let is_x_slow = axes[0].0 == "x";
+        let turned = |[slow, fast]: [f64; 2]| if is_x_slow { [fast, slow] } else { [slow, fast] };
+        let spacing = |axis: &(String, usize)| spacing(b, &variables, &axis.0, axis.1);
+        let pixel = match (spacing(axes[0])?, spacing(axes[1])?) {
             (Some((slow, Some(slow_unit))), Some((fast, Some(fast_unit)))) => {
-                Some(Pixel::Metres([slow * slow_unit, fast * fast_unit]))
+                Pixel::Metres(turned([slow * slow_unit, fast * fast_unit]))
             }
-            (Some((slow, _)), Some((fast, _))) => Some(Pixel::Steps([slow, fast])),
-            _ => None,
+            (Some((slow, _)), Some((fast, _))) => Pixel::Steps(turned([slow, fast])),
+            _ => Pixel::Unknown,
         };
-        contents.channels.push({
-            let mask = mask.filter(|mask| mask.dimensions == variable.dimensions).map(|m| m.at);
-            let along = variables.iter().find(|v| axes.iter().any(|(name, _)| v.name == *name));
-            let unit = unit_of(variable, along);
-            channel(b, variable, unit, axes[0].0 == "x", stored, (sample, mask), pixel)
-        });
+        let along = variables.iter().find(|v| axes.iter().any(|(name, _)| v.name == *name));
+        let unit = unit_of(variable, along);
+        let shape = if is_x_slow { [stored[1], stored[0]] } else { stored };
+        let count = stored[0] * stored[1];
+        let in_rows = move |v: Vec<f64>| if is_x_slow { transpose(&v, stored) } else { v };
+        let values = variable.values(b, sample, count);
+        let decode = move || values().map(in_rows);
+        let mut channel = Channel::new(variable.name.clone(), unit, shape, pixel, decode);
+        if let Some(mask) = mask.filter(|mask| mask.dimensions == variable.dimensions) {
+            let at = mask.at;
+            channel = channel.masked(move || b.samples(at, count, Sample::U8).map(in_rows));
+        }
+        contents.channels.push(channel);
     }
     if contents.channels.is_empty() {
         contents.channels = profiles(b, &dimensions, &variables, limits)?;
@@ -171,61 +188,14 @@ fn profiles<'a>(
         b.map_length(variable.at, [1, *count], sample)?;
         let x = variables.iter().find(|v| v.dimensions == [dimension] && is_position(v, name));
         let line = match x.and_then(|x| Some((x, x.sample?))) {
+            Some((x, sample)) => Some((x.positions(b, sample, *count)?, x.unit())),
             None => None,
-            Some((x, sample)) => {
-                let values = x.values(b, sample, *count)?;
-                let line = Line::new(&values, Digits::NONE);
-                Some(line.map_err(|what| b.field(format!("coordinate {}", x.name), what))?)
-            }
         };
-        let (packing, at, count) = (variable.packing(), variable.at, *count);
-        let decode = move || {
-            let mut values = b.samples(at, count, sample)?;
-            packing.unpack(&mut values);
-            Ok(values)
-        };
-        let (name, unit) = (variable.name.clone(), unit_of(variable, x));
-        found.push(match line {
-            None => Channel::new(name, unit, [1, count], Pixel::Unknown, decode),
-            Some(line) => line.profile(name, unit, x.and_then(Variable::unit), decode),
-        });
+        let (unit, decode) = (unit_of(variable, x), variable.values(b, sample, *count));
+        found.push(Line::profile_along(line, variable.name.clone(), unit, *count, decode));
     }
     Ok(found)
 }
-
-fn channel<'a>(
-    b: Bytes<'a>,
-    variable: &Variable,
-    unit: Option<&str>,
-    is_x_slow: bool,
-    stored: [usize; 2],
-    (sample, mask): (Sample, Option<usize>),
-    pixel: Option<Pixel>,
-) -> Channel<'a> {
-    let turned = |[slow, fast]: [f64; 2]| if is_x_slow { [fast, slow] } else { [slow, fast] };
-    let pixel = match pixel {
-        Some(Pixel::Metres(pixel)) => Pixel::Metres(turned(pixel)),
-        Some(Pixel::Steps(pixel)) => Pixel::Steps(turned(pixel)),
-        _ => Pixel::Unknown,
-    };
-    let shape = if is_x_slow { [stored[1], stored[0]] } else { stored };
-    let (packing, at) = (variable.packing(), variable.at);
-    Channel::new(variable.name.clone(), unit, shape, pixel, move || {
-        let mut values = b.samples(at, stored[0] * stored[1], sample)?;
-        packing.unpack(&mut values);
-        if let Some(mask) = mask {
-            let mask = b.samples(mask, stored[0] * stored[1], Sample::I8)?;
-            for (value, mask) in values.iter_mut().zip(mask) {
-                if mask != 0.0 {
-                    *value = f64::NAN;
-                }
-            }
-        }
-        Ok(if is_x_slow { transpose(&values, stored) } else { values })
-    })
-}
-
-type Spacing = (f64, Option<f64>);
 
 /// Distance of the points along a dimension and metres per unit, from its coordinate variable.
 fn spacing(
@@ -233,23 +203,19 @@ fn spacing(
     variables: &[Variable],
     name: &str,
     count: usize,
-) -> Option<Result<Spacing, ReadError>> {
-    let variable = variables.iter().find(|v| v.name == name && v.dimensions.len() == 1)?;
+) -> Result<Option<(f64, Option<f64>)>, ReadError> {
+    let variable = variables.iter().find(|v| v.name == name && v.dimensions.len() == 1);
+    let Some(variable) = variable else { return Ok(None) };
     let scale = variable.unit().and_then(metres_per);
     let (true, Some(sample)) = (count > 1, variable.sample) else {
-        let length = variable.attributes.get("length").and_then(|a| a.numbers.first())?;
-        return Some(Ok((length / count as f64, scale)));
+        let length = variable.attributes.get("length").and_then(|a| a.numbers.first());
+        return Ok(length.map(|length| (length / count as f64, scale)));
     };
-    let place = || format!("coordinate {name}");
-    let values = match variable.values(b, sample, count) {
-        Ok(values) => values,
-        Err(e) => return Some(Err(e)),
-    };
-    match Line::new(&values, Digits::NONE) {
-        Ok(line) if line.uneven.is_none() => Some(Ok((line.step, scale))),
-        Ok(_) => Some(Err(b.field(place(), "the points are not evenly spaced"))),
-        Err(what) => Some(Err(b.field(place(), what))),
+    let line = variable.positions(b, sample, count)?;
+    if line.uneven.is_some() {
+        return Err(b.field(format!("coordinate {name}"), "the points are not evenly spaced"));
     }
+    Ok(Some((line.step, scale)))
 }
 
 fn sample(code: u32) -> Option<Sample> {

@@ -41,6 +41,5 @@ pub(crate) fn parse<'a>(bytes: &'a [u8], limits: &Limits) -> Result<Contents<'a>
         channels.push(intensity);
     }
     let metadata = [("version", b.text(32, 20)?), ("kind", b.text(52, 64)?)];
-    let metadata = metadata.map(|(key, value)| (key.to_owned(), value)).into();
-    Ok(Contents { channels, metadata })
+    Ok(Contents::new(channels, metadata))
 }

@@ -59,13 +59,10 @@ impl Array {
                 .ok_or_else(|| b.field(key.to_owned(), "not in the header"))
         };
         let descr = entry("descr")?;
-        let (sample, order) = sample(descr).ok_or_else(|| ReadError::Unsupported {
-            format,
-            feature: format!(
-                "descr {} (real numbers and integers of 1 to 8 bytes are)",
-                descr.chars().take(24).collect::<String>()
-            )
-            .into(),
+        let (sample, order) = sample(descr).ok_or_else(|| {
+            let descr: String = descr.chars().take(24).collect();
+            let feature = format!("descr {descr} (real numbers and integers of 1 to 8 bytes are)");
+            format.unsupported(feature)
         })?;
         let is_fortran = match entry("fortran_order")? {
             s if s.starts_with("True") => true,
@@ -92,8 +89,9 @@ impl Array {
             [nx] => [1, nx],
             [ny, nx] => [ny, nx],
             _ => {
-                let feature = format!("an array with {} axes (a map has 2)", sides.len());
-                return Err(ReadError::Unsupported { format, feature: feature.into() });
+                return Err(
+                    format.unsupported(format!("an array with {} axes (a map has 2)", sides.len()))
+                );
             }
         };
         limits.check_points(format, shape)?;
@@ -105,10 +103,7 @@ impl Array {
         let [ny, nx] = self.shape;
         // The product was checked against the limits.
         let values = b.samples(self.start, ny * nx, self.sample)?;
-        if !self.is_fortran {
-            return Ok(values);
-        }
-        Ok(transpose(&values, [nx, ny]))
+        Ok(if self.is_fortran { transpose(&values, [nx, ny]) } else { values })
     }
 }
 
@@ -137,17 +132,11 @@ fn sample(descr: &str) -> Option<(Sample, Order)> {
         b'<' | b'|' | b'=' => (Order::Little, &code[1..]),
         _ => (Order::Little, code),
     };
-    let sample = match kind {
-        "f4" => Sample::F32,
-        "f8" => Sample::F64,
-        "i1" => Sample::I8,
-        "i2" => Sample::I16,
-        "i4" => Sample::I32,
-        "i8" => Sample::I64,
-        "u1" => Sample::U8,
-        "u2" => Sample::U16,
-        "u4" => Sample::U32,
-        "u8" => Sample::U64,
+    let (kind, bytes) = kind.split_at_checked(1)?;
+    let sample = match (kind, bytes) {
+        ("f", "4") => Sample::F32,
+        ("f", "8") => Sample::F64,
+        ("i" | "u", _) => Sample::whole(bytes.parse().ok()?, kind == "i")?,
         _ => return None,
     };
     Some((sample, order))

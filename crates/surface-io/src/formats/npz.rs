@@ -27,17 +27,16 @@ pub(crate) fn parse<'a>(bytes: &'a [u8], limits: &Limits) -> Result<Contents<'a>
         let member = archive.unpack(&name, limits)?;
         total += member.len() as u64;
         limits.check_unpacked(FORMAT, total)?;
+        let name = &name[..name.len() - ".npy".len()];
         match Array::parse(&member, FORMAT, limits) {
             Ok(number) if number.shape == [1, 1] => {
                 if let Some(value) = number.values(&member)?.first() {
-                    contents.not_used(&name[..name.len() - ".npy".len()], &value.to_string());
+                    contents.not_used(name, &value.to_string());
                 }
             }
             Ok(array) => {
-                let name = name[..name.len() - ".npy".len()].to_owned();
-                let channel = Channel::new(name, None, array.shape, Pixel::Unknown, move || {
-                    array.values(&member)
-                });
+                let decode = move || array.values(&member);
+                let channel = Channel::new(name, None, array.shape, Pixel::Unknown, decode);
                 contents.channels.push(channel);
             }
             // Texts beside a map are no reason to refuse it.

@@ -32,9 +32,11 @@
 
 use super::archive::{Archive, MAGIC as ZIP, is_oir};
 use crate::binary::{Bytes, Sample, find};
+use crate::entries::Entries;
 use crate::measurement::{Channel, Contents, Pixel};
 use crate::units::metres_per;
 use crate::{Format, Limits, ReadError, xml};
+use std::borrow::Cow;
 use std::collections::BTreeMap;
 use std::ops::Range;
 use std::rc::Rc;
@@ -48,6 +50,7 @@ const BLOCKS: [&str; 15] =
     ["", "t", "t", "t", "t", "*tt", "*tw", "*tw", "*tw", "*wtt", "*twtt", "*tt", "*tw", "*tw", "t"];
 const PROPERTIES: usize = 2;
 const PREFIX: usize = 6;
+const ABSENT: &str = "the element is missing or empty";
 
 pub(crate) fn sniff(bytes: &[u8]) -> bool {
     bytes.starts_with(MAGIC) || is_packed(bytes)
@@ -61,7 +64,7 @@ fn is_packed(bytes: &[u8]) -> bool {
 pub(crate) fn parse<'a>(bytes: &'a [u8], limits: &Limits) -> Result<Contents<'a>, ReadError> {
     let mut contents = Contents::default();
     if bytes.starts_with(MAGIC) {
-        add(&mut contents, "", &Data::There(bytes), limits)?;
+        add(&mut contents, "", &Rc::new(Cow::Borrowed(bytes)), limits)?;
         return Ok(contents);
     }
     let mut archive = Archive::open(bytes, FORMAT, limits)?;
@@ -72,82 +75,54 @@ pub(crate) fn parse<'a>(bytes: &'a [u8], limits: &Limits) -> Result<Contents<'a>
         total += member.len() as u64;
         limits.check_unpacked(FORMAT, total)?;
         // A member that cannot be read must not cost the others.
-        if let Err(fault) = add(&mut contents, &name, &Data::Unpacked(Rc::new(member)), limits) {
-            contents.channels.push(Channel::unreadable(name, fault));
+        if let Err(fault) = add(&mut contents, &name, &Rc::new(member.into()), limits) {
+            contents.add(&name, Err(fault));
         }
     }
     Ok(contents)
-}
-
-/// The bytes of an OIR file.
-#[derive(Clone)]
-enum Data<'a> {
-    There(&'a [u8]),
-    Unpacked(Rc<Vec<u8>>),
-}
-
-impl Data<'_> {
-    fn bytes(&self) -> Bytes<'_> {
-        Bytes::little(
-            match self {
-                Self::There(bytes) => bytes,
-                Self::Unpacked(bytes) => bytes,
-            },
-            FORMAT,
-        )
-    }
 }
 
 /// Adds the channels of one file; `member` is its name in an archive.
 fn add<'a>(
     contents: &mut Contents<'a>,
     member: &str,
-    data: &Data<'a>,
+    data: &Rc<Cow<'a, [u8]>>,
     limits: &Limits,
 ) -> Result<(), ReadError> {
-    let b = data.bytes();
+    let b = Bytes::little(data, FORMAT);
     let parts = Parts::of(b, limits)?;
     let properties = b.slice(parts.properties.start, parts.properties.len())?;
     let Properties { channels, fields } = Properties::of(properties, limits)?;
-    let get = |key: &'static str| {
-        fields.get(key).ok_or_else(|| b.field(key, "the element is missing or empty"))
-    };
-    let side = |key: &'static str| {
-        let text = get(key)?;
-        text.parse::<usize>().map_err(|_| b.field(key, format!("{text:?} is no size")))
-    };
+    let image = Entries::new(FORMAT, &fields, ABSENT);
+    let side = |key: &str| image.parsed::<usize>(key, "size");
     let shape = [side("imageInfo/height")?, side("imageInfo/width")?];
     limits.check_points(FORMAT, shape)?;
-    for (id, fields_of) in channels {
-        let kind = fields_of.get("imageDefinition/imageType").map_or("Picture", String::as_str);
+    for (id, fields) in channels {
+        let own = Entries::new(FORMAT, &fields, ABSENT);
+        let kind = own.get("imageDefinition/imageType").unwrap_or("Picture");
         let name = format!("{member}{}{kind}", if member.is_empty() { "" } else { ": " });
         let channel = (|| {
-            let [y, x, z] = ["y", "x", "z"].map(|axis| scale(b, &fields_of, &fields, axis));
+            let [y, x, z] = ["y", "x", "z"].map(|axis| scale(own, image, axis));
             let (pixel, step) = (Pixel::Metres([y?, x?]), z?);
-            match fields_of.get("imageDefinition/bitCounts").map(String::as_str) {
-                Some("16") => {}
-                bits => {
-                    let feature =
-                        format!("data of {} bits", bits.unwrap_or("an unknown number of"));
-                    return Err(ReadError::Unsupported { format: FORMAT, feature: feature.into() });
-                }
+            let bits = own.get("imageDefinition/bitCounts").unwrap_or("an unknown number of");
+            if bits != "16" {
+                return Err(FORMAT.unsupported(format!("data of {bits} bits")));
             }
             let pieces = parts.data_of(b, &id, 2 * shape[0] * shape[1])?;
             let (unit, factor) = if kind == "HEIGHT" { ("m", step) } else { ("counts", 1.0) };
-            let data = data.clone();
-            Ok(Channel::new(name.clone(), Some(unit), shape, pixel, move || {
+            let data = Rc::clone(data);
+            let decode = move || {
                 let mut values = Vec::with_capacity(shape[0] * shape[1]);
                 for piece in pieces {
-                    let count = piece.len() / 2;
-                    values.extend(data.bytes().samples(piece.start, count, Sample::U16)?);
-                }
-                for value in &mut values {
-                    *value *= factor;
+                    let b = Bytes::little(&data, FORMAT);
+                    values.extend(b.samples(piece.start, piece.len() / 2, Sample::U16)?);
                 }
                 Ok(values)
-            }))
+            };
+            let channel = Channel::new(name.as_str(), Some(unit), shape, pixel, decode);
+            Ok(channel.converted(move |raw| raw * factor))
         })();
-        contents.channels.push(channel.unwrap_or_else(|e| Channel::unreadable(name, e)));
+        contents.add(&name, channel);
     }
     for (key, path) in [
         ("date", "general/creationDateTime"),
@@ -157,37 +132,22 @@ fn add<'a>(
             "acquisition/microscopeConfiguration/pixelCalibration/z",
         ),
     ] {
-        if let Some(text) = fields.get(path) {
-            contents.metadata.entry(key.into()).or_insert_with(|| text.clone());
+        if let Some(text) = image.get(path) {
+            contents.metadata.entry(key.into()).or_insert_with(|| text.to_owned());
         }
     }
     Ok(())
 }
 
 /// Metres per pixel along an axis, or per step of height.
-fn scale(
-    b: Bytes<'_>,
-    channel: &BTreeMap<String, String>,
-    image: &BTreeMap<String, String>,
-    axis: &str,
-) -> Result<f64, ReadError> {
-    let number = |key: String, text: &String| {
-        text.parse::<f64>().map_err(|_| b.field(key, format!("{text:?} is no number")))
-    };
-    let get = |key: String| match channel.get(&key) {
-        Some(text) => Ok((key, text)),
-        None => Err(b.field(key, "the element is missing or empty")),
-    };
-    let (key, text) = get(format!("length/{axis}"))?;
-    let length = number(key, text)?;
-    let (key, unit) = get(format!("pixelUnit/{axis}"))?;
-    let words = unit.replace('_', ""); // MICRO_METER
-    let unit = metres_per(&words).ok_or_else(|| b.field(key, format!("{unit:?} is no length")))?;
+fn scale(channel: Entries<'_>, image: Entries<'_>, axis: &str) -> Result<f64, ReadError> {
+    let length = channel.number(&format!("length/{axis}"))?;
+    let key = format!("pixelUnit/{axis}");
+    let name = channel.text(&key)?;
+    let unit = metres_per(&name.replace('_', "")); // MICRO_METER
+    let unit = unit.ok_or_else(|| FORMAT.field(key, format!("{name:?} is no length")))?;
     let key = format!("acquisition/microscopeConfiguration/pixelCalibration/{axis}");
-    let calibration = match image.get(&key) {
-        Some(text) if axis != "z" => number(key, text)?,
-        _ => 1.0,
-    };
+    let calibration = if axis == "z" { 1.0 } else { image.number_or(&key, 1.0)? };
     Ok(length * unit * calibration)
 }
 
@@ -202,8 +162,9 @@ struct Parts {
 impl Parts {
     fn of(b: Bytes<'_>, limits: &Limits) -> Result<Self, ReadError> {
         if b.slice(72, 8)?.starts_with(b"FLUOVIEW") {
-            let feature = "an image of a fluorescence microscope, which has no heights,";
-            return Err(ReadError::Unsupported { format: FORMAT, feature: feature.into() });
+            return Err(
+                FORMAT.unsupported("an image of a fluorescence microscope, which has no heights,")
+            );
         }
         let (mut properties, mut prefix, mut data) = (None, None, BTreeMap::new());
         let (mut at, mut chunks) = (FIRST_CHUNK, 0);

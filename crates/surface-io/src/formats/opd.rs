@@ -26,7 +26,7 @@
 use super::npy::transpose;
 use crate::binary::{Bytes, Sample};
 use crate::measurement::{Channel, Contents, Pixel};
-use crate::{Format, Limits, Place, ReadError, text};
+use crate::{Format, Limits, ReadError, text};
 use std::collections::BTreeMap;
 
 const FORMAT: Format = Format::Opd;
@@ -91,15 +91,13 @@ pub(crate) fn parse<'a>(bytes: &'a [u8], limits: &Limits) -> Result<Contents<'a>
         limits.check_points(FORMAT, [ny, nx])?;
         b.map_length(at + 6, [ny, nx], sample)?;
         let step = wavelength / multiplier;
-        let channel = Channel::new(name, Some("nm"), [ny, nx], pixel, move || {
-            let mut values = b.samples(at + 6, ny * nx, sample)?;
-            for value in &mut values {
-                let is_missing = value.is_nan() || *value >= missing || *value <= -1e32;
-                *value = if is_missing { f64::NAN } else { *value * step };
-            }
-            Ok(transpose(&values, [nx, ny]))
-        });
-        contents.channels.push(channel.flipped());
+        let decode = move || Ok(transpose(&b.samples(at + 6, ny * nx, sample)?, [nx, ny]));
+        let convert = move |raw: f64| {
+            let is_missing = raw.is_nan() || raw >= missing || raw <= -1e32;
+            if is_missing { f64::NAN } else { raw * step }
+        };
+        let channel = Channel::new(name, Some("nm"), [ny, nx], pixel, decode);
+        contents.channels.push(channel.converted(convert).flipped());
     }
     Ok(contents)
 }
@@ -108,11 +106,6 @@ pub(crate) fn parse<'a>(bytes: &'a [u8], limits: &Limits) -> Result<Contents<'a>
 fn parse_text<'a>(bytes: &'a [u8], limits: &Limits) -> Result<Contents<'a>, ReadError> {
     let content = text::decode(bytes);
     let mut lines = text::lines(&content);
-    let fault = |line: usize, what: String| ReadError::Malformed {
-        format: FORMAT,
-        place: Place::Line(line),
-        what: what.into(),
-    };
     let first = lines.next().map_or("", |(_, line)| line);
     let is_in_nm = first.split_whitespace().nth(6) == Some("1");
     let mut fields = BTreeMap::<String, String>::new();
@@ -128,37 +121,37 @@ fn parse_text<'a>(bytes: &'a [u8], limits: &Limits) -> Result<Contents<'a>, Read
         }
         let side = |key: &str| fields.get(key).and_then(|text| text.parse::<usize>().ok());
         let (Some(nx), Some(ny)) = (side("X Size"), side("Y Size")) else {
-            return Err(fault(number, "neither X Size nor Y Size before the map".into()));
+            return Err(FORMAT.line(number, "neither X Size nor Y Size before the map"));
         };
         limits.check_points(FORMAT, [ny, nx])?;
         let mut values = Vec::new();
         for _ in 0..nx {
+            let next = lines.next();
             let (number, line) =
-                lines.next().ok_or_else(|| fault(number, format!("not {nx} columns follow")))?;
+                next.ok_or_else(|| FORMAT.line(number, format!("not {nx} columns follow")))?;
             let before = values.len();
             for cell in line.split_whitespace() {
                 values.push(match cell.replace(',', ".").parse::<f64>() {
                     Ok(value) => value,
                     Err(_) if cell.eq_ignore_ascii_case("bad") => f64::NAN,
-                    Err(_) => return Err(fault(number, format!("{cell:?} is no number"))),
+                    Err(_) => return Err(FORMAT.line(number, format!("{cell:?} is no number"))),
                 });
             }
             if values.len() - before != ny {
                 let what = format!("{} points, a column has {ny}", values.len() - before);
-                return Err(fault(number, what));
+                return Err(FORMAT.line(number, what));
             }
         }
         maps.push((name.to_owned(), is_other, [nx, ny], values));
     }
-    let b = Bytes::little(&[], FORMAT);
     let number = |key: &'static str, default: Option<f64>| match fields.get(key) {
-        None => default.ok_or_else(|| b.field(key, "the block is missing")),
+        None => default.ok_or_else(|| FORMAT.field(key, "the block is missing")),
         Some(text) => text
             .replace(',', ".")
             .parse::<f64>()
             .ok()
             .filter(|value| value.is_finite() && *value > 0.0)
-            .ok_or_else(|| b.field(key, format!("{text:?} is no number above 0"))),
+            .ok_or_else(|| FORMAT.field(key, format!("{text:?} is no number above 0"))),
     };
     let step =
         if is_in_nm { 1.0 } else { number("Wavelength", None)? / number("Mult", Some(1.0))? };
@@ -172,10 +165,9 @@ fn parse_text<'a>(bytes: &'a [u8], limits: &Limits) -> Result<Contents<'a>, Read
     for (name, is_other, stored, values) in maps {
         let (unit, step) = if is_other { ("counts", 1.0) } else { ("nm", step) };
         let shape = [stored[1], stored[0]];
-        contents.channels.push(Channel::new(name, Some(unit), shape, pixel, move || {
-            let scaled: Vec<f64> = values.into_iter().map(|value| value * step).collect();
-            Ok(transpose(&scaled, stored))
-        }));
+        let decode = move || Ok(transpose(&values, stored));
+        let channel = Channel::new(name, Some(unit), shape, pixel, decode);
+        contents.channels.push(channel.converted(move |value| value * step));
     }
     contents.metadata = fields;
     Ok(contents)

@@ -35,12 +35,12 @@ pub(crate) fn parse<'a>(bytes: &'a [u8], limits: &Limits) -> Result<Contents<'a>
         at += 4 + length;
         Ok::<_, ReadError>(text)
     };
-    let metadata = [("identification".to_owned(), text()?), ("date".to_owned(), text()?)];
+    let metadata = [("identification", text()?), ("date", text()?)];
     let shape = [b.u32(at + 4)? as usize, b.u32(at)? as usize];
     limits.check_points(FORMAT, shape)?;
     let pixel = Pixel::Metres([b.f64(at + 16)?, b.f64(at + 8)?].map(|um| um * 1e-6));
     let raster = Raster { bytes: b, at: at + 40, shape, sample: Sample::F32 };
     let convert = |um: f64| if um < -3e38 { f64::NAN } else { um };
     let channel = Channel::raster("Height", Some("\u{b5}m"), pixel, raster, convert)?;
-    Ok(Contents { channels: vec![channel], metadata: metadata.into() })
+    Ok(Contents::new(vec![channel], metadata))
 }

@@ -23,6 +23,7 @@
 //! SmartScan.
 
 use crate::binary::{Bytes, Sample};
+use crate::encoding::utf16;
 use crate::measurement::{Channel, Contents, Pixel, Raster};
 use crate::tiff;
 use crate::{Format, Limits, ReadError};
@@ -45,8 +46,9 @@ pub(crate) fn parse<'a>(bytes: &'a [u8], limits: &Limits) -> Result<Contents<'a>
     let h = Bytes::little(header, FORMAT);
     let kind = h.u32(0)?;
     if kind > 1 {
-        let feature = format!("an image of kind {kind} (maps 0 and profiles 1 are)");
-        return Err(ReadError::Unsupported { format: FORMAT, feature: feature.into() });
+        return Err(
+            FORMAT.unsupported(format!("an image of kind {kind} (maps 0 and profiles 1 are)"))
+        );
     }
     let shape = [h.u32(104)? as usize, h.u32(100)? as usize];
     limits.check_points(FORMAT, shape)?;
@@ -70,18 +72,15 @@ pub(crate) fn parse<'a>(bytes: &'a [u8], limits: &Limits) -> Result<Contents<'a>
     let unit = wide(h.slice(244, 16)?);
     let raster = Raster { bytes: b, at, shape, sample };
     let channel = Channel::raster(name, Some(&unit), pixel, raster, move |raw| raw * factor)?;
-    let mut metadata = std::collections::BTreeMap::new();
+    let mut contents = Contents::new(vec![channel.flipped()], []);
     for (key, tag) in [("software", 305), ("date", 306)] {
-        if let Some(text) = page.text(tag).filter(|text| !text.is_empty()) {
-            metadata.insert(key.to_owned(), text);
-        }
+        contents.note(key, page.text(tag));
     }
-    Ok(Contents { channels: vec![channel.flipped()], metadata })
+    Ok(contents)
 }
 
 /// UTF-16 up to the first NUL.
 fn wide(raw: &[u8]) -> String {
-    let units = raw.chunks_exact(2).map(|pair| u16::from_le_bytes([pair[0], pair[1]]));
-    let units: Vec<u16> = units.take_while(|&unit| unit != 0).collect();
-    String::from_utf16_lossy(&units).trim().to_owned()
+    let text = utf16(raw, u16::from_le_bytes);
+    text.split('\0').next().unwrap_or_default().trim().to_owned()
 }

@@ -49,8 +49,7 @@ pub(crate) fn parse<'a>(bytes: &'a [u8], limits: &Limits) -> Result<Contents<'a>
     let b = Bytes::little(bytes, FORMAT);
     let kind = b.u32(428)?;
     if kind != 3 {
-        let feature = format!("a measurement of kind {kind} (topography, 3, is)");
-        return Err(ReadError::Unsupported { format: FORMAT, feature: feature.into() });
+        return Err(FORMAT.unsupported(format!("a measurement of kind {kind} (topography, 3, is)")));
     }
     let pixel = Pixel::Metres([b.f32(408)?, b.f32(404)?].map(|um| f64::from(um) * 1e-6));
     let mut channels = Vec::new();
@@ -64,7 +63,6 @@ pub(crate) fn parse<'a>(bytes: &'a [u8], limits: &Limits) -> Result<Contents<'a>
         channels.push(Channel::raster(name, Some("\u{b5}m"), pixel, raster, convert)?);
         at += 8 + b.map_length(at + 8, shape, Sample::F32)? + 8;
     }
-    let metadata =
-        [("date".to_owned(), b.text(0, 128)?), ("comment".to_owned(), b.text(132, 256)?)];
-    Ok(Contents { channels, metadata: metadata.into() })
+    let metadata = [("date", b.text(0, 128)?), ("comment", b.text(132, 256)?)];
+    Ok(Contents::new(channels, metadata))
 }

@@ -13,7 +13,8 @@
 //! Sources: SurfaceTopography, surfalize (both open readers). Not checked against a real file.
 
 use super::archive::{Archive, MAGIC};
-use crate::binary::{Bytes, Order, Sample, find};
+use crate::binary::{Order, Sample, find};
+use crate::entries::Entries;
 use crate::measurement::{Channel, Contents, Pixel};
 use crate::{Format, Limits, ReadError, xml};
 
@@ -26,36 +27,26 @@ pub(crate) fn sniff(bytes: &[u8]) -> bool {
 }
 
 pub(crate) fn parse<'a>(bytes: &'a [u8], limits: &Limits) -> Result<Contents<'a>, ReadError> {
-    let b = Bytes::little(bytes, FORMAT);
     let mut archive = Archive::open(bytes, FORMAT, limits)?;
     let index = archive.unpack("index.xml", limits)?;
     let mut fields = xml::fields(&index, FORMAT, "index.xml", limits)?;
-    let get = |key: String| {
-        let text = fields.get(&key).cloned();
-        text.ok_or_else(|| b.field(key, "the element is missing or empty"))
-    };
-    let number = |key: &str| {
-        let text = get(format!("GENERAL/{key}"))?;
-        text.parse::<f64>().map_err(|_| b.field(key.to_owned(), format!("{text:?} is no number")))
-    };
-    let side = |key: &str| {
-        let text = get(format!("GENERAL/{key}"))?;
-        text.parse::<usize>().map_err(|_| b.field(key.to_owned(), format!("{text:?} is no size")))
-    };
-    let shape = [side("IMAGE_SIZE_Y")?, side("IMAGE_SIZE_X")?];
+    let entries = Entries::new(FORMAT, &fields, "the element is missing or empty");
+    let side = |key: &str| entries.parsed::<usize>(key, "size");
+    let shape = [side("GENERAL/IMAGE_SIZE_Y")?, side("GENERAL/IMAGE_SIZE_X")?];
     limits.check_points(FORMAT, shape)?;
-    let pixel = Pixel::Metres([number("FOV_Y")?, number("FOV_X")?].map(|um| um * 1e-6));
+    let micrometres = [entries.number("GENERAL/FOV_Y")?, entries.number("GENERAL/FOV_X")?];
+    let pixel = Pixel::Metres(micrometres.map(|um| um * 1e-6));
     let mut contents = Contents::default();
     let mut total = 0;
     for layer in 0.. {
-        let Ok(member) = get(format!("LAYER_{layer}/FILENAME_Z")) else { break };
+        let Some(member) = entries.get(&format!("LAYER_{layer}/FILENAME_Z")) else { break };
         limits.check_items(FORMAT, layer)?;
-        let raw = archive.unpack(&member, limits)?;
+        let raw = archive.unpack(member, limits)?;
         total += raw.len() as u64;
         limits.check_unpacked(FORMAT, total)?;
         if raw.len() != 4 * shape[0] * shape[1] {
             let what = format!("{} bytes for {} x {} points", raw.len(), shape[0], shape[1]);
-            return Err(b.field(member, what));
+            return Err(FORMAT.field(member.to_owned(), what));
         }
         let name = format!("Layer {}", layer + 1);
         contents.channels.push(Channel::new(name, Some("\u{b5}m"), shape, pixel, move || {

@@ -1,9 +1,8 @@
 //! Coordinates to a grid: lists of x y z and profiles x z.
 
-use crate::binary::Bytes;
 use crate::cells::Digits;
 use crate::measurement::{Channel, Pixel};
-use crate::{Format, Limits, Place, ReadError, metres_per};
+use crate::{Format, Limits, ReadError, metres_per};
 use std::collections::HashSet;
 
 /// Evenly spaced positions found in a column of coordinates.
@@ -63,6 +62,20 @@ impl Line {
             uneven: uneven.then_some(deviation / step),
             places,
         })
+    }
+
+    /// The profile of `count` heights, at positions in a unit if it has some.
+    pub(crate) fn profile_along<'a>(
+        positions: Option<(Self, Option<&str>)>,
+        name: String,
+        unit: Option<&str>,
+        count: usize,
+        decode: impl FnOnce() -> Result<Vec<f64>, ReadError> + 'a,
+    ) -> Channel<'a> {
+        match positions {
+            Some((line, x_unit)) => line.profile(name, unit, x_unit, decode),
+            None => Channel::new(name, unit, [1, count], Pixel::Unknown, decode),
+        }
     }
 
     /// The profile of heights at these positions, which are in `x_unit`.
@@ -133,11 +146,8 @@ pub(crate) fn grid(
     for (i, row) in values.chunks_exact(columns).enumerate() {
         let at = y.index(row[1]) * nx + x.index(row[0]);
         if std::mem::replace(&mut seen[at], true) {
-            return Err(ReadError::Malformed {
-                format: Format::Text,
-                place: Place::Field(format!("point {}", i + 1).into()),
-                what: format!("x = {}, y = {} is already in the list", row[0], row[1]).into(),
-            });
+            let what = format!("x = {}, y = {} is already in the list", row[0], row[1]);
+            return Err(Format::Text.field(format!("point {}", i + 1), what));
         }
         for (heights, height) in heights.iter_mut().zip(&row[2..]) {
             heights[at] = *height;
@@ -152,7 +162,7 @@ pub(crate) fn grid(
 }
 
 fn unsupported(feature: String) -> ReadError {
-    ReadError::Unsupported { format: Format::Text, feature: feature.into() }
+    Format::Text.unsupported(feature)
 }
 
 /// One coordinate of a list.
@@ -176,8 +186,9 @@ impl Axis {
         for (i, row) in values.chunks_exact(columns).enumerate() {
             let value = row[column] + 0.0; // -0 becomes 0
             if !value.is_finite() {
-                return Err(Bytes::little(&[], Format::Text)
-                    .field(format!("point {}", i + 1), format!("{name} is {value}")));
+                return Err(
+                    Format::Text.field(format!("point {}", i + 1), format!("{name} is {value}"))
+                );
             }
             // Along a scan line one coordinate repeats: look up only what changes.
             if last.replace(value.to_bits()) != Some(value.to_bits()) {

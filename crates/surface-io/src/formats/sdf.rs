@@ -22,12 +22,17 @@
 //! Source: ISO 25178-71:2017.
 
 use crate::binary::{Bytes, Sample};
+use crate::entries::Entries;
 use crate::measurement::{Channel, Contents, Pixel, Raster};
 use crate::text;
-use crate::{Format, Limits, Place, ReadError};
+use crate::{Format, Limits, ReadError};
 use std::collections::BTreeMap;
 
 const FORMAT: Format = Format::Sdf;
+
+/// Behind the points a trailer of text may follow; more bytes than this that are no text may not, for
+/// then the header lies about the size.
+const LONGEST_TRAILER: usize = 1 << 16;
 
 pub(crate) fn sniff(bytes: &[u8]) -> bool {
     matches!(
@@ -40,28 +45,19 @@ pub(crate) fn parse<'a>(bytes: &'a [u8], limits: &Limits) -> Result<Contents<'a>
     if bytes.starts_with(b"b") { binary(bytes, limits) } else { ascii(bytes, limits) }
 }
 
-/// What both variants say about the map.
-struct Header {
-    shape: [usize; 2],
-    pixel: [f64; 2],
-    z_scale: f64,
-    kind: Kind,
-}
-
-/// The header ends the file where the points do: a trailer of text may follow, more points' worth of
-/// other bytes may not, for then the header lies about the size.
-const LONGEST_TRAILER: usize = 1 << 16;
-
-/// Encoding of DataType with its mark for a missing point.
+/// How the numbers of a map become heights.
 #[derive(Clone, Copy)]
-struct Kind {
+struct Encoding {
     sample: Sample,
+    /// The whole number that marks a missing point.
     missing: Option<f64>,
+    /// Metres per stored unit.
+    scale: f64,
 }
 
-impl Kind {
-    fn new(code: u8) -> Option<Self> {
-        let (sample, missing) = match code {
+impl Encoding {
+    fn new(data_type: u8, scale: f64) -> Result<Self, ReadError> {
+        let (sample, missing) = match data_type {
             0 => (Sample::U8, None),
             1 => (Sample::U16, Some(f64::from(u16::MAX))),
             2 => (Sample::U32, Some(f64::from(u32::MAX))),
@@ -70,29 +66,20 @@ impl Kind {
             5 => (Sample::I16, Some(f64::from(i16::MIN))),
             6 => (Sample::I32, Some(f64::from(i32::MIN))),
             7 => (Sample::F64, None),
-            _ => return None,
+            _ => return Err(FORMAT.field("DataType", data_type.to_string())),
         };
-        Some(Self { sample, missing })
-    }
-
-    fn is_missing(self, raw: f64) -> bool {
-        let end = if self.sample == Sample::F32 { f64::from(f32::MAX) } else { f64::MAX };
-        Some(raw.to_bits()) == self.missing.map(f64::to_bits) || raw.is_nan() || raw.abs() >= end
-    }
-}
-
-impl Header {
-    fn channel_pixel(&self) -> Pixel {
-        let [dy, dx] = self.pixel;
-        Pixel::Metres([dy, dx])
-    }
-
-    fn scale(&self, b: Bytes<'_>) -> Result<f64, ReadError> {
-        let scale = self.z_scale;
-        if scale.is_finite() && scale > 0.0 {
-            return Ok(scale);
+        if !(scale.is_finite() && scale > 0.0) {
+            let what = format!("{scale} must be finite and greater than 0");
+            return Err(FORMAT.field("Zscale", what));
         }
-        Err(b.field("Zscale", format!("{scale} must be finite and greater than 0")))
+        Ok(Self { sample, missing, scale })
+    }
+
+    /// Height in metres; NaN where the point is missing.
+    fn height(self, raw: f64) -> f64 {
+        let end = if self.sample == Sample::F32 { f64::from(f32::MAX) } else { f64::MAX };
+        let is_mark = Some(raw.to_bits()) == self.missing.map(f64::to_bits);
+        if is_mark || raw.is_nan() || raw.abs() >= end { f64::NAN } else { raw * self.scale }
     }
 }
 
@@ -105,48 +92,39 @@ fn binary<'a>(bytes: &'a [u8], limits: &Limits) -> Result<Contents<'a>, ReadErro
         ([b.u16(44)?.into(), b.u16(42)?.into()], 46)
     };
     refuse_compression(b.u8(scales + 32)?.into())?;
-    let code = b.u8(scales + 33)?;
-    let header = Header {
-        shape,
-        pixel: [b.f64(scales + 8)?, b.f64(scales)?],
-        z_scale: b.f64(scales + 16)?,
-        kind: Kind::new(code).ok_or_else(|| b.fault(scales + 33, format!("DataType {code}")))?,
-    };
-    limits.check_points(FORMAT, header.shape)?;
-    let (scale, kind) = (header.scale(b)?, header.kind);
-    let raster = Raster { bytes: b, at: scales + 35, shape: header.shape, sample: kind.sample };
+    limits.check_points(FORMAT, shape)?;
+    let encoding = Encoding::new(b.u8(scales + 33)?, b.f64(scales + 16)?)?;
+    let pixel = Pixel::Metres([b.f64(scales + 8)?, b.f64(scales)?]);
+    let raster = Raster { bytes: b, at: scales + 35, shape, sample: encoding.sample };
     let length = b.map_length(raster.at, raster.shape, raster.sample)?;
     let trailer = &bytes[raster.at + length..];
     if trailer.len() > LONGEST_TRAILER && !text::is_text(trailer) {
-        let [ny, nx] = header.shape;
+        let [ny, nx] = shape;
         let what = format!(
             "{} bytes follow the {ny} x {nx} points that the header promises, and they are no text",
             trailer.len()
         );
         return Err(b.fault(raster.at + length, what));
     }
-    let convert = move |raw: f64| if kind.is_missing(raw) { f64::NAN } else { raw * scale };
-    let channel = Channel::raster("Z", Some("m"), header.channel_pixel(), raster, convert)?;
+    let convert = move |raw| encoding.height(raw);
+    let channel = Channel::raster("Z", Some("m"), pixel, raster, convert)?;
     let metadata = [
         ("ManufacID", b.text(8, 10)?),
         ("CreateDate", b.text(18, 12)?),
         ("ModDate", b.text(30, 12)?),
         ("Zresolution", b.f64(scales + 24)?.to_string()),
     ];
-    let metadata = metadata.map(|(key, value)| (key.to_owned(), value)).into();
-    Ok(Contents { channels: vec![channel], metadata })
+    Ok(Contents::new(vec![channel], metadata))
 }
 
 fn refuse_compression(compression: u64) -> Result<(), ReadError> {
     if compression == 0 {
         return Ok(());
     }
-    let feature = format!("Compression = {compression} (the standard defines none)");
-    Err(ReadError::Unsupported { format: FORMAT, feature: feature.into() })
+    Err(FORMAT.unsupported(format!("Compression = {compression} (the standard defines none)")))
 }
 
 fn ascii<'a>(bytes: &'a [u8], limits: &Limits) -> Result<Contents<'a>, ReadError> {
-    let b = Bytes::little(bytes, FORMAT);
     let text = text::decode(bytes);
     let mut lines = text::lines(&text).skip(1);
     let mut metadata = BTreeMap::new();
@@ -159,27 +137,15 @@ fn ascii<'a>(bytes: &'a [u8], limits: &Limits) -> Result<Contents<'a>, ReadError
             metadata.insert(key.trim().to_owned(), value.trim().to_owned());
         }
     }
-    let get =
-        |key: &'static str| metadata.get(key).ok_or_else(|| b.field(key, "the field is missing"));
-    let number = |key: &'static str| {
-        let value = get(key)?;
-        value.parse::<f64>().map_err(|_| b.field(key, format!("{value:?} is no number")))
-    };
-    let whole = |key: &'static str| {
-        let value = get(key)?;
-        value.parse::<usize>().map_err(|_| b.field(key, format!("{value:?} is no whole number")))
-    };
+    let entries = Entries::new(FORMAT, &metadata, "the field is missing");
+    let whole = |key: &str| entries.parsed::<usize>(key, "whole number");
     refuse_compression(whole("Compression").unwrap_or(0) as u64)?;
-    let code = u8::try_from(whole("DataType")?).unwrap_or(u8::MAX);
-    let header = Header {
-        shape: [whole("NumProfiles")?, whole("NumPoints")?],
-        pixel: [number("Yscale")?, number("Xscale")?],
-        z_scale: number("Zscale")?,
-        kind: Kind::new(code).ok_or_else(|| b.field("DataType", format!("{code}")))?,
-    };
-    limits.check_points(FORMAT, header.shape)?;
-    let (scale, kind) = (header.scale(b)?, header.kind);
-    let [ny, nx] = header.shape;
+    let data_type = u8::try_from(whole("DataType")?).unwrap_or(u8::MAX);
+    let shape = [whole("NumProfiles")?, whole("NumPoints")?];
+    let pixel = Pixel::Metres([entries.number("Yscale")?, entries.number("Xscale")?]);
+    limits.check_points(FORMAT, shape)?;
+    let encoding = Encoding::new(data_type, entries.number("Zscale")?)?;
+    let [ny, nx] = shape;
     let mut values = Vec::new(); // grows with the text, whatever the header claims
     'data: for (line, text) in lines {
         for word in text.split_ascii_whitespace() {
@@ -192,18 +158,16 @@ fn ascii<'a>(bytes: &'a [u8], limits: &Limits) -> Result<Contents<'a>, ReadError
                 Err(_) => {
                     let what =
                         format!("{:?} is no number", word.chars().take(40).collect::<String>());
-                    let place = Place::Line(line);
-                    return Err(ReadError::Malformed { format: FORMAT, place, what: what.into() });
+                    return Err(FORMAT.line(line, what));
                 }
             };
-            values.push(if kind.is_missing(raw) { f64::NAN } else { raw * scale });
+            values.push(encoding.height(raw));
         }
     }
     if values.len() != ny * nx {
         let what = format!("{} numbers for {ny} profiles of {nx} points", values.len());
-        return Err(b.field("data", what));
+        return Err(FORMAT.field("data", what));
     }
-    let pixel = header.channel_pixel();
-    let channel = Channel::new("Z", Some("m"), header.shape, pixel, move || Ok(values));
+    let channel = Channel::new("Z", Some("m"), shape, pixel, move || Ok(values));
     Ok(Contents { channels: vec![channel], metadata })
 }

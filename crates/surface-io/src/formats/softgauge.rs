@@ -12,7 +12,8 @@
 //!
 //! Source: the softgauges of <https://physics.nist.gov/VSC/jsp/Database.jsp>.
 
-use crate::binary::{Bytes, find};
+use crate::binary::find;
+use crate::entries::Entries;
 use crate::measurement::{Channel, Contents, Pixel};
 use crate::units::metres_per;
 use crate::{Format, Limits, ReadError, text, xml};
@@ -26,45 +27,36 @@ pub(crate) fn sniff(bytes: &[u8]) -> bool {
 
 pub(crate) fn parse<'a>(bytes: &'a [u8], limits: &Limits) -> Result<Contents<'a>, ReadError> {
     let fields = xml::fields(bytes, FORMAT, "the softgauge", limits)?;
-    let b = Bytes::little(&[], FORMAT);
-    let get = |key: &'static str| {
-        let value = fields.get(&format!("DATAFILE/{key}")).map(String::as_str);
-        value.ok_or_else(|| b.field(key, "the element is missing or empty"))
-    };
-    let number = |key: &'static str| {
-        let text = get(key)?;
-        text.parse::<f64>().map_err(|_| b.field(key, format!("{text:?} is no number")))
-    };
-    let kind = get("DATA_TYPE").unwrap_or("2D");
+    let entries = Entries::new(FORMAT, &fields, "the element is missing or empty");
+    let kind = entries.get("DATAFILE/DATA_TYPE").unwrap_or("2D");
     if kind != "2D" {
-        let feature = format!("a softgauge of type {kind} (profiles 2D are)").into();
-        return Err(ReadError::Unsupported { format: FORMAT, feature });
+        return Err(FORMAT.unsupported(format!("a softgauge of type {kind} (profiles 2D are)")));
     }
-    let unit = get("UNITS")?;
-    let heights: Vec<f64> = get("DATA_POINT_VALUES")?
+    let unit = entries.text("DATAFILE/UNITS")?;
+    let heights: Vec<f64> = entries
+        .text("DATAFILE/DATA_POINT_VALUES")?
         .split_whitespace()
         .enumerate()
         .map(|(i, cell)| {
-            let fault = |_| b.field(format!("point {}", i + 1), format!("{cell:?} is no number"));
-            cell.parse().map_err(fault)
+            let what = || format!("{cell:?} is no number");
+            cell.parse().map_err(|_| FORMAT.field(format!("point {}", i + 1), what()))
         })
         .collect::<Result<_, _>>()?;
-    let count = number("NUMPOINTS")?;
+    let count = entries.number("DATAFILE/NUMPOINTS")?;
     if (heights.len() as f64 - count).abs() > 0.0 {
-        return Err(b.field("NUMPOINTS", format!("{count}, but {} heights", heights.len())));
+        return Err(FORMAT.field("NUMPOINTS", format!("{count}, but {} heights", heights.len())));
     }
     let shape = [1, heights.len()];
     limits.check_points(FORMAT, shape)?;
-    let spacing = number("SPACING")?;
+    let spacing = entries.number("DATAFILE/SPACING")?;
     let pixel = match metres_per(unit) {
         Some(metres) => Pixel::Metres([spacing * metres; 2]),
         None => Pixel::Steps([spacing; 2]),
     };
     let mut contents = Contents::default();
     contents.channels.push(Channel::new("Profile", Some(unit), shape, pixel, || Ok(heights)));
-    for (path, value) in fields.iter().filter(|(path, _)| !path.starts_with("DATAFILE/")) {
-        contents.metadata.insert(path.clone(), value.clone());
-    }
+    contents.metadata = fields;
+    contents.metadata.retain(|path, _| !path.starts_with("DATAFILE/"));
     Ok(contents)
 }
 

@@ -28,8 +28,7 @@
 
 use crate::binary::{Bytes, Order, Sample};
 use crate::measurement::{Channel, Contents, Pixel, Raster};
-use crate::{Format, Limits, ReadError, metres_per};
-use std::collections::BTreeMap;
+use crate::{Format, Limits, ReadError};
 
 const FORMAT: Format = Format::Sur;
 const HEADER: usize = 512;
@@ -46,19 +45,28 @@ pub(crate) fn parse<'a>(bytes: &'a [u8], limits: &Limits) -> Result<Contents<'a>
         1 | 2 => 1,
         8 | 11 => b.i16(14)?.max(1),
         kind => {
-            let feature =
-                format!("an object of kind {kind} (profiles 1 and surfaces 2, 8, 11 are)");
-            return Err(ReadError::Unsupported { format: FORMAT, feature: feature.into() });
+            return Err(FORMAT.unsupported(format!(
+                "an object of kind {kind} (profiles 1 and surfaces 2, 8, 11 are)"
+            )));
         }
     };
     let mut at = 0;
     for _ in 0..count {
         let (channel, next) = object(b, at, limits)?;
-        if at == 0 {
-            contents.metadata = metadata(b)?;
-        }
         contents.channels.push(channel);
         at = next;
+    }
+    let comment = b.text(HEADER, usize::from(b.u16(334)?))?;
+    for (key, text) in
+        [("name", b.text(20, 30)?), ("operator", b.text(50, 30)?), ("comment", comment)]
+    {
+        contents.note(key, Some(text));
+    }
+    let [second, minute, hour, day, month, year] =
+        [b.i16(306)?, b.i16(308)?, b.i16(310)?, b.i16(312)?, b.i16(314)?, b.i16(316)?];
+    if year > 0 {
+        let date = format!("{year:04}-{month:02}-{day:02}T{hour:02}:{minute:02}:{second:02}");
+        contents.metadata.insert("date".into(), date);
     }
     Ok(contents)
 }
@@ -85,15 +93,10 @@ fn object<'a>(b: Bytes<'a>, at: usize, limits: &Limits) -> Result<(Channel<'a>, 
     };
     let data = HEADER + usize::from(o.u16(334)?) + usize::from(o.u16(336)?);
 
-    let x = metres_per(&o.text(180, 16)?);
+    let steps = [o.f32(124)?, o.f32(120)?].map(f64::from);
     // A profile has one line: unit and spacing of y are often empty.
-    let y = if shape[0] == 1 { x } else { metres_per(&o.text(196, 16)?) };
-    let pixel = match (y, x) {
-        (Some(y), Some(x)) => {
-            Pixel::Metres([f64::from(o.f32(124)?) * y, f64::from(o.f32(120)?) * x])
-        }
-        _ => Pixel::Unknown,
-    };
+    let y_unit = if shape[0] == 1 { 180 } else { 196 };
+    let pixel = Pixel::in_units(steps, [&o.text(y_unit, 16)?, &o.text(180, 16)?]);
     let (step, offset) = (f64::from(o.f32(128)?), f64::from(o.f32(474)?));
     let mark = (o.i16(86)? != 0).then_some(f64::from(o.i32(100)?) - 2.0);
     let convert = move |raw: f64| {
@@ -112,17 +115,14 @@ fn object<'a>(b: Bytes<'a>, at: usize, limits: &Limits) -> Result<(Channel<'a>, 
     let (unpacked, end) = unpack(o, data, limits)?;
     let wanted = shape[0] * shape[1];
     let channel = Channel::new(name, Some(&unit), shape, pixel, move || {
-        let mut values = sample.decode(&unpacked, Order::Little);
+        let values = sample.decode(&unpacked, Order::Little);
         if values.len() != wanted {
             let what = format!("{} points unpacked, {wanted} expected", values.len());
             return Err(o.fault(data, what));
         }
-        for value in &mut values {
-            *value = convert(*value);
-        }
         Ok(values)
     });
-    Ok((channel, at + end))
+    Ok((channel.converted(convert), at + end))
 }
 
 #[cfg(feature = "zip")]
@@ -155,26 +155,5 @@ fn unpack(o: Bytes<'_>, at: usize, limits: &Limits) -> Result<(Vec<u8>, usize), 
 
 #[cfg(not(feature = "zip"))]
 fn unpack(_: Bytes<'_>, _: usize, _: &Limits) -> Result<(Vec<u8>, usize), ReadError> {
-    let feature = "compressed data (this build lacks the feature `zip`)".into();
-    Err(ReadError::Unsupported { format: FORMAT, feature })
-}
-
-fn metadata(b: Bytes<'_>) -> Result<BTreeMap<String, String>, ReadError> {
-    let mut metadata = BTreeMap::new();
-    for (key, text) in [
-        ("name", b.text(20, 30)?),
-        ("operator", b.text(50, 30)?),
-        ("comment", b.text(HEADER, usize::from(b.u16(334)?))?),
-    ] {
-        if !text.is_empty() {
-            metadata.insert(key.into(), text);
-        }
-    }
-    let [second, minute, hour, day, month, year] =
-        [b.i16(306)?, b.i16(308)?, b.i16(310)?, b.i16(312)?, b.i16(314)?, b.i16(316)?];
-    if year > 0 {
-        let date = format!("{year:04}-{month:02}-{day:02}T{hour:02}:{minute:02}:{second:02}");
-        metadata.insert("date".into(), date);
-    }
-    Ok(metadata)
+    Err(FORMAT.unsupported("compressed data (this build lacks the feature `zip`)"))
 }

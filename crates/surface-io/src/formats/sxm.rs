@@ -16,6 +16,7 @@
 //! version 2 and one of a version 3.
 
 use crate::binary::{Bytes, Order, Sample, find};
+use crate::entries::Entries;
 use crate::measurement::{Channel, Contents, Pixel, Raster};
 use crate::{Format, Limits, ReadError, text};
 use std::collections::BTreeMap;
@@ -30,15 +31,13 @@ pub(crate) fn parse<'a>(bytes: &'a [u8], limits: &Limits) -> Result<Contents<'a>
     let mut b = Bytes::big(bytes, FORMAT);
     let end = find(bytes, b"\x1a\x04").ok_or_else(|| b.fault(bytes.len(), "there are no data"))?;
     let fields = header(&bytes[..end], limits)?;
-    let get = |key: &'static str| {
-        fields.get(key).map(String::as_str).ok_or_else(|| b.field(key, "is missing"))
-    };
+    let entries = Entries::new(FORMAT, &fields, "is missing");
     let pair = |key: &'static str| {
-        let numbers: Vec<f64> =
-            get(key)?.split_whitespace().filter_map(|w| w.parse().ok()).collect();
+        let text = entries.text(key)?;
+        let numbers: Vec<f64> = text.split_whitespace().filter_map(|w| w.parse().ok()).collect();
         match numbers[..] {
             [x, y] if x > 0.0 && y > 0.0 => Ok([x, y]),
-            _ => Err(b.field(key, format!("{:?} is not two lengths", get(key)?))),
+            _ => Err(b.field(key, format!("{text:?} is not two lengths"))),
         }
     };
     let [nx, ny] = pair("SCAN_PIXELS")?;
@@ -49,21 +48,18 @@ pub(crate) fn parse<'a>(bytes: &'a [u8], limits: &Limits) -> Result<Contents<'a>
     limits.check_points(FORMAT, shape)?;
     let [width, height] = pair("SCAN_RANGE")?;
     let pixel = Pixel::Metres([height / ny, width / nx]);
-    let kind: Vec<&str> = get("SCANIT_TYPE")?.split_whitespace().collect();
-    let order = match kind[..] {
+    let kind = entries.text("SCANIT_TYPE")?;
+    b.order = match kind.split_whitespace().collect::<Vec<_>>()[..] {
         ["FLOAT", "MSBFIRST"] => Order::Big,
         ["FLOAT", "LSBFIRST"] => Order::Little,
         _ => {
-            let feature = format!("data of type {:?}", get("SCANIT_TYPE")?);
-            return Err(ReadError::Unsupported { format: FORMAT, feature: feature.into() });
+            return Err(FORMAT.unsupported(format!("data of type {:?}", kind)));
         }
     };
-    let is_up = get("SCAN_DIR")? != "down";
-    let info = get("DATA_INFO")?.to_owned();
-    b.order = order;
+    let is_up = entries.text("SCAN_DIR")? != "down";
     let mut contents = Contents::default();
     let mut at = end + 2;
-    for line in info.lines().skip(1) {
+    for line in entries.text("DATA_INFO")?.lines().skip(1) {
         let columns: Vec<&str> = line.split_whitespace().collect();
         let [_, name, unit, direction, ..] = columns[..] else { continue };
         let directions = match direction {
@@ -82,19 +78,16 @@ pub(crate) fn parse<'a>(bytes: &'a [u8], limits: &Limits) -> Result<Contents<'a>
         }
     }
     for key in ["REC_DATE", "REC_TIME", "BIAS", "COMMENT", "SCAN_ANGLE"] {
-        if let Some(value) = fields.get(key).filter(|value| !value.is_empty()) {
-            contents.metadata.insert(key.into(), value.clone());
-        }
+        contents.note(key, entries.get(key));
     }
     Ok(contents)
 }
 
 /// The values by key; several lines stay several lines.
 fn header(bytes: &[u8], limits: &Limits) -> Result<BTreeMap<String, String>, ReadError> {
-    let header: String = bytes.iter().map(|&byte| char::from(byte)).collect();
     let mut fields = BTreeMap::<String, String>::new();
     let mut key = String::new();
-    for (_, line) in text::lines(&header) {
+    for (_, line) in text::lines(&text::latin1(bytes)) {
         if let Some(name) =
             line.strip_prefix(':').and_then(|line| line.trim_end().strip_suffix(':'))
         {

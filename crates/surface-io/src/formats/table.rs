@@ -30,11 +30,10 @@ mod sheet;
 
 use self::sheet::{HEIGHTS, INDEX, Sheet, two_readings};
 use super::scattered::{self, Line};
-use crate::binary::Bytes;
 use crate::cells::{Digits, Written};
 use crate::header::{Header, Title};
 use crate::measurement::{Channel, Contents, Pixel};
-use crate::text::{self, Lines, Table, is_monotone};
+use crate::text::{self, NumberedLines, Table, is_monotone};
 use crate::units::metres_per;
 use crate::{Ambiguity, Format, Layout, Limits, Need, ReadError, ReadOptions};
 
@@ -45,7 +44,7 @@ pub(crate) fn sniff(bytes: &[u8]) -> bool {
 }
 
 pub(crate) fn parse<'a>(bytes: &'a [u8], limits: &Limits) -> Result<Contents<'a>, ReadError> {
-    parse_as(bytes, &ReadOptions::default().with_limits(*limits))
+    parse_as(bytes, &ReadOptions { limits: *limits, ..ReadOptions::default() })
 }
 
 /// Reads in the layout asked for, or in the one that header and columns say.
@@ -55,8 +54,9 @@ pub(crate) fn parse_as<'a>(
 ) -> Result<Contents<'a>, ReadError> {
     let text = text::decode(bytes);
     let written = Written { decimal: options.decimal, missing: &options.missing };
-    let begins = |lines: &Lines<'_>| Header::parse(&Table::empty(lines.clone())).says_channel();
-    let tables = Table::all(&text, FORMAT, written, &begins)?;
+    let begins =
+        |lines: &NumberedLines<'_>| Header::parse(&Table::empty(lines.clone())).says_channel();
+    let tables = Table::all(&text, written, &begins)?;
     let several = tables.len() > 1;
     let mut contents = Contents::default();
     for (number, table) in tables.into_iter().enumerate() {
@@ -64,7 +64,7 @@ pub(crate) fn parse_as<'a>(
         options.limits.check_items(FORMAT, table.header.len() as u64)?;
         if table.rows() == 0 {
             let start: String = text.trim_start().chars().take(24).collect();
-            let obstacle = table.obstacle(FORMAT, written);
+            let obstacle = table.obstacle(written);
             return Err(obstacle.unwrap_or(ReadError::UnknownFormat { start }));
         }
         let mut header = Header::parse(&table);
@@ -73,7 +73,8 @@ pub(crate) fn parse_as<'a>(
         }
         let mut channels = channels(table, &mut header, options)?;
         if let (Some(mark), None) = (header.missing_value, header.value_line) {
-            channels = channels.into_iter().map(|channel| without(channel, mark)).collect();
+            let without = move |z: f64| if z - mark == 0.0 { f64::NAN } else { z };
+            channels = channels.into_iter().map(|channel| channel.converted(without)).collect();
         }
         contents.channels.append(&mut channels);
         for (key, value) in header.metadata {
@@ -81,17 +82,6 @@ pub(crate) fn parse_as<'a>(
         }
     }
     Ok(contents)
-}
-
-/// The channel with every height of this value missing.
-fn without(channel: Channel<'_>, mark: f64) -> Channel<'_> {
-    let decode = channel.decode;
-    let decode = move || {
-        let mut heights = decode()?;
-        heights.iter_mut().filter(|z| **z - mark == 0.0).for_each(|z| *z = f64::NAN);
-        Ok(heights)
-    };
-    Channel { decode: Box::new(decode), ..channel }
 }
 
 /// What the columns of a table are taken for.
@@ -214,7 +204,7 @@ fn refuse_other_counts(reading: &Reading, sheet: &Sheet, header: &Header) -> Res
                 "the header says {rows} rows of {columns} numbers, {found} are there: the file was cut off. To read \
                  these, change the number of rows in the header to {found}"
             );
-            Err(Bytes::little(&[], FORMAT).field("rows", what))
+            Err(FORMAT.field("rows", what))
         }
         _ => Ok(()),
     }
@@ -350,14 +340,13 @@ fn matrix(sheet: &Sheet, header: &Header, values: Vec<f64>) -> Channel<'static> 
     let of_cells =
         sheet.unit(0).filter(|_| (1..sheet.columns).all(|i| sheet.unit(i) == sheet.unit(0)));
     let unit = header.value_unit.clone().or(of_cells);
-    let mut channel = Channel::new(header.name(), unit.as_deref(), shape, pixel, move || {
-        let mut values = values;
-        for value in &mut values {
-            let is_missing = missing.is_some_and(|mark| *value - mark == 0.0);
-            *value = if is_missing { f64::NAN } else { *value * factor + offset };
-        }
-        Ok(values)
-    });
+    let convert = move |value: f64| {
+        let is_missing = missing.is_some_and(|mark| value - mark == 0.0);
+        if is_missing { f64::NAN } else { value * factor + offset }
+    };
+    let decode = move || Ok(values);
+    let mut channel = Channel::new(header.name(), unit.as_deref(), shape, pixel, decode);
+    channel = channel.converted(convert);
     if let Some(scale) = header.value_scale.filter(|_| channel.unit.is_none()) {
         channel.scale = Some(scale);
         channel.unit = Some(format!("{scale:e} m"));
@@ -372,11 +361,7 @@ fn profile(
     [x_unit, z_unit]: [Option<String>; 2],
     header: &Header,
 ) -> Result<Channel<'static>, ReadError> {
-    let line = Line::new(x, digits).map_err(|what| ReadError::Malformed {
-        format: FORMAT,
-        place: crate::Place::Field("column 1".into()),
-        what: what.into(),
-    })?;
+    let line = Line::new(x, digits).map_err(|what| FORMAT.field("column 1", what))?;
     let z_unit = header.value_unit.clone().or(z_unit);
     let x_unit = x_unit.or(header.lateral_unit.clone());
     Ok(line.profile(header.name(), z_unit.as_deref(), x_unit.as_deref(), move || Ok(z)))

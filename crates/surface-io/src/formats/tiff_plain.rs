@@ -15,17 +15,12 @@ pub(crate) fn parse<'a>(bytes: &'a [u8], limits: &Limits) -> Result<Contents<'a>
     let mut contents = Contents::default();
     for (number, page) in tiff::pages(bytes, Format::Tiff, limits, usize::MAX)?.iter().enumerate() {
         let name = format!("Picture {}", number + 1);
-        let channel = match page.image(limits) {
-            Ok(image) => {
-                Channel::new(name, None, image.shape, Pixel::Unknown, move || image.decode())
-            }
-            Err(fault) => Channel::unreadable(name, fault),
-        };
-        contents.channels.push(channel);
-        let about = page.text(tiff::IMAGE_DESCRIPTION).filter(|text| !text.is_empty());
-        if let Some(text) = about.filter(|text| text.len() < 4096) {
-            contents.metadata.insert(format!("description {}", number + 1), text);
-        }
+        let channel = page.image(limits).map(|image| {
+            Channel::new(&*name, None, image.shape, Pixel::Unknown, move || image.decode())
+        });
+        contents.add(&name, channel);
+        let about = page.text(tiff::IMAGE_DESCRIPTION).filter(|text| text.len() < 4096);
+        contents.note(&format!("description {}", number + 1), about);
     }
     Ok(contents)
 }

@@ -35,6 +35,5 @@ pub(crate) fn parse<'a>(bytes: &'a [u8], limits: &Limits) -> Result<Contents<'a>
     let pixel = Pixel::Metres([ly / shape[0] as f64, lx / shape[1] as f64]);
     let raster = Raster { bytes: b, at: at + 24, shape, sample: Sample::F32 };
     let channel = Channel::raster("Height", Some("mm"), pixel, raster, |mm| mm)?;
-    let metadata = [("comment".to_owned(), b.text(32, length)?)].into();
-    Ok(Contents { channels: vec![channel], metadata })
+    Ok(Contents::new(vec![channel], [("comment", b.text(32, length)?)]))
 }

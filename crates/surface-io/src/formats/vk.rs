@@ -20,8 +20,10 @@
 //! Sources: SurfaceTopography, surfalize (both open readers); a VK6 file of a VK-X3000.
 
 use crate::binary::{Bytes, Sample};
-use crate::measurement::{Channel, Contents, Pixel, Raster};
+use crate::measurement::{Channel, Contents, Pixel};
 use crate::{Format, Limits, ReadError};
+use std::borrow::Cow;
+use std::rc::Rc;
 
 const FORMAT: Format = Format::Vk;
 
@@ -30,30 +32,10 @@ pub(crate) fn sniff(bytes: &[u8]) -> bool {
 }
 
 pub(crate) fn parse<'a>(bytes: &'a [u8], limits: &Limits) -> Result<Contents<'a>, ReadError> {
-    if matches!(bytes, [_, _, b'6' | b'7', ..]) {
-        return packed(bytes, limits);
-    }
-    let images = images(bytes, limits)?;
-    let b = Bytes::little(bytes, FORMAT);
-    let channels = images.into_iter().map(|image| {
-        let Image { name, raster: (at, shape, sample), pixel, step } = image;
-        let raster = Raster { bytes: b, at, shape, sample };
-        Channel::raster(name, Some("m"), pixel, raster, move |raw| raw * step)
-    });
-    Ok(Contents { channels: channels.collect::<Result<_, _>>()?, metadata: metadata(b)? })
-}
-
-/// A height image: where it is and what it means.
-struct Image {
-    name: String,
-    raster: (usize, [usize; 2], Sample),
-    pixel: Pixel,
-    /// Metres per stored number.
-    step: f64,
-}
-
-fn images(bytes: &[u8], limits: &Limits) -> Result<Vec<Image>, ReadError> {
-    let b = Bytes::little(bytes, FORMAT);
+    let is_packed = matches!(bytes, [_, _, b'6' | b'7', ..]);
+    let file = if is_packed { unpack(bytes, limits)?.into() } else { Cow::Borrowed(bytes) };
+    let file = Rc::new(file);
+    let b = Bytes::little(&file, FORMAT);
     if b.u32(8)? != 0 {
         return Err(b.fault(8, "4 zeros expected here"));
     }
@@ -61,7 +43,7 @@ fn images(bytes: &[u8], limits: &Limits) -> Result<Vec<Image>, ReadError> {
     let picometres = |at: usize| conditions.u32(at).map(|pm| f64::from(pm) * 1e-12);
     let pixel = Pixel::Metres([picometres(172)?, picometres(168)?]);
     let step = picometres(176)?;
-    let mut images = Vec::new();
+    let mut channels = Vec::new();
     for (number, place) in [36, 40, 44].into_iter().enumerate() {
         let at = b.u32(place)? as usize;
         if at == 0 {
@@ -82,49 +64,30 @@ fn images(bytes: &[u8], limits: &Limits) -> Result<Vec<Image>, ReadError> {
             return Err(b.fault(at + 16, what));
         }
         let name = if number == 0 { "Height".to_owned() } else { format!("Height {}", number + 1) };
-        images.push(Image { name, raster: (at + 796, shape, sample), pixel, step });
+        let file = Rc::clone(&file);
+        let decode =
+            move || Bytes::little(&file, FORMAT).samples(at + 796, shape[0] * shape[1], sample);
+        let channel = Channel::new(name, Some("m"), shape, pixel, decode);
+        channels.push(channel.converted(move |raw| raw * step));
     }
-    if images.is_empty() {
+    if channels.is_empty() {
         return Err(b.fault(36, "the file has no height image"));
     }
-    Ok(images)
-}
-
-fn metadata(b: Bytes<'_>) -> Result<std::collections::BTreeMap<String, String>, ReadError> {
-    let conditions = b.from(b.u32(12)? as usize)?;
     let mut date = [0; 6];
     for (i, part) in date.iter_mut().enumerate() {
         *part = conditions.u32(4 + 4 * i)?;
     }
     let [year, month, day, hour, minute, second] = date;
     let date = format!("{year}-{month:02}-{day:02} {hour:02}:{minute:02}:{second:02}");
-    Ok([("date".to_owned(), date)].into())
+    Ok(Contents::new(channels, [("date", date)]))
 }
 
 #[cfg(feature = "zip")]
-fn packed<'a>(bytes: &'a [u8], limits: &Limits) -> Result<Contents<'a>, ReadError> {
-    use super::archive::Archive;
-    let mut archive = Archive::open(bytes, FORMAT, limits)?;
-    let inner = std::rc::Rc::new(archive.unpack("Vk4File", limits)?);
-    let images = images(&inner, limits)?;
-    let metadata = metadata(Bytes::little(&inner, FORMAT))?;
-    let channels = images.into_iter().map(|image| {
-        let inner = std::rc::Rc::clone(&inner);
-        let Image { name, raster: (at, shape, sample), pixel, step } = image;
-        Channel::new(name, Some("m"), shape, pixel, move || {
-            let b = Bytes::little(&inner, FORMAT);
-            let mut values = b.samples(at, shape[0] * shape[1], sample)?;
-            for value in &mut values {
-                *value *= step;
-            }
-            Ok(values)
-        })
-    });
-    Ok(Contents { channels: channels.collect(), metadata })
+fn unpack(bytes: &[u8], limits: &Limits) -> Result<Vec<u8>, ReadError> {
+    super::archive::Archive::open(bytes, FORMAT, limits)?.unpack("Vk4File", limits)
 }
 
 #[cfg(not(feature = "zip"))]
-fn packed<'a>(_: &'a [u8], _: &Limits) -> Result<Contents<'a>, ReadError> {
-    let feature = "VK6 and VK7 without the feature `zip`".into();
-    Err(ReadError::Unsupported { format: FORMAT, feature })
+fn unpack(_: &[u8], _: &Limits) -> Result<Vec<u8>, ReadError> {
+    Err(FORMAT.unsupported("VK6 and VK7 without the feature `zip`"))
 }

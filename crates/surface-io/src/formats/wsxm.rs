@@ -15,6 +15,7 @@
 //! Source: Horcas et al. (2007), doi:10.1063/1.2432410, and files of WSxM 4 and 5.
 
 use crate::binary::{Bytes, Sample};
+use crate::entries::{Entries, sections};
 use crate::measurement::{Channel, Contents, Pixel};
 use crate::text;
 use crate::units::quantity;
@@ -29,12 +30,11 @@ pub(crate) fn sniff(bytes: &[u8]) -> bool {
 
 pub(crate) fn parse<'a>(bytes: &'a [u8], limits: &Limits) -> Result<Contents<'a>, ReadError> {
     let b = Bytes::little(bytes, FORMAT);
-    let start: String = bytes[..bytes.len().min(512)].iter().map(|&c| char::from(c)).collect();
+    let start = text::latin1(&bytes[..bytes.len().min(512)]);
     let mut lines = text::lines(&start).skip(1).map(|(_, line)| line.trim());
     let kind = lines.next().unwrap_or_default();
     if kind != "SxM Image file" {
-        let feature = format!("{kind:?} (images are)");
-        return Err(ReadError::Unsupported { format: FORMAT, feature: feature.into() });
+        return Err(FORMAT.unsupported(format!("{kind:?} (images are)")));
     }
     let at = lines
         .next()
@@ -42,37 +42,27 @@ pub(crate) fn parse<'a>(bytes: &'a [u8], limits: &Limits) -> Result<Contents<'a>
         .filter(|&at| at <= bytes.len())
         .ok_or_else(|| b.field("Image header size", "is missing or behind the end of the file"))?;
 
-    let mut metadata = BTreeMap::new();
-    let mut section = String::new();
-    for (_, line) in text::lines(&text::decode(&bytes[..at])) {
-        let line = line.trim();
-        if let Some(name) = line.strip_prefix('[').and_then(|l| l.strip_suffix(']')) {
-            name.clone_into(&mut section);
-        } else if let Some((key, value)) = line.split_once(": ") {
-            limits.check_items(FORMAT, metadata.len() as u64)?;
-            metadata.insert(format!("{section}/{}", key.trim()), value.trim().to_owned());
-        }
-    }
-    let get = |key: &'static str| {
-        metadata.get(key).map(String::as_str).ok_or_else(|| b.field(key, "is missing"))
-    };
+    let header = text::decode(&bytes[..at]);
+    let metadata: BTreeMap<String, String> = sections(&header, ": ", FORMAT, limits)?
+        .into_iter()
+        .flat_map(|(section, entries)| {
+            entries.into_iter().map(move |(key, value)| (format!("{section}/{key}"), value))
+        })
+        .collect();
+    let entries = Entries::new(FORMAT, &metadata, "is missing");
     let measured = |key: &'static str| {
-        let text = get(key)?;
+        let text = entries.text(key)?;
         quantity(text).ok_or_else(|| b.field(key, format!("{text:?} is no quantity")))
     };
-    let side = |key: &'static str| {
-        let text = get(key)?;
-        text.parse::<usize>().map_err(|_| b.field(key, format!("{text:?} is no size")))
-    };
+    let side = |key: &str| entries.parsed::<usize>(key, "size");
     let [ny, nx] = [side("General Info/Number of rows")?, side("General Info/Number of columns")?];
     limits.check_points(FORMAT, [ny, nx])?;
-    let sample = match get("General Info/Image Data Type").unwrap_or("short") {
+    let sample = match entries.get("General Info/Image Data Type").unwrap_or("short") {
         "short" | "integer" => Sample::I16,
         "float" => Sample::F32,
         "double" => Sample::F64,
         other => {
-            let feature = format!("data of type {other:?}");
-            return Err(ReadError::Unsupported { format: FORMAT, feature: feature.into() });
+            return Err(FORMAT.unsupported(format!("data of type {other:?}")));
         }
     };
     b.map_length(at, [ny, nx], sample)?;
@@ -83,7 +73,7 @@ pub(crate) fn parse<'a>(bytes: &'a [u8], limits: &Limits) -> Result<Contents<'a>
         _ => Pixel::Unknown,
     };
     let (amplitude, unit) = measured("General Info/Z Amplitude")?;
-    let name = get("General Info/Acquisition channel").unwrap_or("Topography").to_owned();
+    let name = entries.get("General Info/Acquisition channel").unwrap_or("Topography");
     let channel = Channel::new(name, Some(unit), [ny, nx], pixel, move || {
         let mut values = b.samples(at, ny * nx, sample)?;
         let low = values.iter().copied().fold(f64::INFINITY, f64::min);

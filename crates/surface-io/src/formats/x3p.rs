@@ -21,10 +21,10 @@
 //! <https://sourceforge.net/p/open-gps>.
 
 use super::archive::{Archive, MAGIC, is_main_xml};
-use crate::binary::{Bytes, Order, Sample};
+use crate::binary::{Order, Sample};
+use crate::entries::Entries;
 use crate::measurement::{Channel, Contents, Pixel};
 use crate::{Format, Limits, ReadError, xml};
-use std::borrow::Cow;
 use std::collections::BTreeMap;
 use std::rc::Rc;
 
@@ -43,36 +43,35 @@ pub(crate) fn parse<'a>(bytes: &'a [u8], limits: &Limits) -> Result<Contents<'a>
         .filter(|n| is_main_xml(n))
         .min_by_key(|n| n.matches('/').count())
         .cloned()
-        .ok_or_else(|| fault("archive", "there is no main.xml"))?;
+        .ok_or_else(|| FORMAT.field("archive", "there is no main.xml"))?;
     let folder = &main[..main.len() - "main.xml".len()];
     let xml = archive.unpack(&main, limits)?;
-    let mut document = Document::parse(&xml, limits)?;
+    let mut main = MainXml::parse(&xml, limits)?;
 
-    let [nx, ny, layers] = document.size()?;
+    let [nx, ny, layers] = main.size()?;
     let points = nx.checked_mul(ny).and_then(|n| n.checked_mul(layers));
     limits.check_points(FORMAT, [points.unwrap_or(usize::MAX), 1])?;
     limits.check_items(FORMAT, layers as u64)?;
-    let points = points.ok_or_else(|| fault("MatrixDimension", "too many points"))?;
+    let points = points.ok_or_else(|| FORMAT.field("MatrixDimension", "too many points"))?;
 
-    let pixel = document.pixel([ny, nx])?;
-    let z = if let Some(link) = document.fields.get("Record3/DataLink/PointDataLink") {
-        let raw = archive.unpack(&member(&archive, folder, link)?, limits)?;
-        let mut z = document.binary_heights(&raw, points)?;
-        if let Some(link) = document.fields.get("Record3/DataLink/ValidPointsLink") {
-            let mask = archive.unpack(&member(&archive, folder, link)?, limits)?;
-            if mask.len() < points.div_ceil(8) {
-                return Err(fault("ValidPointsLink", "the mask is shorter than the map"));
-            }
-            for (i, z) in z.iter_mut().enumerate() {
-                if mask[i / 8] >> (i % 8) & 1 == 0 {
-                    *z = f64::NAN;
-                }
+    let pixel = Pixel::Metres(main.pixel(ny)?);
+    let mut unpack = |link: &str| match main.fields.get(&format!("Record3/DataLink/{link}")) {
+        Some(link) => archive.unpack(&member(&archive, folder, link)?, limits).map(Some),
+        None => Ok(None),
+    };
+    let raw = unpack("PointDataLink")?;
+    let mask = if raw.is_some() { unpack("ValidPointsLink")? } else { None };
+    let mut z = main.heights(raw.as_deref(), points)?;
+    if let Some(mask) = mask {
+        if mask.len() < points.div_ceil(8) {
+            return Err(FORMAT.field("ValidPointsLink", "the mask is shorter than the map"));
+        }
+        for (i, z) in z.iter_mut().enumerate() {
+            if mask[i / 8] >> (i % 8) & 1 == 0 {
+                *z = f64::NAN;
             }
         }
-        z
-    } else {
-        document.listed_heights(points)?
-    };
+    }
 
     let z = Rc::new(z);
     let channels = (0..layers)
@@ -82,14 +81,14 @@ pub(crate) fn parse<'a>(bytes: &'a [u8], limits: &Limits) -> Result<Contents<'a>
                 1 => "Topography".to_owned(),
                 _ => format!("Topography, layer {}", layer + 1),
             };
-            Channel::new(name, Some("m"), [ny, nx], Pixel::Metres(pixel), move || {
+            Channel::new(name, Some("m"), [ny, nx], pixel, move || {
                 // The only layer is given away, one of several is copied.
                 let n = nx * ny;
                 Ok(Rc::try_unwrap(z).unwrap_or_else(|z| z[layer * n..(layer + 1) * n].to_vec()))
             })
         })
         .collect();
-    Ok(Contents { channels, metadata: document.metadata() })
+    Ok(Contents { channels, metadata: main.metadata() })
 }
 
 /// A link is relative to `main.xml`; some writers start it at the top folder.
@@ -98,103 +97,85 @@ fn member(archive: &Archive<'_>, folder: &str, link: &str) -> Result<String, Rea
     [format!("{folder}{link}"), link.trim_start_matches('/').to_owned()]
         .into_iter()
         .find(|name| archive.names.contains(name))
-        .ok_or_else(|| fault("PointDataLink", format!("the archive has no member {link:?}")))
-}
-
-fn fault(field: impl Into<Cow<'static, str>>, what: impl Into<Cow<'static, str>>) -> ReadError {
-    Bytes::little(&[], FORMAT).field(field, what)
+        .ok_or_else(|| FORMAT.field("PointDataLink", format!("the archive has no member {link:?}")))
 }
 
 /// `main.xml`, flattened: the text of every element by its path below the root.
 #[derive(Default)]
-struct Document {
+struct MainXml {
     fields: BTreeMap<String, String>,
     data: Vec<f64>,
     /// Index and text of the first Datum that is no number.
     bad_datum: Option<(usize, String)>,
 }
 
-impl Document {
+impl MainXml {
     fn parse(xml: &[u8], limits: &Limits) -> Result<Self, ReadError> {
-        let mut document = Self::default();
+        let Self { mut fields, mut data, mut bad_datum } = Self::default();
         xml::walk(xml, FORMAT, "main.xml", |element| {
-            document.close(element.path, element.text, limits)
-        })?;
-        Ok(document)
-    }
-
-    fn close(&mut self, path: &[String], value: &str, limits: &Limits) -> Result<(), ReadError> {
-        let [_root, path @ ..] = path else { return Ok(()) };
-        if path.last().is_some_and(|tag| tag == "Datum") {
-            limits.check_points(FORMAT, [self.data.len() + 1, 1])?;
-            let value = value.trim();
-            self.data.push(match value.parse() {
-                Ok(z) => z,
-                Err(_) if value.is_empty() => f64::NAN,
-                Err(_) => {
-                    self.bad_datum.get_or_insert_with(|| (self.data.len() + 1, value.to_owned()));
+            let [_root, path @ ..] = element.path else { return Ok(()) };
+            let text = element.text.trim();
+            if path.last().is_some_and(|tag| tag == "Datum") {
+                limits.check_points(FORMAT, [data.len() + 1, 1])?;
+                data.push(text.parse().unwrap_or_else(|_| {
+                    if !text.is_empty() {
+                        bad_datum.get_or_insert_with(|| (data.len() + 1, text.to_owned()));
+                    }
                     f64::NAN
-                }
-            });
-        } else if !value.trim().is_empty() {
-            limits.check_items(FORMAT, self.fields.len() as u64 + 1)?;
-            self.fields.insert(path.join("/"), value.trim().to_owned());
-        }
-        Ok(())
+                }));
+            } else if !text.is_empty() {
+                limits.check_items(FORMAT, fields.len() as u64 + 1)?;
+                fields.insert(path.join("/"), text.to_owned());
+            }
+            Ok(())
+        })?;
+        Ok(Self { fields, data, bad_datum })
     }
 
-    fn get(&self, path: &str) -> Result<&str, ReadError> {
-        self.fields
-            .get(path)
-            .map(String::as_str)
-            .ok_or_else(|| fault(path.to_owned(), "the element is missing or empty"))
+    fn entries(&self) -> Entries<'_> {
+        Entries::new(FORMAT, &self.fields, "the element is missing or empty")
     }
 
     fn number(&self, path: &str, default: f64) -> Result<f64, ReadError> {
-        match self.fields.get(path) {
-            None => Ok(default),
-            Some(text) => text
-                .parse::<f64>()
-                .ok()
-                .filter(|v| v.is_finite())
-                .ok_or_else(|| fault(path.to_owned(), format!("{text:?} is no number"))),
+        let value = self.entries().number_or(path, default)?;
+        if value.is_finite() {
+            return Ok(value);
         }
+        Err(FORMAT.field(path.to_owned(), format!("{value} is no number")))
     }
 
     /// `[SizeX, SizeY, SizeZ]`.
     fn size(&self) -> Result<[usize; 3], ReadError> {
-        let feature = self.get("Record1/FeatureType")?;
+        let entries = self.entries();
+        let feature = entries.text("Record1/FeatureType")?;
         if !matches!(feature, "SUR" | "PRF") {
             let feature = format!("feature type {feature} (maps SUR and profiles PRF are)");
-            return Err(ReadError::Unsupported { format: FORMAT, feature: feature.into() });
+            return Err(FORMAT.unsupported(feature));
         }
-        if let (Some(n), "PRF") = (self.fields.get("Record3/ListDimension"), feature) {
-            let n = n.parse().map_err(|_| fault("Record3/ListDimension", "no whole number"))?;
-            return Ok([n, 1, 1]);
+        if feature == "PRF" && entries.get("Record3/ListDimension").is_some() {
+            return Ok([entries.parsed("Record3/ListDimension", "whole number")?, 1, 1]);
         }
         let side = |name: &str| {
             let path = format!("Record3/MatrixDimension/{name}");
-            let text = self.get(&path)?;
-            let side: usize =
-                text.parse().map_err(|_| fault(path.clone(), format!("{text:?} is no size")))?;
-            if side == 0 {
-                return Err(fault(path, "is 0"));
+            match entries.parsed(&path, "size")? {
+                0 => Err(FORMAT.field(path, "is 0")),
+                side => Ok(side),
             }
-            Ok(side)
         };
         Ok([side("SizeX")?, side("SizeY")?, side("SizeZ")?])
     }
 
     /// `[dy, dx]` of incremental axes.
-    fn pixel(&self, [ny, _]: [usize; 2]) -> Result<[f64; 2], ReadError> {
+    fn pixel(&self, ny: usize) -> Result<[f64; 2], ReadError> {
         let step = |axis: &str| {
-            let kind = self.get(&format!("Record1/Axes/{axis}/AxisType"))?;
+            let kind = self.entries().text(&format!("Record1/Axes/{axis}/AxisType"))?;
             if kind != "I" {
                 let feature = format!("axis {axis} of type {kind} (evenly spaced axes, I, are)");
-                return Err(ReadError::Unsupported { format: FORMAT, feature: feature.into() });
+                return Err(FORMAT.unsupported(feature));
             }
-            self.get(&format!("Record1/Axes/{axis}/Increment"))?;
-            self.number(&format!("Record1/Axes/{axis}/Increment"), 0.0)
+            let path = format!("Record1/Axes/{axis}/Increment");
+            self.entries().text(&path)?;
+            self.number(&path, 0.0)
         };
         let dx = step("CX")?;
         // The y axis of a profile has no steps.
@@ -202,43 +183,32 @@ impl Document {
         Ok([dy, dx])
     }
 
-    /// Type of the stored z with the factor and offset to metres.
-    fn encoding(&self) -> Result<(Sample, f64, f64), ReadError> {
+    /// In metres, from the binary data or else from the list.
+    fn heights(&mut self, raw: Option<&[u8]>, points: usize) -> Result<Vec<f64>, ReadError> {
         let offset = self.number("Record1/Axes/CZ/Offset", 0.0)?;
         let increment = self.number("Record1/Axes/CZ/Increment", 1.0)?;
-        Ok(match self.get("Record1/Axes/CZ/DataType")? {
-            "I" => (Sample::I16, increment, offset),
-            "L" => (Sample::I32, increment, offset),
-            "F" => (Sample::F32, 1.0, offset),
-            "D" => (Sample::F64, 1.0, offset),
+        let (sample, factor) = match self.entries().text("Record1/Axes/CZ/DataType")? {
+            "I" => (Sample::I16, increment),
+            "L" => (Sample::I32, increment),
+            "F" => (Sample::F32, 1.0),
+            "D" => (Sample::F64, 1.0),
             other => {
-                return Err(fault(
-                    "Record1/Axes/CZ/DataType",
-                    format!("{other:?} is none of I, L, F, D"),
-                ));
+                let what = format!("{other:?} is none of I, L, F, D");
+                return Err(FORMAT.field("Record1/Axes/CZ/DataType", what));
             }
-        })
-    }
-
-    fn binary_heights(&self, raw: &[u8], points: usize) -> Result<Vec<f64>, ReadError> {
-        let (sample, factor, offset) = self.encoding()?;
-        if raw.len() / sample.size() < points {
-            let what =
-                format!("{} bytes for {points} points of {} bytes", raw.len(), sample.size());
-            return Err(fault("PointDataLink", what));
-        }
-        let mut z = sample.decode(&raw[..points * sample.size()], Order::Little);
-        // Some writers mark a missing point by infinity instead of NaN.
-        z.iter_mut().filter(|z| z.is_infinite()).for_each(|z| *z = f64::NAN);
-        scale(&mut z, factor, offset);
+        };
+        let mut z = match raw {
+            Some(raw) => binary_heights(raw, sample, points)?,
+            None => self.listed_heights(points)?,
+        };
+        z.iter_mut().for_each(|z| *z = *z * factor + offset);
         Ok(z)
     }
 
     fn listed_heights(&mut self, points: usize) -> Result<Vec<f64>, ReadError> {
-        let (_, factor, offset) = self.encoding()?;
         if self.data.len() != points {
             let what = format!("{} values for {points} points", self.data.len());
-            return Err(fault("Record3/DataList", what));
+            return Err(FORMAT.field("Record3/DataList", what));
         }
         if let Some((index, text)) = &self.bad_datum {
             let what = if text.contains(';') {
@@ -246,11 +216,9 @@ impl Document {
             } else {
                 "no number"
             };
-            return Err(fault(format!("Datum {index}"), format!("{text:?}: {what}")));
+            return Err(FORMAT.field(format!("Datum {index}"), format!("{text:?}: {what}")));
         }
-        let mut z = std::mem::take(&mut self.data);
-        scale(&mut z, factor, offset);
-        Ok(z)
+        Ok(std::mem::take(&mut self.data))
     }
 
     fn metadata(&self) -> BTreeMap<String, String> {
@@ -265,8 +233,13 @@ impl Document {
     }
 }
 
-fn scale(z: &mut [f64], factor: f64, offset: f64) {
-    for z in z {
-        *z = *z * factor + offset;
+fn binary_heights(raw: &[u8], sample: Sample, points: usize) -> Result<Vec<f64>, ReadError> {
+    if raw.len() / sample.size() < points {
+        let what = format!("{} bytes for {points} points of {} bytes", raw.len(), sample.size());
+        return Err(FORMAT.field("PointDataLink", what));
     }
+    let mut z = sample.decode(&raw[..points * sample.size()], Order::Little);
+    // Some writers mark a missing point by infinity instead of NaN.
+    z.iter_mut().filter(|z| z.is_infinite()).for_each(|z| *z = f64::NAN);
+    Ok(z)
 }

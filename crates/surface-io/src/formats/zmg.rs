@@ -34,5 +34,5 @@ pub(crate) fn parse<'a>(bytes: &'a [u8], limits: &Limits) -> Result<Contents<'a>
     let raster = Raster { bytes: b, at: 205 + comment, shape, sample: Sample::I16 };
     let convert = move |raw| raw * step;
     let channel = Channel::raster("Height", Some("\u{b5}m"), pixel, raster, convert)?;
-    Ok(Contents { channels: vec![channel], metadata: [("comment".to_owned(), text)].into() })
+    Ok(Contents::new(vec![channel], [("comment", text)]))
 }

@@ -21,6 +21,7 @@
 
 use super::archive::Archive;
 use crate::binary::{Bytes, Sample};
+use crate::entries::Entries;
 use crate::measurement::{Channel, Contents, Pixel};
 use crate::{Format, Limits, ReadError, xml};
 use std::collections::BTreeMap;
@@ -37,41 +38,25 @@ pub(crate) fn sniff(bytes: &[u8]) -> bool {
 }
 
 pub(crate) fn parse<'a>(bytes: &'a [u8], limits: &Limits) -> Result<Contents<'a>, ReadError> {
-    let b = Bytes::little(bytes, FORMAT);
     let mut archive = Archive::open(bytes, FORMAT, limits)?;
     let calibration = member(&mut archive, CALIBRATION, limits)?;
     let fields = xml::fields(&calibration, FORMAT, "calibration", limits)?;
-    let number = |key: &'static str| {
-        let text = fields.get(key).ok_or_else(|| b.field(key, "is missing"))?;
-        text.parse::<f64>().map_err(|_| b.field(key, format!("{text:?} is no number")))
-    };
-    let pixel = Pixel::Metres([number("XYCalibration/MeterPerPixel")?; 2]);
-    let step = number("ZCalibration/MeterPerUnit")?;
+    let entries = Entries::new(FORMAT, &fields, "is missing");
+    let pixel = Pixel::Metres([entries.number("XYCalibration/MeterPerPixel")?; 2]);
+    let step = entries.number("ZCalibration/MeterPerUnit")?;
     let heights = Matrix::new(member(&mut archive, HEIGHTS, limits)?, 4, HEIGHTS, limits)?;
-    let mask = if archive.names.iter().any(|name| name == MASK) {
+    let shape = heights.shape;
+    let decode = move || heights.values(Sample::I32);
+    let mut channel = Channel::new("Height", Some("m"), shape, pixel, decode);
+    channel = channel.converted(move |raw| raw * step);
+    if archive.names.iter().any(|name| name == MASK) {
         let mask = Matrix::new(member(&mut archive, MASK, limits)?, 1, MASK, limits)?;
-        if mask.shape != heights.shape {
+        if mask.shape != shape {
             let [ny, nx] = mask.shape;
-            return Err(b.field(MASK, format!("a mask of {ny} x {nx} points")));
+            return Err(FORMAT.field(MASK, format!("a mask of {ny} x {nx} points")));
         }
-        Some(mask)
-    } else {
-        None
-    };
-    let channel = Channel::new("Height", Some("m"), heights.shape, pixel, move || {
-        let mut values = heights.values(Sample::I32)?;
-        for value in &mut values {
-            *value *= step;
-        }
-        if let Some(mask) = mask {
-            for (value, mark) in values.iter_mut().zip(mask.values(Sample::U8)?) {
-                if mark > 0.0 {
-                    *value = f64::NAN;
-                }
-            }
-        }
-        Ok(values)
-    });
+        channel = channel.masked(move || mask.values(Sample::U8));
+    }
     let mut metadata = BTreeMap::new();
     for name in ABOUT {
         if let Ok(xml) = member(&mut archive, name, limits)
@@ -94,15 +79,13 @@ fn member(
         return Ok(raw);
     }
     let most = usize::try_from(limits.unpacked_bytes).unwrap_or(usize::MAX).saturating_add(1);
-    let unpacked = crate::unpack::zstd(&raw, most)
-        .map_err(|what| Bytes::little(&raw, FORMAT).field(name, what))?;
+    let unpacked = crate::unpack::zstd(&raw, most).map_err(|what| FORMAT.field(name, what))?;
     limits.check_unpacked(FORMAT, unpacked.len() as u64)?;
     Ok(unpacked)
 }
 
 /// Rows of numbers behind a header of 16 bytes.
 struct Matrix {
-    name: &'static str,
     raw: Vec<u8>,
     shape: [usize; 2],
     row_bytes: usize,
@@ -124,17 +107,10 @@ impl Matrix {
             return Err(b.field(name, what));
         }
         b.slice(16, row_bytes.saturating_mul(shape[0]))?;
-        Ok(Self { name, raw, shape, row_bytes })
+        Ok(Self { raw, shape, row_bytes })
     }
 
     fn values(&self, sample: Sample) -> Result<Vec<f64>, ReadError> {
-        let b = Bytes::little(&self.raw, FORMAT);
-        let [ny, nx] = self.shape;
-        let mut values = Vec::with_capacity(ny * nx);
-        for iy in 0..ny {
-            let row = b.samples(16 + iy * self.row_bytes, nx, sample);
-            values.extend(row.map_err(|_| b.field(self.name, "the data end early"))?);
-        }
-        Ok(values)
+        Bytes::little(&self.raw, FORMAT).rows(16, self.shape, self.row_bytes, sample)
     }
 }

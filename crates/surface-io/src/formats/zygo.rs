@@ -71,15 +71,16 @@ pub(crate) fn parse<'a>(bytes: &'a [u8], limits: &Limits) -> Result<Contents<'a>
             channels.push(Channel::raster(name, Some("counts"), pixel, raster, |raw| raw)?);
         }
     }
-    let metadata = [
+    let mut contents = Contents { channels, ..Contents::default() };
+    for (key, text) in [
         ("software date", b.text(12, 30)?),
         ("comment", b.text(80, 82)?),
         ("objective", b.text(246, 12)?),
         ("part", b.text(258, 40)?),
         ("time stamp", format!("{} s since 1970-01-01", b.i32(76)?)),
         ("wavelength", format!("{wavelength:e} m")),
-    ];
-    let metadata = metadata.map(|(key, value)| (key.to_owned(), value));
-    let metadata = metadata.into_iter().filter(|(_, value)| !value.is_empty()).collect();
-    Ok(Contents { channels, metadata })
+    ] {
+        contents.note(key, Some(text));
+    }
+    Ok(contents)
 }

@@ -17,9 +17,8 @@
 //! Source: Zygo, *MetroPro Reference Guide* OMP-0347, appendix on the data format; public exports.
 //! Format 2 was not checked against a real file.
 
-use crate::binary::Bytes;
 use crate::measurement::{Channel, Contents, Pixel};
-use crate::{Format, Limits, Place, ReadError, text};
+use crate::{Format, Limits, ReadError, text};
 
 const FORMAT: Format = Format::Zygo;
 
@@ -32,11 +31,7 @@ pub(crate) fn parse<'a>(bytes: &'a [u8], limits: &Limits) -> Result<Contents<'a>
     let lines: Vec<&str> = text::lines(&text).map(|(_, line)| line.trim()).collect();
     // A comment can hold any sign, a line of it only "#" between quotation marks.
     let ends: Vec<usize> = (0..lines.len()).filter(|&i| lines[i] == "#").collect();
-    let place = |line: usize, what: String| ReadError::Malformed {
-        format: FORMAT,
-        place: Place::Line(line + 1),
-        what: what.into(),
-    };
+    let place = |line: usize, what: String| FORMAT.line(line + 1, what);
     let (Some(&start), true) = (ends.first(), lines.len() > 10) else {
         return Err(place(lines.len(), "the header has no end".into()));
     };
@@ -107,14 +102,11 @@ pub(crate) fn parse<'a>(bytes: &'a [u8], limits: &Limits) -> Result<Contents<'a>
     };
     if values.len() != nx * ny {
         let what = format!("{} heights for {ny} x {nx} points", values.len());
-        return Err(Bytes::little(&[], FORMAT).field("phase", what));
+        return Err(FORMAT.field("phase", what));
     }
     let mut contents = Contents::default();
     for (key, line) in [("comment", 4), ("part", 6)] {
-        let value = lines[line].trim_matches('"').trim();
-        if !value.is_empty() {
-            contents.metadata.insert(key.into(), value.to_owned());
-        }
+        contents.note(key, Some(lines[line].trim_matches('"').trim()));
     }
     contents.metadata.insert("wavelength".into(), format!("{:e} m", number(7, 2)?));
     contents.channels.push(Channel::new("Height", Some(unit), [ny, nx], pixel, || Ok(values)));

@@ -3,6 +3,7 @@
 use super::file::{File, WAY_OUT};
 use crate::binary::{Order, Sample};
 use crate::error::ReadError;
+use crate::unpack::zlib;
 use std::borrow::Cow;
 
 /// One filter of the chain.
@@ -44,8 +45,9 @@ pub(crate) fn filters(file: &File<'_>, at: usize) -> Result<Vec<Filter>, ReadErr
         let setting = if settings > 0 { b.u32(first)? as usize } else { 0 };
         place = first + 4 * settings + if version == 1 { settings % 2 * 4 } else { 0 };
         if !matches!(id, 1..=3) {
-            let feature = format!("filter {id} (deflate, shuffle and Fletcher-32 are; {WAY_OUT})");
-            return Err(ReadError::Unsupported { format: b.format, feature: feature.into() });
+            return Err(b.format.unsupported(format!(
+                "filter {id} (deflate, shuffle and Fletcher-32 are; {WAY_OUT})"
+            )));
         }
         filters.push(Filter { id, setting });
     }
@@ -167,29 +169,23 @@ impl Chunked {
         }
         let Some((&last, outer)) = self.sides.split_last() else { return Ok(()) };
         let (last, rows) = (last as usize, outer.iter().product::<u64>());
+        let (start, width) = (origin[outer.len()], shape[outer.len()]);
         for row in 0..rows {
-            // Place of the row in the data set, from the slowest axis on.
-            let (mut rest, mut target, mut scale, mut is_inside) = (row, 0u64, 1u64, true);
-            let mut places = vec![0; outer.len()];
+            // Place of the row in the data set, from the fastest axis on.
+            let (mut rest, mut target, mut scale) = (row, start, width);
+            let mut is_inside = start < width;
             for axis in (0..outer.len()).rev() {
-                places[axis] = origin[axis].saturating_add(rest % outer[axis]);
+                let place = origin[axis].saturating_add(rest % outer[axis]);
                 rest /= outer[axis];
-            }
-            let width = shape[outer.len()];
-            let start = origin[outer.len()];
-            scale *= width;
-            for axis in (0..outer.len()).rev() {
-                is_inside &= places[axis] < shape[axis];
-                target = target.saturating_add(places[axis].saturating_mul(scale));
+                is_inside &= place < shape[axis];
+                target = target.saturating_add(place.saturating_mul(scale));
                 scale = scale.saturating_mul(shape[axis]);
             }
-            if !is_inside || start >= width {
-                continue;
+            if is_inside {
+                let count = last.min((width - start) as usize);
+                let (row, target) = (row as usize * last, target as usize);
+                values[target..target + count].copy_from_slice(&numbers[row..row + count]);
             }
-            let count = last.min((width - start) as usize);
-            let target = (target + start) as usize;
-            let row = row as usize * last;
-            values[target..target + count].copy_from_slice(&numbers[row..row + count]);
         }
         Ok(())
     }
@@ -204,7 +200,7 @@ fn unpack(
 ) -> Result<Vec<u8>, ReadError> {
     match filter.id {
         // A checksum may stand behind the data.
-        1 => inflate(data, bytes + 4).map_err(|what| file.b.fault(at, what)),
+        1 => zlib(data, bytes + 4).map_err(|what| file.b.fault(at, what)),
         2 => {
             // The first bytes of all elements, then the second ones, and so on.
             let size = filter.setting.max(1);
@@ -219,14 +215,4 @@ fn unpack(
         }
         _ => Ok(data[..data.len().saturating_sub(4)].to_vec()),
     }
-}
-
-#[cfg(feature = "zip")]
-fn inflate(packed: &[u8], most: usize) -> Result<Vec<u8>, String> {
-    crate::unpack::zlib(packed, most)
-}
-
-#[cfg(not(feature = "zip"))]
-fn inflate(_: &[u8], _: usize) -> Result<Vec<u8>, String> {
-    Err("deflate needs the feature `zip`".into())
 }

@@ -80,8 +80,7 @@ fn read_layout(
     filters: Vec<Filter>,
 ) -> Result<Layout, ReadError> {
     let (b, at) = (file.b, message.at);
-    let unsupported =
-        |feature: String| ReadError::Unsupported { format: b.format, feature: feature.into() };
+    let unsupported = |feature: String| b.format.unsupported(feature);
     let (version, class) = (b.u8(at)?, b.u8(at + 1)?);
     if !matches!(version, 3 | 4) {
         return Err(unsupported(format!("a data layout of version {version} ({WAY_OUT})")));

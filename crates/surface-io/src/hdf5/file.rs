@@ -45,8 +45,9 @@ impl<'a> File<'a> {
             1 => (13, |address, _| 28 + 5 * address),
             2 | 3 => (9, |address, _| 12 + 3 * address),
             _ => {
-                let feature = format!("a superblock of version {version} ({WAY_OUT})").into();
-                return Err(ReadError::Unsupported { format, feature });
+                return Err(
+                    format.unsupported(format!("a superblock of version {version} ({WAY_OUT})"))
+                );
             }
         };
         let (address_size, length_size) = (b.u8(sizes)?.into(), b.u8(sizes + 1)?.into());
@@ -144,8 +145,10 @@ impl<'a> File<'a> {
         let header = self.b.slice(at, 4)? == b"OHDR";
         let first = if header { None } else { Some(at + 16) };
         let Some(first) = first else {
-            let feature = format!("a shared message in a header of version 2 ({WAY_OUT})").into();
-            return Err(ReadError::Unsupported { format: self.b.format, feature });
+            return Err(self
+                .b
+                .format
+                .unsupported(format!("a shared message in a header of version 2 ({WAY_OUT})")));
         };
         let mut at = first;
         for _ in 0..16 {

@@ -44,12 +44,10 @@ pub(crate) fn datasets(file: &File<'_>) -> Result<Listing, ReadError> {
                 SYMBOL_TABLE => symbol_table(file, message.at, &mut links)?,
                 LINK => links.extend(link(file, *message)?),
                 LINK_INFO if is_dense(file, *message)? => {
-                    listing.fault.get_or_insert_with(|| ReadError::Unsupported {
-                        format: file.b.format,
-                        feature: format!(
+                    listing.fault.get_or_insert_with(|| {
+                        file.b.format.unsupported(format!(
                             "group {path:?}, whose links stand in a fractal heap ({WAY_OUT})"
-                        )
-                        .into(),
+                        ))
                     });
                 }
                 _ => {}

@@ -33,6 +33,16 @@ pub(crate) enum Value {
     Members(Vec<(String, Value)>),
 }
 
+impl Value {
+    pub(crate) fn text(&self) -> Option<&str> {
+        if let Self::Text(text) = self { Some(text) } else { None }
+    }
+
+    pub(crate) fn numbers(&self) -> Option<&[f64]> {
+        if let Self::Numbers(numbers) = self { Some(numbers) } else { None }
+    }
+}
+
 /// Compounds within compounds beyond this are refused.
 const DEEPEST: usize = 8;
 
@@ -55,18 +65,8 @@ pub(crate) fn read_type(
     let (kind, end) = match class {
         0 => {
             let is_whole = b.u16(at + 8)? == 0 && usize::from(b.u16(at + 10)?) == 8 * size;
-            let kind = match (size, bits[0] & 8 != 0) {
-                (1, true) => number(Sample::I8),
-                (1, false) => number(Sample::U8),
-                (2, true) => number(Sample::I16),
-                (2, false) => number(Sample::U16),
-                (4, true) => number(Sample::I32),
-                (4, false) => number(Sample::U32),
-                (8, true) => number(Sample::I64),
-                (8, false) => number(Sample::U64),
-                _ => Type::Other,
-            };
-            (if is_whole { kind } else { Type::Other }, at + 12)
+            let sample = Sample::whole(size, bits[0] & 8 != 0).filter(|_| is_whole);
+            (sample.map_or(Type::Other, number), at + 12)
         }
         1 => {
             // Exponent and mantissa where IEEE 754 has them.

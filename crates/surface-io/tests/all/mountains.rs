@@ -1,12 +1,10 @@
 //! Documents of Mountains: what is not of the plain form is refused with the way out.
 
-use crate::common;
-
-use common::mountains::{contents, document, ole};
-use surface_io::{ReadOptions, read_bytes};
+use crate::common::mountains::{contents, document, ole};
+use crate::common::unaided;
 
 fn refusal(file: &[u8]) -> String {
-    read_bytes(file, &ReadOptions::default()).expect_err("refused").to_string()
+    unaided(file).expect_err("refused").to_string()
 }
 
 #[test]

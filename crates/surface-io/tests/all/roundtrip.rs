@@ -1,8 +1,7 @@
 //! Written and read back: the same bits.
 
-use crate::common;
-
-use common::binary::complete_map;
+use crate::common::binary::complete_map;
+use crate::common::{Say as _, scaled, unaided};
 use contact_types::{Grid, HeightMap};
 use proptest::prelude::*;
 use std::io::Cursor;
@@ -16,7 +15,7 @@ fn x3p(map: &HeightMap) -> Vec<u8> {
 
 #[test]
 fn comment_and_instrument_come_back() {
-    let found = read_bytes(&x3p(&complete_map()), &ReadOptions::default()).unwrap();
+    let found = unaided(&x3p(&complete_map())).unwrap();
     assert_eq!(found.metadata()["Comment"], "round <trip> & \"more\"");
     assert_eq!(found.metadata()["Instrument/Model"], "surface-io");
     assert_eq!(x3p(&complete_map()), x3p(&complete_map()));
@@ -69,15 +68,15 @@ proptest! {
         let grid = Grid::new([ny, nx], [dy, dx]).unwrap();
         let heights: Vec<f64> = (0..ny * nx).map(|i| offset + seed[i]).collect();
         let map = HeightMap::new(grid, heights).unwrap();
-        let back = read_bytes(&x3p(&map), &ReadOptions::default()).unwrap();
+        let back = unaided(&x3p(&map)).unwrap();
         prop_assert_eq!(&back.fill(Fill::Refuse).unwrap(), &map);
         let mut file = Vec::new();
         write::sdf(&mut file, &map).unwrap();
-        let back = read_bytes(&file, &ReadOptions::default()).unwrap();
+        let back = unaided(&file).unwrap();
         prop_assert_eq!(&back.fill(Fill::Refuse).unwrap(), &map);
         file.clear();
         write::npy(&mut file, &map).unwrap();
-        let options = ReadOptions::default().with_pixel([dy, dx]).with_height_unit(1.0);
+        let options = scaled(1.0, 1.0).and(|o| o.pixel = Some([dy, dx]));
         let back = read_bytes(&file, &options).unwrap();
         prop_assert_eq!(&back.fill(Fill::Refuse).unwrap(), &map);
     }

@@ -5,21 +5,22 @@
     reason = "tests: what is read is the number that was written"
 )]
 
+use crate::common::{self, Say as _, unaided, units};
 use std::fmt::Write as _;
+use surface_io::HeightUnit::Always;
 use surface_io::{
-    DecimalMark, Layout, Limits, Measurement, Need, ReadError, ReadOptions, read_bytes,
-    read_channels_bytes, read_traces_bytes,
+    DecimalMark, Layout, Measurement, Need, ReadError, ReadOptions, read_bytes, read_traces_bytes,
 };
 
 const GWYDDION: &str = "# Width: 4 um\n# Height: 3 um\n# Value units: nm\n";
 
 /// With a pixel of 1 µm and heights in nm where the text is silent.
 fn scaled() -> ReadOptions {
-    ReadOptions::default().with_pixel([1e-6; 2]).with_height_unit(1e-9)
+    common::scaled(1e-6, 1e-9)
 }
 
 fn read(text: &str) -> Measurement {
-    read_bytes(text.as_bytes(), &ReadOptions::default()).unwrap()
+    unaided(text).unwrap()
 }
 
 /// Heights in nm of a text read with `options`.
@@ -61,21 +62,21 @@ fn concatenated_channels_are_channels() {
         let found = read(&text);
         assert_eq!((found.grid().shape(), found.grid().pixel()), ([2, 2], [1.5e-6, 2e-6]));
         assert_eq!(found.channels().len(), 2);
-        let phase = refusal(&text, &ReadOptions::default().with_channel("Phase"));
+        let phase = refusal(&text, &ReadOptions::default().channel("Phase"));
         assert!(phase.to_string().contains("deg"), "{phase}");
         // Of another size, in a unit of length: by its name or its number.
         let text = format!("# Channel: A\n{GWYDDION}1 2\n3 4\n# Channel: B\n{GWYDDION}7 8 9\n");
         for name in ["B", "#2"] {
-            assert_eq!(heights(&text, &ReadOptions::default().with_channel(name)), [7.0, 8.0, 9.0]);
+            assert_eq!(heights(&text, &ReadOptions::default().channel(name)), [7.0, 8.0, 9.0]);
         }
     }
     // Headers without a comment sign.
     let text = "Channel: A\nWidth: 2 um\nHeight: 2 um\nValue units: nm\n1 2\n3 4\n\
                 Channel: B\nWidth: 2 um\nHeight: 2 um\nValue units: nm\n5 6\n7 8\n";
-    assert_eq!(heights(text, &ReadOptions::default().with_channel("B")), [5.0, 6.0, 7.0, 8.0]);
+    assert_eq!(heights(text, &ReadOptions::default().channel("B")), [5.0, 6.0, 7.0, 8.0]);
     // Comments between the lines of a scan begin no channel.
     let list = "# y = 0\n0 0 1\n1 0 2\n2 0 3\n\n# y = 1\n0 1 4\n1 1 5\n2 1 6\n# y = 2\n0 2 7\n1 2 8\n2 2 9\n";
-    let found = read_bytes(list.as_bytes(), &scaled().with_lateral_unit(1e-6)).unwrap();
+    let found = read_bytes(list.as_bytes(), &scaled().lateral(1e-6)).unwrap();
     assert_eq!((found.grid().shape(), found.channels().len()), ([3, 3], 1));
 }
 
@@ -86,9 +87,9 @@ fn tables_without_headers_are_one_or_several() {
         let text = format!("1 5 2 6\n4 3 8 1\n{line}9 5 1 2\n3 3 7 1\n");
         let error = refusal(&text, &scaled());
         assert_eq!(error.needs(), [Need::Channel, Need::Layout(Layout::Matrix)], "{error}");
-        let whole = read_bytes(text.as_bytes(), &scaled().with_layout(Layout::Matrix)).unwrap();
+        let whole = read_bytes(text.as_bytes(), &scaled().layout(Layout::Matrix)).unwrap();
         assert_eq!(whole.grid().shape(), [4, 4]);
-        assert_eq!(heights(&text, &scaled().with_channel("#2"))[..4], [9.0, 5.0, 1.0, 2.0]);
+        assert_eq!(heights(&text, &scaled().channel("#2"))[..4], [9.0, 5.0, 1.0, 2.0]);
     }
     assert_eq!(heights("1 5 2 6\n\n4 3 8 1\n\n9 5 1 2\n", &scaled()).len(), 12);
 }
@@ -98,7 +99,7 @@ fn a_row_and_a_column_of_coordinates_are_no_heights() {
     let with = |corner: &str, x: &str, y: [&str; 4]| {
         format!("{corner},{x}\n{}", rows(&y, ",", |z| format!("{z:.2}")))
     };
-    let no_pixel = ReadOptions::default().with_height_unit(1e-9).with_lateral_unit(1e-6);
+    let no_pixel = units(1e-6, 1e-9);
     for corner in ["", "y\\x", "0", "5"] {
         let text = with(corner, "0.0,0.5,1.0,1.5,2.0", ["0.0,", "1.5,", "3.0,", "4.5,"]);
         let found = read_bytes(text.as_bytes(), &no_pixel).unwrap();
@@ -127,7 +128,7 @@ fn a_first_row_that_counts_is_no_heights() {
     for x in ["0,1,2,3,4\n", "1,2,3,4,5\n"] {
         let text = format!("{x}{}", rows(&[], ",", |z| format!("{z:.2}")));
         assert_eq!(heights(&text, &scaled()), all());
-        assert_eq!(heights(&text, &scaled().with_layout(Layout::Matrix)).len(), 25);
+        assert_eq!(heights(&text, &scaled().layout(Layout::Matrix)).len(), 25);
     }
     // Whole numbers all over: four in a row may be chance. A plane is none.
     let error = refusal("0 1 2 3\n5 3 9 8\n7 7 1 2\n", &scaled());
@@ -139,21 +140,21 @@ fn a_first_row_that_counts_is_no_heights() {
 fn a_first_column_that_rises_may_be_positions() {
     for y in [["0,", "1,", "2,", "3,"], ["0.0,", "0.5,", "1.0,", "1.5,"]] {
         let text = rows(&y, ",", |z| format!("{z:.2}"));
-        let error = refusal(&text, &scaled().with_lateral_unit(1e-6));
+        let error = refusal(&text, &scaled().lateral(1e-6));
         assert_eq!(
             error.needs(),
             [Need::Layout(Layout::Traces), Need::Layout(Layout::Matrix)],
             "{error}"
         );
-        let traces = scaled().with_layout(Layout::Traces);
+        let traces = scaled().layout(Layout::Traces);
         assert_eq!(read_traces_bytes(text.as_bytes(), &traces).unwrap().len(), 5);
-        assert_eq!(heights(&text, &scaled().with_layout(Layout::Matrix)).len(), 24);
+        assert_eq!(heights(&text, &scaled().layout(Layout::Matrix)).len(), 24);
     }
     // x with two traces whose titles say so little.
     let text = "X(mm),Raw(um),Levelled(um)\n0.000,1,1\n0.001,2,3\n0.002,0,5\n0.003,4,1\n";
     let error = refusal(text, &ReadOptions::default());
     assert!(error.needs().contains(&Need::Layout(Layout::Traces)), "{error}");
-    let traces = ReadOptions::default().with_layout(Layout::Traces).with_channel("Levelled");
+    let traces = ReadOptions::default().layout(Layout::Traces).channel("Levelled");
     let found = read_bytes(text.as_bytes(), &traces).unwrap();
     assert!((found.grid().pixel()[1] - 1e-6).abs() < 1e-18 && found.is_profile());
     assert!((found.heights()[2] - 5e-6).abs() < 1e-18);
@@ -164,7 +165,7 @@ fn lists_have_further_columns_and_any_order() {
     let list = |line: &dyn Fn(usize, usize, f64) -> String| {
         (0..20).map(|i| line(i % 5, i / 5, height(i)) + "\n").collect::<String>()
     };
-    let options = ReadOptions::default().with_height_unit(1e-9).with_lateral_unit(1e-6);
+    let options = units(1e-6, 1e-9);
     let fourth =
         |x: usize, y: usize, z: f64| format!("{} {} {z} {}", x as f64 * 0.5, y * 2, 100 + x);
     for (titles, text) in [
@@ -196,8 +197,8 @@ fn lists_have_further_columns_and_any_order() {
     let text = format!("row col height\n{}", list(&|x, y, z| format!("{y} {x} {z}")));
     assert_eq!(heights(&text, &options), all());
     let text = list(&fourth);
-    let found = read_channels_bytes(text.as_bytes(), &Limits::default()).unwrap();
-    let names: Vec<&str> = found.iter().map(|channel| channel.name.as_str()).collect();
+    let found = read_bytes(text.as_bytes(), &options).unwrap();
+    let names: Vec<&str> = found.channels().iter().map(|channel| channel.name.as_str()).collect();
     assert_eq!(names, ["default", "column 4"]);
     // Validity is no height, and a mask can be meant either way.
     let valid = |title: &str, ok: u8| {
@@ -214,14 +215,14 @@ fn lists_have_further_columns_and_any_order() {
 
 #[test]
 fn profiles_in_other_forms() {
-    let um = ReadOptions::default().with_pixel([0.5e-6; 2]).with_height_unit(1e-9);
+    let um = common::scaled(0.5e-6, 1e-9);
     let found = read_bytes(b"SJ-210\nRa,0.123,um\n1.5\n-2\n0\n3\n", &um).unwrap();
     assert!(found.is_profile() && found.ambiguity().is_some());
     assert_eq!(found.grid().pixel()[1], 0.5e-6);
     assert_eq!(refusal("1.5\n-2\n0\n", &ReadOptions::default()).needs()[0], Need::PixelSize);
     for titles in ["Counter,X (um),Z (nm)\n", "No,x [um],z [nm]\n", ""] {
         let text = format!("{titles}0,0.0,1\n1,0.5,-2\n2,1.0,0\n3,1.5,3\n");
-        let options = ReadOptions::default().with_lateral_unit(1e-6).with_height_unit(1e-9);
+        let options = units(1e-6, 1e-9);
         let found = read_bytes(text.as_bytes(), &options).unwrap();
         assert!(found.is_profile(), "{text}");
         assert_eq!(found.grid().pixel()[1], 0.5e-6, "{text}");
@@ -269,7 +270,7 @@ fn thousands_are_told_by_their_pattern_or_asked_for() {
     assert_eq!(error.needs(), [Need::DecimalMark]);
     let said = error.to_string();
     assert!(said.contains("line 4") && said.contains("1.855") && said.contains("1855"), "{said}");
-    let read = |mark| heights(&text, &ReadOptions::default().with_decimal(mark))[0];
+    let read = |mark| heights(&text, &ReadOptions::default().and(|o| o.decimal = Some(mark)))[0];
     assert_eq!((read(DecimalMark::Comma), read(DecimalMark::Point)), (1.855, 1855.0));
     // Both marks, each with three digits.
     assert_eq!(refusal("1,855;2\n3.853;4\n", &scaled()).needs(), [Need::DecimalMark]);
@@ -280,7 +281,7 @@ fn thousands_are_told_by_their_pattern_or_asked_for() {
     );
     // Whole coordinates beside heights with three decimals.
     let list = "0 0 1.855\n1 0 2.184\n2 0 3.853\n0 1 4.291\n1 1 5.125\n2 1 6.375\n";
-    let options = scaled().with_lateral_unit(1e-6);
+    let options = scaled().lateral(1e-6);
     assert_eq!(heights(list, &options)[0], 1.855);
     let torn = refusal("0,034,1,855\n2,184,0,053\n", &scaled()).to_string();
     assert!(torn.contains("decimal commas"), "{torn}");
@@ -313,7 +314,7 @@ fn marks_of_missing_points() {
         for separator in [";", "\t", ","] {
             let text =
                 format!("{header}1{separator}{mark}{separator}3\n4{separator}5{separator}6\n");
-            let found = read_bytes(text.as_bytes(), &ReadOptions::default());
+            let found = unaided(text.as_bytes());
             let found = found.unwrap_or_else(|e| panic!("{text}: {e}"));
             assert_eq!((found.grid().shape(), found.missing()), ([2, 3], 1), "{text}");
         }
@@ -324,14 +325,14 @@ fn marks_of_missing_points() {
     assert_eq!(read(&format!("{header}#N/A;2;3\n4;5;6\n")).missing(), 1);
     // Marks that are given: words, of several parts, numbers; not among coordinates.
     let given = |text: &str, mark: &str| {
-        let options = ReadOptions::default().with_missing(mark);
+        let options = ReadOptions::default().and(|o| o.missing.push(mark.into()));
         read_bytes(format!("{header}{text}").as_bytes(), &options).unwrap().missing()
     };
     assert_eq!(given("1 x 3\n4 X 6\n", "x"), 2);
     assert_eq!(given("1 out of range 3\n4 5 6\n", "out of range"), 1);
     assert_eq!(given("1 -999 3\n4 -999.0 6\n", "-999"), 2);
     let list = "0 0 1\n1 0 0\n0 1 3\n1 1 4\n";
-    let options = scaled().with_lateral_unit(1e-6).with_missing("0");
+    let options = scaled().lateral(1e-6).and(|o| o.missing.push("0".into()));
     assert_eq!(read_bytes(list.as_bytes(), &options).unwrap().missing(), 1);
     // The mark that a header gives, in a list as well.
     let list = "nodata: -999\nx [um] y [um] z [nm]\n0 0 1\n1 0 -999\n0 1 3\n1 1 4\n";
@@ -360,7 +361,7 @@ fn a_unit_that_is_overridden_need_not_be_known() {
         let error = refusal(&text, &ReadOptions::default());
         assert_eq!(error.needs(), [Need::OtherHeightUnit], "{error}");
         assert!(error.to_string().contains(unit), "{error}");
-        let options = ReadOptions::default().overriding_height_unit(1e-6);
+        let options = ReadOptions::default().height(Always(1e-6));
         assert_eq!(heights(&text, &options)[0], 1000.0, "{unit}");
         let found = read_bytes(text.as_bytes(), &options).unwrap();
         assert_eq!(found.metadata()["overridden height unit"], unit);
@@ -370,7 +371,7 @@ fn a_unit_that_is_overridden_need_not_be_known() {
         "# Channel: U\n{}1 2\n3 4\n# Channel: Z\n{GWYDDION}5 6\n7 8\n",
         GWYDDION.replace("nm", "V")
     );
-    let options = ReadOptions::default().overriding_height_unit(1e-9);
+    let options = ReadOptions::default().height(Always(1e-9));
     assert_eq!(heights(&text, &options)[0], 5.0);
 }
 

@@ -14,6 +14,18 @@ impl Writer {
         self
     }
 
+    pub fn u16<const N: usize>(&mut self, values: [u16; N]) -> &mut Self {
+        self.put(values.map(u16::to_le_bytes).concat())
+    }
+
+    pub fn u32<const N: usize>(&mut self, values: [u32; N]) -> &mut Self {
+        self.put(values.map(u32::to_le_bytes).concat())
+    }
+
+    pub fn f32<const N: usize>(&mut self, values: [f32; N]) -> &mut Self {
+        self.put(values.map(f32::to_le_bytes).concat())
+    }
+
     /// Zeros up to offset `at`.
     pub fn to(&mut self, at: usize) -> &mut Self {
         assert!(self.0.len() <= at, "offset {at} is behind {}", self.0.len());
@@ -36,7 +48,7 @@ pub fn npy(descr: &str, is_fortran: bool, shape: &str, data: &[u8]) -> Vec<u8> {
     let order = if is_fortran { "True" } else { "False" };
     let header = format!("{{'descr': '{descr}', 'fortran_order': {order}, 'shape': {shape}, }}\n");
     let mut w = Writer::default();
-    w.put(b"\x93NUMPY\x01\x00").put((header.len() as u16).to_le_bytes()).put(header).put(data);
+    w.put(b"\x93NUMPY\x01\x00").u16([header.len() as u16]).put(header).put(data);
     w.0
 }
 
@@ -53,6 +65,23 @@ pub fn x3p_main(kind: &str, z_axis: &str, record3: &str) -> String {
          <SizeX>7</SizeX><SizeY>5</SizeY><SizeZ>1</SizeZ></MatrixDimension>{record3}\
          </Record3></p:ISO5436_2>"
     )
+}
+
+pub fn floats(values: &[f64]) -> Vec<u8> {
+    values.iter().flat_map(|v| (*v as f32).to_le_bytes()).collect()
+}
+
+pub fn shorts(values: &[f64]) -> Vec<u8> {
+    values.iter().flat_map(|v| (*v as i16).to_le_bytes()).collect()
+}
+
+pub fn words(values: &[f64]) -> Vec<u8> {
+    values.iter().flat_map(|v| (*v as i32).to_le_bytes()).collect()
+}
+
+/// Rows from the bottom upwards.
+pub fn upside_down(values: &[f64]) -> Vec<f64> {
+    values.chunks(NX).rev().flatten().copied().collect()
 }
 
 pub fn doubles(values: &[f64]) -> Vec<u8> {

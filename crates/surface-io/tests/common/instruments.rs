@@ -1,25 +1,8 @@
 //! Samples of instrument formats.
 
-use super::binary::{Writer, doubles};
+use super::binary::{Writer, doubles, floats, shorts, upside_down, words};
 use super::{DX, DY, NX, NY, Sample, points};
 use std::io::Write as _;
-
-fn floats(values: &[f64]) -> Vec<u8> {
-    values.iter().flat_map(|v| (*v as f32).to_le_bytes()).collect()
-}
-
-fn shorts(values: &[f64]) -> Vec<u8> {
-    values.iter().flat_map(|v| (*v as i16).to_le_bytes()).collect()
-}
-
-fn words(values: &[f64]) -> Vec<u8> {
-    values.iter().flat_map(|v| (*v as i32).to_le_bytes()).collect()
-}
-
-/// Rows from the bottom upwards.
-fn upside_down(values: &[f64]) -> Vec<f64> {
-    values.chunks(NX).rev().flatten().copied().collect()
-}
 
 fn sur(is_compressed: bool, bits: u16) -> Vec<u8> {
     // Stored value v is v - 1000 nm; the smallest is 1000, so a missing point is 998.
@@ -27,21 +10,21 @@ fn sur(is_compressed: bool, bits: u16) -> Vec<u8> {
     let data = if bits == 16 { shorts(&stored) } else { words(&stored) };
     let mut w = Writer::default();
     w.put(if is_compressed { b"DSCOMPRESSED" } else { b"DIGITAL SURF" });
-    w.to(14).put(1u16.to_le_bytes()).to(18).put(2u16.to_le_bytes()).put("plate");
-    w.to(86).put(1u16.to_le_bytes()).to(98).put(bits.to_le_bytes());
+    w.to(14).u16([1]).to(18).u16([2]).put("plate");
+    w.to(86).u16([1]).to(98).put(bits.to_le_bytes());
     w.put(1000i32.to_le_bytes()).put(1406i32.to_le_bytes());
-    w.put((NX as i32).to_le_bytes()).put((NY as i32).to_le_bytes());
-    w.to(120).put(2f32.to_le_bytes()).put(3f32.to_le_bytes()).put(1f32.to_le_bytes());
+    w.u32([NX as u32, NY as u32]);
+    w.to(120).f32([2.0, 3.0, 1.0]);
     w.to(164).put("Z").to(180).put(b"\xb5m").to(196).put("um").to(212).put("nm");
-    w.to(306).put([1u16, 2, 3, 4, 5, 2024].map(u16::to_le_bytes).concat());
-    w.to(334).put(6u16.to_le_bytes()).put(3u16.to_le_bytes());
-    w.to(474).put((-1000f32).to_le_bytes()).to(512).put("remark").put("own");
+    w.to(306).u16([1, 2, 3, 4, 5, 2024]);
+    w.to(334).u16([6, 3]);
+    w.to(474).f32([-1000.0]).to(512).put("remark").put("own");
     if is_compressed {
         let mut pack = flate2::write::ZlibEncoder::new(Vec::new(), flate2::Compression::default());
         pack.write_all(&data).unwrap();
         let packed = pack.finish().unwrap();
-        w.put(1u32.to_le_bytes()).put((data.len() as u32).to_le_bytes());
-        w.put((packed.len() as u32).to_le_bytes()).put(packed);
+        w.u32([1, data.len() as u32]);
+        w.u32([packed.len() as u32]).put(packed);
     } else {
         w.put(data);
     }
@@ -52,9 +35,9 @@ fn sdf_binary(version: u8, code: u8, z_scale: f64, data: &[u8]) -> Vec<u8> {
     let mut w = Writer::default();
     w.put(format!("bISO-{version}.0maker")).to(18).put("210120260000").to(30).put("210120260000");
     if version == 1 {
-        w.put((NX as u16).to_le_bytes()).put((NY as u16).to_le_bytes());
+        w.u16([NX as u16, NY as u16]);
     } else {
-        w.put((NX as u32).to_le_bytes()).put((NY as u32).to_le_bytes());
+        w.u32([NX as u32, NY as u32]);
     }
     w.put(doubles(&[DX, DY, z_scale, 0.0])).put([0, code, 0]).put(data);
     w.0
@@ -92,12 +75,12 @@ fn zygo() -> Vec<u8> {
 
 fn opd() -> Vec<u8> {
     let mut data = Writer::default();
-    data.put((NX as u16).to_le_bytes()).put((NY as u16).to_le_bytes()).put(4u16.to_le_bytes());
+    data.u16([NX as u16, NY as u16, 4]);
     let values = points(1e38);
     for ix in 0..NX {
         for iy in (0..NY).rev() {
             // Waves of 500 nm, Mult = 2: nm / 250.
-            data.put(((values[iy * NX + ix] / 250.0) as f32).to_le_bytes());
+            data.f32([(values[iy * NX + ix] / 250.0) as f32]);
         }
     }
     let blocks: [(&str, Vec<u8>); 5] = [
@@ -212,9 +195,9 @@ fn al3d() -> Vec<u8> {
 fn plu() -> Vec<u8> {
     let mut w = Writer::default();
     w.put("21/11/2026 02:00").to(388);
-    w.put((NY as u32).to_le_bytes()).put((NX as u32).to_le_bytes());
-    w.to(404).put(2f32.to_le_bytes()).put(3f32.to_le_bytes()).to(428).put(3u32.to_le_bytes());
-    w.to(489).put([1]).to(500).put((NY as u32).to_le_bytes()).put((NX as u32).to_le_bytes());
+    w.u32([NY as u32, NX as u32]);
+    w.to(404).f32([2.0, 3.0]).to(428).u32([3]);
+    w.to(489).put([1]).to(500).u32([NY as u32, NX as u32]);
     let um: Vec<f64> =
         points(f64::NAN).iter().map(|h| if h.is_nan() { 1000001.0 } else { h * 1e-3 }).collect();
     w.put(floats(&um)).put([0; 8]);
@@ -224,7 +207,7 @@ fn plu() -> Vec<u8> {
 fn nms() -> Vec<u8> {
     let mut w = Writer::default();
     w.to(16).put(doubles(&[0.0, 65.534])).put("OM_MS_2.0").to(1368);
-    w.put((NX as u32).to_le_bytes()).put((NY as u32).to_le_bytes());
+    w.u32([NX as u32, NY as u32]);
     w.put(doubles(&[2000.0, 3000.0])).to(3468).put(shorts(&points(102.0)));
     w.0
 }
@@ -232,7 +215,7 @@ fn nms() -> Vec<u8> {
 fn tmd() -> Vec<u8> {
     let mut w = Writer::default();
     w.put("Binary TrueMap Data File v2.0\r\n").to(32).put("a comment of its own length\0");
-    w.put((NX as u32).to_le_bytes()).put((NY as u32).to_le_bytes());
+    w.u32([NX as u32, NY as u32]);
     w.put(floats(&[0.014, 0.015, 0.0, 0.0]));
     let mm: Vec<f64> = points(f64::NAN).iter().map(|h| h * 1e-6).collect();
     w.put(floats(&mm));
@@ -347,9 +330,9 @@ fn ibw() -> Vec<u8> {
 
 fn frt() -> Vec<u8> {
     let mut w = Writer::default();
-    w.put("FRTM_GLIDERV1.00").put(4u16.to_le_bytes());
+    w.put("FRTM_GLIDERV1.00").u16([4]);
     let mut block = |tag: u16, content: &[u8]| {
-        w.put(tag.to_le_bytes()).put((content.len() as u32).to_le_bytes()).put(content);
+        w.put(tag.to_le_bytes()).u32([content.len() as u32]).put(content);
     };
     block(0x66, &[NX as u32, NY as u32, 16].map(u32::to_le_bytes).concat());
     block(0x67, &doubles(&[NX as f64 * DX, NY as f64 * DY]));

@@ -1,37 +1,17 @@
 //! Samples of the formats of microscopes and profilers that came later than the others.
 
-use super::binary::{Writer, doubles, zip};
+use super::binary::{Writer, doubles, floats, shorts, upside_down, words, zip};
 use super::{DX, DY, NX, NY, Sample, points};
 use std::io::Read as _;
-
-fn words(values: &[f64]) -> Vec<u8> {
-    values.iter().flat_map(|v| (*v as i32).to_le_bytes()).collect()
-}
-
-fn shorts(values: &[f64]) -> Vec<u8> {
-    values.iter().flat_map(|v| (*v as i16).to_le_bytes()).collect()
-}
-
-fn floats(values: &[f64]) -> Vec<u8> {
-    values.iter().flat_map(|v| (*v as f32).to_le_bytes()).collect()
-}
-
-/// Rows from the bottom upwards.
-fn upside_down(values: &[f64]) -> Vec<f64> {
-    values.chunks(NX).rev().flatten().copied().collect()
-}
 
 /// Header, conditions at 84, a height image at 500; 1 pm is a tenth of the step.
 fn vk4() -> Vec<u8> {
     let mut w = Writer::default();
-    w.put("VK4_").to(12).put(84u32.to_le_bytes()).to(36).put(500u32.to_le_bytes());
-    w.to(84)
-        .put(664u32.to_le_bytes())
-        .put([2026u32, 11, 22, 1, 2, 3].map(u32::to_le_bytes).concat());
-    w.to(84 + 168).put(2_000_000u32.to_le_bytes()).put(3_000_000u32.to_le_bytes());
-    w.put(100u32.to_le_bytes());
-    w.to(500)
-        .put([NX as u32, NY as u32, 32, 0, 4 * (NX * NY) as u32].map(u32::to_le_bytes).concat());
+    w.put("VK4_").to(12).u32([84]).to(36).u32([500]);
+    w.to(84).u32([664, 2026, 11, 22, 1, 2, 3]);
+    w.to(84 + 168).u32([2_000_000, 3_000_000]);
+    w.u32([100]);
+    w.to(500).u32([NX as u32, NY as u32, 32, 0, 4 * (NX * NY) as u32]);
     let stored: Vec<f64> = points(102.0).iter().map(|h| 10.0 * h).collect();
     w.to(500 + 796).put(words(&stored));
     w.0
@@ -39,7 +19,7 @@ fn vk4() -> Vec<u8> {
 
 fn vk6() -> Vec<u8> {
     let mut w = Writer::default();
-    w.put("VK6").put(8u32.to_le_bytes()).put("BMBMBMBM").put(zip(&[("Vk4File", &vk4())]));
+    w.put("VK6").u32([8]).put("BMBMBMBM").put(zip(&[("Vk4File", &vk4())]));
     w.0
 }
 
@@ -57,8 +37,8 @@ fn plux() -> Vec<u8> {
 
 fn zmg() -> Vec<u8> {
     let mut w = Writer::default();
-    w.put("Zeta-Instruments").to(85).put((NX as u32).to_le_bytes()).put((NY as u32).to_le_bytes());
-    w.to(97).put(floats(&[2.0, 3.0, 1e-3])).to(117).put(4u32.to_le_bytes()).to(205).put("note");
+    w.put("Zeta-Instruments").to(85).u32([NX as u32, NY as u32]);
+    w.to(97).put(floats(&[2.0, 3.0, 1e-3])).to(117).u32([4]).to(205).put("note");
     w.put(shorts(&points(102.0)));
     w.0
 }
@@ -92,9 +72,9 @@ fn sxm() -> Vec<u8> {
 fn tiff(pages: &[Vec<Entry>]) -> Vec<u8> {
     let directories: usize = pages.iter().map(|page| 6 + 12 * page.len()).sum();
     let (mut head, mut tail) = (Writer::default(), Vec::new());
-    head.put(b"II*\0").put(8u32.to_le_bytes());
+    head.put(b"II*\0").u32([8]);
     for (i, page) in pages.iter().enumerate() {
-        head.put((page.len() as u16).to_le_bytes());
+        head.u16([page.len() as u16]);
         for (tag, kind, count, value) in page {
             head.put(tag.to_le_bytes()).put(kind.to_le_bytes()).put(count.to_le_bytes());
             let mut inline = value.clone();
@@ -106,7 +86,7 @@ fn tiff(pages: &[Vec<Entry>]) -> Vec<u8> {
             head.put(inline);
         }
         let next = if i + 1 < pages.len() { head.0.len() + 4 } else { 0 };
-        head.put((next as u32).to_le_bytes());
+        head.u32([next as u32]);
     }
     head.put(tail);
     head.0
@@ -225,12 +205,9 @@ fn jpk() -> Vec<u8> {
 fn park() -> Vec<u8> {
     let wide = |text: &str| text.encode_utf16().flat_map(u16::to_le_bytes).collect::<Vec<u8>>();
     let mut h = Writer::default();
-    h.to(4)
-        .put(wide("Z Height"))
-        .to(100)
-        .put([NX as u32, NY as u32].map(u32::to_le_bytes).concat());
+    h.to(4).put(wide("Z Height")).to(100).u32([NX as u32, NY as u32]);
     h.to(140).put(doubles(&[14.0, 15.0])).to(220).put(doubles(&[0.5, 2e-3, 7.0])).put(wide("um"));
-    h.to(348).put(2u32.to_le_bytes()).to(580);
+    h.to(348).u32([2]).to(580);
     let data = floats(&upside_down(&points(f64::NAN)));
     tiff(&[vec![
         (50432, 4, 1, 0x0E03_1301u32.to_le_bytes().to_vec()),
@@ -258,15 +235,15 @@ fn lext() -> Vec<u8> {
     let place = file.windows(4).position(|w| w == [0x69, 0x87, 4, 0]).unwrap() + 8;
     file[place..place + 4].copy_from_slice(&at.to_le_bytes());
     let mut w = Writer(file);
-    w.put(1u16.to_le_bytes()).put(41995u16.to_le_bytes()).put(7u16.to_le_bytes());
-    w.put((exif.len() as u32).to_le_bytes()).put((at + 18).to_le_bytes()).put(0u32.to_le_bytes());
+    w.u16([1, 41995, 7]);
+    w.u32([exif.len() as u32]).put((at + 18).to_le_bytes()).u32([0]);
     w.put(exif);
     w.0
 }
 
 fn mdt_file(frames: &[Vec<u8>]) -> Vec<u8> {
     let mut w = Writer::default();
-    w.put([1, 0xb0, 0x93, 0xff]).to(12).put((frames.len() as u16 - 1).to_le_bytes()).to(33);
+    w.put([1, 0xb0, 0x93, 0xff]).to(12).u16([frames.len() as u16 - 1]).to(33);
     for frame in frames {
         w.put(frame);
     }
@@ -277,7 +254,7 @@ fn mdt_file(frames: &[Vec<u8>]) -> Vec<u8> {
 fn mdt_scan() -> Vec<u8> {
     let frame = |kind: u16, variables: u16, content: &[u8]| {
         let mut w = Writer::default();
-        w.put((22 + content.len() as u32).to_le_bytes()).put(kind.to_le_bytes()).to(20);
+        w.u32([22 + content.len() as u32]).put(kind.to_le_bytes()).to(20);
         w.put(variables.to_le_bytes()).put(content);
         w.0
     };
@@ -286,23 +263,23 @@ fn mdt_scan() -> Vec<u8> {
     };
     let mut w = Writer::default();
     w.put(axis(0.0, 2.0, -2)).put(axis(0.0, -3.0, -2)).put(axis(100.0, 0.5, -1)).put([0]).to(77);
-    w.put([0, 0]).put([NX as u16, NY as u16, 0].map(u16::to_le_bytes).concat());
+    w.put([0, 0]).u16([NX as u16, NY as u16, 0]);
     let stored: Vec<f64> = upside_down(&points(102.0)).iter().map(|h| (h - 100.0) * 2.0).collect();
-    w.put(shorts(&stored)).put(5u32.to_le_bytes()).put("title");
+    w.put(shorts(&stored)).u32([5]).put("title");
     mdt_file(&[frame(3, 0, b"text"), frame(0, 77, &w.0)])
 }
 
 fn mdt_map() -> Vec<u8> {
     let calibration = |unit: &str, bias: f64, scale: f64, last: u64, kind: i32| {
         let mut w = Writer::default();
-        w.put((88 + unit.len() as u32).to_le_bytes()).put(80u32.to_le_bytes());
-        w.to(16).put((unit.len() as u32).to_le_bytes()).to(44).put(doubles(&[bias, scale]));
+        w.u32([88 + unit.len() as u32, 80]);
+        w.to(16).u32([unit.len() as u32]).to(44).put(doubles(&[bias, scale]));
         w.to(68).put(last.to_le_bytes()).put(kind.to_le_bytes()).to(88).put(unit);
         w.0
     };
     let mut w = Writer::default();
-    w.to(4).put(106u16.to_le_bytes()).to(66).put(4u32.to_le_bytes()).to(98).put("Topo").to(106);
-    w.put(20u32.to_le_bytes()).to(122).put([2u32, 1].map(u32::to_le_bytes).concat());
+    w.to(4).u16([106]).to(66).u32([4]).to(98).put("Topo").to(106);
+    w.u32([20]).to(122).u32([2, 1]);
     w.put(calibration("um", 0.0, 2.0, NX as u64 - 1, -8));
     w.put(calibration("um", 0.0, 3.0, NY as u64 - 1, -8));
     w.put(calibration("nm", 100.0, 0.5, 0, -5892));
@@ -343,10 +320,7 @@ fn zon(is_packed: bool) -> Vec<u8> {
         ("686613b8-27b5-4a29-8ffc-438c2780873e", &pack(xml.as_bytes())),
     ]);
     let mut w = Writer::default();
-    w.put(if is_packed { "KPK1" } else { "KPK0" })
-        .put(6u32.to_le_bytes())
-        .put("BMBMBM")
-        .put(archive);
+    w.put(if is_packed { "KPK1" } else { "KPK0" }).u32([6]).put("BMBMBM").put(archive);
     w.0
 }
 

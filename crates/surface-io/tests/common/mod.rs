@@ -15,7 +15,7 @@ pub mod microscopes;
 pub mod mountains;
 pub mod olympus;
 
-use surface_io::{Measurement, ReadOptions};
+use surface_io::{HeightUnit, Layout, Measurement, ReadError, ReadOptions, read_bytes};
 
 pub const NY: usize = 5;
 pub const NX: usize = 7;
@@ -71,9 +71,54 @@ impl Sample {
     }
 
     pub fn with_unit(mut self, metres: f64) -> Self {
-        self.options = self.options.with_height_unit(metres);
+        self.options.height_unit = Some(HeightUnit::IfSilent(metres));
         self
     }
+}
+
+/// Options that say more.
+pub trait Say: Sized {
+    fn and(self, say: impl FnOnce(&mut ReadOptions)) -> Self;
+
+    fn channel(self, name: &str) -> Self {
+        self.and(|options| options.channel = Some(name.into()))
+    }
+
+    fn layout(self, layout: Layout) -> Self {
+        self.and(|options| options.layout = Some(layout))
+    }
+
+    fn lateral(self, metres: f64) -> Self {
+        self.and(|options| options.lateral_unit = Some(metres))
+    }
+
+    fn height(self, unit: HeightUnit) -> Self {
+        self.and(|options| options.height_unit = Some(unit))
+    }
+}
+
+impl Say for ReadOptions {
+    fn and(mut self, say: impl FnOnce(&mut ReadOptions)) -> Self {
+        say(&mut self);
+        self
+    }
+}
+
+/// What is read with nothing said.
+pub fn unaided(bytes: impl AsRef<[u8]>) -> Result<Measurement, ReadError> {
+    read_bytes(bytes.as_ref(), &ReadOptions::default())
+}
+
+/// With this pixel and height unit (m) where the file is silent.
+pub fn scaled(pixel: f64, height: f64) -> ReadOptions {
+    let height_unit = Some(HeightUnit::IfSilent(height));
+    ReadOptions { pixel: Some([pixel; 2]), height_unit, ..ReadOptions::default() }
+}
+
+/// With these units of x and y and of the heights (m) where the file is silent.
+pub fn units(lateral: f64, height: f64) -> ReadOptions {
+    let height_unit = Some(HeightUnit::IfSilent(height));
+    ReadOptions { lateral_unit: Some(lateral), height_unit, ..ReadOptions::default() }
 }
 
 /// Panics unless `found` is the sample surface, as exactly as an f32 can say it.

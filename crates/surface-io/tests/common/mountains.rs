@@ -14,8 +14,8 @@ pub fn ole(streams: &[(&str, &[u8])], shift: u16) -> Vec<u8> {
     let entry = |name: &str, kind: u8, start: u32, length: usize| {
         let mut w = Writer::default();
         let name: Vec<u8> = name.encode_utf16().chain([0]).flat_map(u16::to_le_bytes).collect();
-        w.put(&name).to(64).put((name.len() as u16).to_le_bytes()).put([kind, 1]);
-        w.put([FREE; 3].map(u32::to_le_bytes).concat());
+        w.put(&name).to(64).u16([name.len() as u16]).put([kind, 1]);
+        w.u32([FREE; 3]);
         w.to(116).put(start.to_le_bytes()).put((length as u64).to_le_bytes());
         w.0
     };
@@ -55,7 +55,7 @@ pub fn ole(streams: &[(&str, &[u8])], shift: u16) -> Vec<u8> {
     table.resize(size / 4, FREE);
     let mut w = Writer::default();
     w.put(b"\xd0\xcf\x11\xe0\xa1\xb1\x1a\xe1").to(24);
-    w.put([0x3e, if shift == 9 { 3 } else { 4 }, 0xfffe, shift, 6].map(u16::to_le_bytes).concat());
+    w.u16([0x3e, if shift == 9 { 3 } else { 4 }, 0xfffe, shift, 6]);
     w.to(44).put(words(&[1, 1, 0, 4096, first_small, u32::from(!small.is_empty()), END, 0, 0]));
     w.put(words(&[FREE; 108])).to(size);
     w.put(words(&table)).put(entries.concat()).to(3 * size).put(data.0);

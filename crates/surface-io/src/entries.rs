@@ -1,0 +1,72 @@
+//! What a header says, key by key.
+
+use crate::encoding::lines;
+use crate::error::ReadError;
+use crate::format::Format;
+use crate::limits::Limits;
+use std::collections::BTreeMap;
+use std::str::FromStr;
+
+/// The entries of a header, by key.
+#[derive(Clone, Copy)]
+pub(crate) struct Entries<'e> {
+    format: Format,
+    map: &'e BTreeMap<String, String>,
+    /// What the refusal of a file without an entry says.
+    absent: &'static str,
+}
+
+impl<'e> Entries<'e> {
+    pub(crate) fn new(
+        format: Format,
+        map: &'e BTreeMap<String, String>,
+        absent: &'static str,
+    ) -> Self {
+        Self { format, map, absent }
+    }
+
+    pub(crate) fn get(self, key: &str) -> Option<&'e str> {
+        self.map.get(key).map(String::as_str)
+    }
+
+    pub(crate) fn text(self, key: &str) -> Result<&'e str, ReadError> {
+        self.get(key).ok_or_else(|| self.format.field(key.to_owned(), self.absent))
+    }
+
+    pub(crate) fn number(self, key: &str) -> Result<f64, ReadError> {
+        self.parsed(key, "number")
+    }
+
+    pub(crate) fn number_or(self, key: &str, default: f64) -> Result<f64, ReadError> {
+        if self.map.contains_key(key) { self.number(key) } else { Ok(default) }
+    }
+
+    /// The text as what it is called in the refusal of another one.
+    pub(crate) fn parsed<T: FromStr>(self, key: &str, what: &str) -> Result<T, ReadError> {
+        let text = self.text(key)?;
+        let fault = |_| self.format.field(key.to_owned(), format!("{text:?} is no {what}"));
+        text.parse().map_err(fault)
+    }
+}
+
+/// The entries of a header in sections: `[section]` and `key BETWEEN value`, each on a line.
+pub(crate) fn sections(
+    header: &str,
+    between: &str,
+    format: Format,
+    limits: &Limits,
+) -> Result<BTreeMap<String, BTreeMap<String, String>>, ReadError> {
+    let mut sections = BTreeMap::<String, BTreeMap<String, String>>::new();
+    let mut name = "";
+    for (number, line) in lines(header) {
+        limits.check_items(format, number as u64)?;
+        let line = line.trim();
+        if let Some(section) = line.strip_prefix('[').and_then(|line| line.strip_suffix(']')) {
+            name = section;
+        } else if let Some((key, value)) = line.split_once(between) {
+            let section = sections.entry(name.to_owned()).or_default();
+            section.insert(key.trim().to_owned(), value.trim().to_owned());
+        }
+    }
+    Ok(sections)
+}
