@@ -180,7 +180,11 @@ fn compare(m: &Measurement, expected: &Value, note: &str) -> Result<String, Stri
     let mut note = format!("{}: {note}", m.format());
     let [ny, nx] = m.grid().shape();
     let [dy, dx] = m.grid().pixel();
-    let found = Statistics::of(m);
+    let (min, max, mean) = m.height_summary().unwrap_or((f64::NAN, f64::NAN, f64::NAN));
+    let valid = || m.heights().iter().filter(|h| !h.is_nan()).map(|h| h - mean);
+    let n = valid().count() as f64;
+    let mean_abs = valid().map(f64::abs).sum::<f64>() / n;
+    let rms = (valid().map(|h| h * h).sum::<f64>() / n).sqrt();
     for (key, value) in [("rows", ny), ("cols", nx), ("n", ny * nx), ("n_undefined", m.missing())] {
         if let Some(wanted) = number(key)
             && wanted as usize != value
@@ -188,21 +192,16 @@ fn compare(m: &Measurement, expected: &Value, note: &str) -> Result<String, Stri
             return Err(format!("{note}{key} = {value}, expected {wanted}"));
         }
     }
-    let range = found.max - found.min;
+    let range = max - min;
     // f64 rounding of the sums, on top of 1e-9 of the relief; f32 files say so in their note.
-    let rounding = 8.0 * f64::EPSILON * found.max.abs().max(found.min.abs());
+    let rounding = 8.0 * f64::EPSILON * max.abs().max(min.abs());
     // The scale of SUR is an f32.
     let scale = if m.format() == Format::Sur { f64::from(f32::EPSILON) / 2.0 } else { TOLERANCE };
     let tolerance = (scale * range).max(half_quantum(m)) + rounding;
     let mut worst: f64 = 0.0;
-    for (key, value) in [
-        ("min", found.min),
-        ("max", found.max),
-        ("mean", found.mean),
-        ("Sa", found.mean_abs),
-        ("Sq", found.rms),
-        ("Rq", found.rms),
-    ] {
+    for (key, value) in
+        [("min", min), ("max", max), ("mean", mean), ("Sa", mean_abs), ("Sq", rms), ("Rq", rms)]
+    {
         if let Some(wanted) = number(key) {
             let error = (value - wanted).abs();
             if error > tolerance {
@@ -227,11 +226,10 @@ fn compare(m: &Measurement, expected: &Value, note: &str) -> Result<String, Stri
         }
     }
     if !is_profile {
-        for (key, value) in [("rms_slope_x_fwd", found.slope_x), ("rms_slope_y_fwd", found.slope_y)]
-        {
-            if let Some(wanted) = number(key)
-                && (value - wanted).abs() > 1e-8 * wanted + 2.0 * tolerance / dx.min(dy)
-            {
+        for (key, step, pitch) in [("rms_slope_x_fwd", 1, dx), ("rms_slope_y_fwd", nx, dy)] {
+            let Some(wanted) = number(key) else { continue };
+            let value = rms_slope(m, step, pitch);
+            if (value - wanted).abs() > 1e-8 * wanted + 2.0 * tolerance / dx.min(dy) {
                 return Err(format!("{note}{key} = {value:e}, expected {wanted:e}"));
             }
         }
@@ -258,44 +256,16 @@ fn half_quantum(m: &Measurement) -> f64 {
     steps.fold(range, f64::min) / 2.0
 }
 
-struct Statistics {
-    min: f64,
-    max: f64,
-    mean: f64,
-    mean_abs: f64,
-    rms: f64,
-    slope_x: f64,
-    slope_y: f64,
-}
-
-impl Statistics {
-    fn of(m: &Measurement) -> Self {
-        let h = m.heights();
-        let [_, nx] = m.grid().shape();
-        let [dy, dx] = m.grid().pixel();
-        let (min, max, mean) = m.height_summary().unwrap_or((f64::NAN, f64::NAN, f64::NAN));
-        let valid = || h.iter().filter(|h| !h.is_nan()).map(|h| h - mean);
-        let n = valid().count() as f64;
-        // Forward differences over pairs of valid points.
-        let slope = |step: usize, pitch: f64| {
-            let (mut sum, mut count) = (0.0, 0.0);
-            for i in 0..h.len().saturating_sub(step) {
-                let difference = (h[i + step] - h[i]) / pitch;
-                if (step > 1 || (i + 1) % nx != 0) && !difference.is_nan() {
-                    sum += difference * difference;
-                    count += 1.0;
-                }
-            }
-            f64::sqrt(sum / count)
-        };
-        Self {
-            min,
-            max,
-            mean,
-            mean_abs: valid().map(f64::abs).sum::<f64>() / n,
-            rms: (valid().map(|h| h * h).sum::<f64>() / n).sqrt(),
-            slope_x: slope(1, dx),
-            slope_y: slope(nx, dy),
+/// Root mean square of the forward differences over pairs of valid points `step` apart.
+fn rms_slope(m: &Measurement, step: usize, pitch: f64) -> f64 {
+    let (h, [_, nx]) = (m.heights(), m.grid().shape());
+    let (mut sum, mut count) = (0.0, 0.0);
+    for i in 0..h.len().saturating_sub(step) {
+        let difference = (h[i + step] - h[i]) / pitch;
+        if (step > 1 || (i + 1) % nx != 0) && !difference.is_nan() {
+            sum += difference * difference;
+            count += 1.0;
         }
     }
+    f64::sqrt(sum / count)
 }

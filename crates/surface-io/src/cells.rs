@@ -1,6 +1,6 @@
 //! One cell of a table: separators, decimal marks, missing values, printed digits.
 
-use crate::layout::DecimalMark;
+use crate::need::DecimalMark;
 use crate::units::metres_per;
 
 /// What stands between two numbers.
@@ -66,30 +66,8 @@ impl Written<'_> {
 
     /// True if a cell of these words marks a missing point.
     pub(crate) fn is_missing(&self, text: &str) -> bool {
-        const WORDS: [&str; 22] = [
-            "",
-            "na",
-            "n/a",
-            "n.a.",
-            "null",
-            "none",
-            "bad",
-            "nodata",
-            "no data",
-            "no_data",
-            "missing",
-            "invalid",
-            "undefined",
-            "void",
-            "masked",
-            "nan",
-            "#n/a",
-            "#nv",
-            "#num!",
-            "#value!",
-            "#wert!",
-            "#div/0!",
-        ];
+        const WORDS: &str = "na|n/a|n.a.|null|none|bad|nodata|no data|no_data|missing|invalid|\
+                             undefined|void|masked|nan|#n/a|#nv|#num!|#value!|#wert!|#div/0!";
         let is_drawn = |text: &str| {
             text.len() <= 12
                 && text
@@ -107,7 +85,7 @@ impl Written<'_> {
         };
         is_drawn(text)
             || text.len() <= 24
-                && (WORDS.iter().any(|word| text.eq_ignore_ascii_case(word)) || is_nan())
+                && (WORDS.split('|').any(|word| text.eq_ignore_ascii_case(word)) || is_nan())
             || self.words().any(|mark| text.eq_ignore_ascii_case(mark))
     }
 }

@@ -1,8 +1,7 @@
 //! Why a file gives no surface.
 
 use crate::format::Format;
-use crate::layout::Layout;
-use crate::need::{Ambiguity, Need};
+use crate::need::{Layout, Need};
 use contact_types::Named;
 use std::borrow::Cow;
 use std::path::PathBuf;
@@ -153,14 +152,6 @@ pub enum ReadError {
         /// Why that cannot be.
         reason: Cow<'static, str>,
     },
-    /// Columns of a text that were read in one way and may be meant in another.
-    #[error("{source} ({ambiguity})")]
-    Ambiguous {
-        /// Why that reading failed.
-        source: Box<ReadError>,
-        /// The reading, and the other one.
-        ambiguity: Ambiguity,
-    },
     /// No channel of this name.
     #[error("{format}: no channel {asked:?}; the file has {available}")]
     NoSuchChannel {
@@ -226,7 +217,7 @@ impl ReadError {
             Self::BadOption { .. } => "bad_option",
             Self::BadLayout { .. } => "bad_layout",
             Self::NotANumber { .. } => "not_a_number",
-            Self::Ambiguous { .. } | Self::TwoReadings { .. } => "ambiguous",
+            Self::TwoReadings { .. } => "ambiguous",
             Self::NoSuchChannel { .. } => "no_such_channel",
             Self::NotHeight { .. } => "not_height",
             Self::Crop { .. } | Self::NothingComplete { .. } => "crop",
@@ -245,7 +236,6 @@ impl ReadError {
             }
             Self::NotANumber { .. } => vec![Need::MissingMark],
             Self::Limit { .. } => vec![Need::Limits],
-            Self::Ambiguous { ambiguity, .. } => ambiguity.needs(),
             Self::BadOption { given, .. } => vec![*given],
             _ => Vec::new(),
         }

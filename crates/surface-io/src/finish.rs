@@ -108,16 +108,13 @@ pub(crate) fn finish(
     // A file that says what its unit is and means this is damaged; numbers whose unit was given
     // may be anything.
     let highest = if options.height_unit.is_none() { HIGHEST } else { f64::MAX };
-    let mut missing = 0;
     for (i, height) in heights.iter_mut().enumerate() {
         // The largest number of single precision is no height: instruments mark missing points with it.
         if height.is_finite() && height.abs() >= LARGEST {
             *height = f64::NAN;
         }
         *height *= scale;
-        if height.is_nan() {
-            missing += 1;
-        } else if height.abs() > highest {
+        if height.abs() > highest {
             let [_, nx] = grid.shape();
             let what = format!(
                 "the height is {height:e} m; if it marks missing points, give --missing and that number"
@@ -126,18 +123,13 @@ pub(crate) fn finish(
         }
     }
     Ok(Measurement {
-        grid,
-        heights,
-        missing,
-        format,
         channel: channel.name,
         channels,
         metadata,
-        is_profile: channel.is_profile,
         uneven: channel.uneven,
         positions: channel.places.map(|x| x.into_iter().map(|x| x * pixel[1]).collect()),
         ambiguity: channel.ambiguity,
-        cropped: None,
+        ..Measurement::bare(grid, heights, format)
     })
 }
 

@@ -25,7 +25,7 @@ pub(crate) fn fill(grid: Grid, heights: &mut [f64]) -> Result<(), FillError> {
     let [ny, nx] = grid.shape();
     let holes: Vec<u32> =
         (0..heights.len()).filter(|&i| heights[i].is_nan()).map(|i| i as u32).collect();
-    let (finest, right) = Level::finest(grid, heights, &holes);
+    let (finest, right) = GridLevel::finest(grid, heights, &holes);
     // Heights are counted from the middle of the rim, so that a common offset costs no digits.
     let rim = rim(&right.values);
     let Some((low, high)) = rim else { return Ok(()) };
@@ -57,7 +57,7 @@ struct Right {
 }
 
 /// One grid: every unknown with its bonds to the west, east, north and south.
-struct Level {
+struct GridLevel {
     neighbours: Vec<[u32; 4]>,
     bonds: Vec<[f64; 4]>,
     /// Bonds to valid points along x and y.
@@ -69,7 +69,7 @@ struct Level {
     b: Vec<f64>,
 }
 
-impl Level {
+impl GridLevel {
     fn new(neighbours: Vec<[u32; 4]>, bonds: Vec<[f64; 4]>, pins: Vec<[f64; 2]>) -> Self {
         let diagonal =
             bonds.iter().zip(&pins).map(|(w, p)| w.iter().sum::<f64>() + p[0] + p[1]).collect();
@@ -194,11 +194,11 @@ fn fluxes([dy, dx]: [f64; 2]) -> [f64; 2] {
 }
 
 struct Multigrid {
-    levels: Vec<Level>,
+    levels: Vec<GridLevel>,
 }
 
 impl Multigrid {
-    fn new(finest: Level, mut shape: [usize; 2], pixel: [f64; 2], holes: &[u32]) -> Self {
+    fn new(finest: GridLevel, mut shape: [usize; 2], pixel: [f64; 2], holes: &[u32]) -> Self {
         let mut levels = vec![finest];
         let mut cells = holes.to_vec();
         let [mut wx, mut wy] = fluxes(pixel);
@@ -226,7 +226,7 @@ impl Multigrid {
     }
 
     /// One W-cycle on level `l`: `x = B b`, symmetric.
-    fn cycle(levels: &mut [Level]) {
+    fn cycle(levels: &mut [GridLevel]) {
         let [level, coarser @ ..] = levels else { return };
         level.x.fill(0.0);
         if coarser.is_empty() {

@@ -2,7 +2,7 @@
 
 use crate::cells::Separator;
 use crate::meaning::{self, UNUSED};
-use crate::text::Table;
+use crate::text::NumberTable;
 use crate::units::{length, metres_per, quantity};
 use std::collections::BTreeMap;
 
@@ -83,27 +83,17 @@ impl Header {
 
     /// Rows and columns that the header declares.
     pub(crate) fn counts(&self) -> [Option<usize>; 2] {
-        const ROWS: [&str; 8] =
-            ["rows", "nrows", "number of rows", "vertical", "ny", "yres", "y pixels", "y-pixels"];
-        const COLUMNS: [&str; 9] = [
-            "columns",
-            "cols",
-            "ncols",
-            "number of columns",
-            "horizontal",
-            "nx",
-            "xres",
-            "x pixels",
-            "x-pixels",
-        ];
+        const ROWS: &str = "rows|nrows|number of rows|vertical|ny|yres|y pixels|y-pixels";
+        const COLUMNS: &str =
+            "columns|cols|ncols|number of columns|horizontal|nx|xres|x pixels|x-pixels";
         let bare =
             |text: &str| text.trim_matches(|c: char| c == '"' || c.is_whitespace()).to_lowercase();
-        let count = |names: &[&str]| {
-            let mut said =
-                self.metadata.iter().filter(|(key, _)| names.contains(&bare(key).as_str()));
+        let count = |names: &str| {
+            let is_one = |key: &str| names.split('|').any(|name| name == bare(key));
+            let mut said = self.metadata.iter().filter(|(key, _)| is_one(key));
             said.find_map(|(_, value)| bare(value).parse().ok())
         };
-        [count(&ROWS), count(&COLUMNS)]
+        [count(ROWS), count(COLUMNS)]
     }
 
     /// True if these lines can be the header of a channel.
@@ -115,29 +105,27 @@ impl Header {
             || self.pixel.is_some()
     }
 
-    pub(crate) fn parse(table: &Table<'_>) -> Self {
+    pub(crate) fn parse(table: &NumberTable<'_>) -> Self {
         let mut header = Self::default();
         let lines: Vec<(String, String)> =
             table.header.iter().filter_map(|(_, line)| key_value(line)).collect();
         let has = |key: &str, value: &str| {
             lines.iter().any(|(k, v)| k.eq_ignore_ascii_case(key) && v.starts_with(value))
         };
-        let program = Program {
-            is_keyence: has("data type", "ImageDataCsv")
-                || has("model", "VK-")
-                || has("model", "VR-"),
-            is_spip: has("file format", "ASCII"),
-        };
+        let is_keyence =
+            has("data type", "ImageDataCsv") || has("model", "VK-") || has("model", "VR-");
+        // Image Metrology's SPIP and what writes its form: lengths are in nm.
+        let is_spip = has("file format", "ASCII");
         // Lengths as written; a unit may stand in another line.
         let mut said: Vec<(Key, &str, &str)> = Vec::new();
         let mut unused = Vec::new();
         for (key, value) in &lines {
             let name = key.to_lowercase();
             let number = || value.replace(',', ".").parse::<f64>().ok();
-            let known = program.key(&name).or_else(|| {
-                KEYS.iter()
-                    .find(|(_, names)| names.split('|').any(|one| one == name))
-                    .map(|(key, _)| *key)
+            let own = if is_keyence { keyence_key(&name) } else { None };
+            let known = own.or_else(|| {
+                let is_one = |names: &str| names.split('|').any(|one| one == name);
+                KEYS.iter().find(|(_, names)| is_one(names)).map(|(key, _)| *key)
             });
             match (known, &name[..]) {
                 (Some(Key::Channel), _) => header.channel = Some(value.clone()),
@@ -147,12 +135,7 @@ impl Header {
                     let line = header.value_line.get_or_insert([1.0, 0.0]);
                     line[usize::from(name == "bias data")] = number().unwrap_or_default();
                 }
-                (None, name)
-                    if name.contains("conversion factor")
-                        && name.replace(' ', "").ends_with("(->m)") =>
-                {
-                    header.value_scale = number();
-                }
+                (None, name) if is_spip_scale(name) => header.value_scale = number(),
                 _ if meaning::is_scale(&name, value) && !table.counts(value) => {
                     unused.push(format!("{key} = {value}"));
                 }
@@ -164,7 +147,7 @@ impl Header {
         let x_unit = last(Key::UnitX).or(last(Key::UnitLateral));
         let y_unit = last(Key::UnitY).or(last(Key::UnitLateral)).or(x_unit);
         header.lateral_unit = x_unit.map(str::to_owned);
-        let total = program.is_spip.then_some("nm");
+        let total = is_spip.then_some("nm");
         let metres = |text: Option<&str>, unit: Option<&str>| {
             let text = text?.replace(',', ".");
             length(&text).or_else(|| {
@@ -213,7 +196,7 @@ impl Header {
     }
 
     /// Titles and units of the columns from the last two lines before the numbers.
-    fn titles(&mut self, table: &Table<'_>) {
+    fn titles(&mut self, table: &NumberTable<'_>) {
         let last = table.header.len().saturating_sub(2);
         for (_, line) in &table.header[last..] {
             let line = line.trim().trim_start_matches(['#', '%', '!', '/', ' ']);
@@ -246,27 +229,21 @@ impl Header {
     }
 }
 
-/// Programs whose headers have keys of their own.
-struct Program {
-    /// The export of a laser microscope: every cell between quotation marks, in the language of
-    /// the program.
-    is_keyence: bool,
-    /// Image Metrology's SPIP and what writes its form: lengths are in nm.
-    is_spip: bool,
+/// What a key in lower case means in the export of a Keyence microscope and nowhere else: every cell
+/// stands between quotation marks, in the language of the program.
+fn keyence_key(name: &str) -> Option<Key> {
+    const UNIT: [&str; 7] = ["unit", "einheit", "unité", "unità", "unidad", "单位", "単位"];
+    match name {
+        "output image data" => Some(Key::Channel),
+        _ if UNIT.contains(&name) => Some(Key::UnitValue),
+        _ if name.starts_with("xy") || name.ends_with("xy") => Some(Key::Pixel),
+        _ => None,
+    }
 }
 
-impl Program {
-    /// What a key in lower case means in this program and no other.
-    fn key(&self, name: &str) -> Option<Key> {
-        const UNIT: [&str; 7] = ["unit", "einheit", "unité", "unità", "unidad", "单位", "単位"];
-        let is_xy = name.starts_with("xy") || name.ends_with("xy");
-        match name {
-            "output image data" if self.is_keyence => Some(Key::Channel),
-            _ if self.is_keyence && UNIT.contains(&name) => Some(Key::UnitValue),
-            _ if self.is_keyence && is_xy => Some(Key::Pixel),
-            _ => None,
-        }
-    }
+/// "height conversion factor (-> m)".
+fn is_spip_scale(name: &str) -> bool {
+    name.contains("conversion factor") && name.replace(' ', "").ends_with("(->m)")
 }
 
 /// "key: value", "key = value", cells between quotation marks, or "key value" for the two words of
@@ -408,11 +385,7 @@ mod tests {
         let text = format!("# pixel size: 1 um\n# z unit: nm\n# z calibration: 2.5\n{ROWS}");
         let found = read(&text).unwrap();
         assert_eq!(found.metadata()[crate::meaning::UNUSED], "z calibration = 2.5");
-        assert!(
-            !read(&text.replace("2.5", "none"))
-                .unwrap()
-                .metadata()
-                .contains_key(crate::meaning::UNUSED)
-        );
+        let found = read(&text.replace("2.5", "none")).unwrap();
+        assert!(!found.metadata().contains_key(crate::meaning::UNUSED));
     }
 }

@@ -38,7 +38,6 @@ impl Limits {
     }
 
     /// Refuses to unpack more than `unpacked_bytes`.
-    #[cfg(feature = "zip")]
     pub(crate) fn check_unpacked(&self, format: Format, value: u64) -> Result<(), ReadError> {
         check(format, "unpacked bytes", value, self.unpacked_bytes)
     }

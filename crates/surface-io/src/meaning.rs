@@ -9,27 +9,11 @@ pub(crate) const UNUSED: &str = "sizes, scales and units not used";
 /// True if an entry of a header looks like a size, a scale or a unit: a number with a unit of length, or
 /// a key that says so beside a number other than 0 or a unit.
 pub(crate) fn is_scale(key: &str, value: &str) -> bool {
-    const WORDS: [&str; 16] = [
-        "length",
-        "width",
-        "size",
-        "spacing",
-        "step",
-        "pixel",
-        "scale",
-        "unit",
-        "resolution",
-        "calibration",
-        "factor",
-        "pitch",
-        "increment",
-        "interval",
-        "sampling",
-        "einheit",
-    ];
+    const WORDS: &str = "length width size spacing step pixel scale unit resolution calibration \
+                         factor pitch increment interval sampling einheit";
     const NAMES: [&str; 6] = ["dx", "dy", "dz", "px", "res", "sx"];
     let key = key.to_lowercase();
-    let says = WORDS.iter().any(|word| key.contains(word)) || NAMES.contains(&key.as_str());
+    let says = WORDS.split(' ').any(|word| key.contains(word)) || NAMES.contains(&key.as_str());
     let value = value.replace(',', ".");
     match quantity(&value) {
         Some((number, unit)) => {
@@ -41,25 +25,12 @@ pub(crate) fn is_scale(key: &str, value: &str) -> bool {
 }
 
 /// Words in names of channels that hold the shape of the surface.
-const TOPOGRAPHY: [&str; 6] = ["height", "topograph", "z-axis", "z axis", "zsensor", "z sensor"];
+const TOPOGRAPHY: &str = "height|topograph|z-axis|z axis|zsensor|z sensor";
 
 /// Words in names of channels that are lengths and yet no shape: of the cantilever, of its
 /// oscillation, of the surface under load, of the measurement's uncertainty.
-const OTHER: [&str; 13] = [
-    "deflection",
-    "amplitude",
-    "error",
-    "deformation",
-    "indentation",
-    "friction",
-    "adhesion",
-    "lateral",
-    "separation",
-    "uncertainty",
-    "noise",
-    "confidence",
-    "intensity",
-];
+const OTHER: &str = "deflection|amplitude|error|deformation|indentation|friction|adhesion|lateral|\
+                     separation|uncertainty|noise|confidence|intensity";
 
 /// Ordered: a topography is preferred.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
@@ -72,10 +43,10 @@ pub(crate) enum Meaning {
 impl Meaning {
     pub(crate) fn of(name: &str) -> Self {
         let name = name.to_lowercase();
-        let has = |words: &[&str]| words.iter().any(|word| name.contains(word));
-        if has(&OTHER) {
+        let has = |words: &str| words.split('|').any(|word| name.contains(word));
+        if has(OTHER) {
             Self::Other
-        } else if has(&TOPOGRAPHY) {
+        } else if has(TOPOGRAPHY) {
             Self::Topography
         } else {
             Self::Unknown

@@ -68,8 +68,6 @@ pub(crate) struct Channel<'a> {
     pub(crate) is_height: bool,
     pub(crate) shape: [usize; 2],
     pub(crate) pixel: Pixel,
-    /// A single line of points.
-    pub(crate) is_profile: bool,
     /// Largest deviation from even spacing in steps, where it cannot be neglected.
     pub(crate) uneven: Option<f64>,
     /// Distances of the points of such a profile from the first one, in steps.
@@ -109,7 +107,6 @@ impl<'a> Channel<'a> {
             is_height: unit.is_none() || scale.is_some(),
             shape,
             pixel,
-            is_profile,
             uneven: None,
             places: None,
             is_trace: false,
@@ -271,7 +268,6 @@ pub struct Measurement {
     pub(crate) channel: String,
     pub(crate) channels: Vec<ChannelInfo>,
     pub(crate) metadata: BTreeMap<String, String>,
-    pub(crate) is_profile: bool,
     pub(crate) uneven: Option<f64>,
     pub(crate) positions: Option<Vec<f64>>,
     pub(crate) ambiguity: Option<Ambiguity>,
@@ -286,20 +282,24 @@ impl Measurement {
     pub fn new(grid: Grid, heights: Vec<f64>) -> Result<Self, SurfaceError> {
         let known = heights.iter().map(|h| if h.is_nan() { 0.0 } else { *h }).collect();
         HeightMap::new(grid, known)?;
-        Ok(Self {
+        Ok(Self::bare(grid, heights, Format::Npy))
+    }
+
+    /// Nothing but these heights (m), as many as the grid has points.
+    pub(crate) fn bare(grid: Grid, heights: Vec<f64>, format: Format) -> Self {
+        Self {
             grid,
             missing: heights.iter().filter(|h| h.is_nan()).count(),
             heights,
-            format: Format::Npy,
+            format,
             channel: String::new(),
             channels: Vec::new(),
             metadata: BTreeMap::new(),
-            is_profile: grid.shape()[0] == 1,
             uneven: None,
             positions: None,
             ambiguity: None,
             cropped: None,
-        })
+        }
     }
 
     /// The grid: `[ny, nx]` points, `[dy, dx]` metres. A profile has one row, and dy = dx.
@@ -351,7 +351,8 @@ impl Measurement {
 
     /// True for a single line of points, which is not a surface.
     pub fn is_profile(&self) -> bool {
-        self.is_profile
+        let [ny, nx] = self.grid.shape();
+        ny == 1 && nx > 1
     }
 
     /// Largest deviation of a profile's points from even spacing, in steps; `None` if they are
@@ -426,14 +427,9 @@ impl Measurement {
         let cropped = [above + y0, before + x0, ny, nx];
         metadata.insert("crop".into(), Cut::Rectangle(cropped).to_string());
         Ok(Self {
-            grid,
-            missing: heights.iter().filter(|h| h.is_nan()).count(),
-            heights,
-            format: self.format,
             channel: self.channel.clone(),
             channels: self.channels.clone(),
             metadata,
-            is_profile: ny == 1 && nx > 1,
             uneven: self.uneven,
             positions: self.positions.as_ref().map(|x| {
                 let part = &x[x0..x0 + nx];
@@ -441,6 +437,7 @@ impl Measurement {
             }),
             ambiguity: self.ambiguity,
             cropped: Some(cropped),
+            ..Self::bare(grid, heights, self.format)
         })
     }
 }

@@ -37,7 +37,7 @@ const END: u32 = 0xffff_fffa;
 const ENTRY: usize = 128;
 
 /// A stream of the directory.
-struct Entry {
+struct StreamEntry {
     name: String,
     kind: u8,
     start: u32,
@@ -51,7 +51,7 @@ pub(crate) struct Document<'a> {
     small: usize,
     /// Sectors of the table of all sectors.
     table: Vec<u32>,
-    entries: Vec<Entry>,
+    entries: Vec<StreamEntry>,
 }
 
 impl<'a> Document<'a> {
@@ -86,20 +86,13 @@ impl<'a> Document<'a> {
         let pool = self.read(root)?;
         let pool = Bytes { data: &pool, ..self.file };
         let table = self.small_table(entry)?;
-        let mut stream = Vec::new();
-        let (mut at, length) = (entry.start, entry.length as usize);
-        while stream.len() < length {
-            let here = self.small.min(length - stream.len());
-            stream.extend_from_slice(pool.slice((at as usize).saturating_mul(self.small), here)?);
-            if stream.len() < length {
-                at = *table.get(at as usize).ok_or_else(|| self.broken(entry))?;
-            }
-        }
-        Ok(stream)
+        let piece = |at: u32, length| pool.slice((at as usize).saturating_mul(self.small), length);
+        let next = |at: u32| table.get(at as usize).copied().ok_or_else(|| self.broken(entry));
+        collect(entry, self.small, piece, next)
     }
 
     /// The next small sector of every one.
-    fn small_table(&self, entry: &Entry) -> Result<Vec<u32>, ReadError> {
+    fn small_table(&self, entry: &StreamEntry) -> Result<Vec<u32>, ReadError> {
         let mut table = Vec::new();
         let mut at = self.file.u32(60)?;
         for _ in 0..self.count() {
@@ -113,28 +106,19 @@ impl<'a> Document<'a> {
     }
 
     /// A stream in sectors.
-    fn read(&self, entry: &Entry) -> Result<Vec<u8>, ReadError> {
+    fn read(&self, entry: &StreamEntry) -> Result<Vec<u8>, ReadError> {
         if entry.length > self.file.data.len() as u64 {
             let what = format!("{} bytes are more than the file has", entry.length);
             return Err(self.file.field(entry.name.clone(), what));
         }
-        let length = entry.length as usize;
-        let mut stream = Vec::with_capacity(length);
-        let mut at = entry.start;
-        while stream.len() < length {
-            let here = self.sector.min(length - stream.len());
-            stream.extend_from_slice(self.sector(at, here)?);
-            if stream.len() < length {
-                at = self.next(at)?;
-                if at >= END {
-                    return Err(self.broken(entry));
-                }
-            }
-        }
-        Ok(stream)
+        let next = |at| {
+            let next = self.next(at)?;
+            if next < END { Ok(next) } else { Err(self.broken(entry)) }
+        };
+        collect(entry, self.sector, |at, length| self.sector(at, length), next)
     }
 
-    fn broken(&self, entry: &Entry) -> ReadError {
+    fn broken(&self, entry: &StreamEntry) -> ReadError {
         self.file.field(entry.name.clone(), "its sectors end early, or never")
     }
 
@@ -196,12 +180,30 @@ impl<'a> Document<'a> {
                     length &= 0xffff_ffff;
                 }
                 let (name, start) = (utf16(&raw[..bytes], u16::from_le_bytes), entry.u32(116)?);
-                self.entries.push(Entry { name, kind, start, length });
+                self.entries.push(StreamEntry { name, kind, start, length });
             }
             at = self.next(at)?;
         }
         Err(self.file.field("directory", "its sectors never end"))
     }
+}
+
+/// The bytes of a stream, from pieces of `size` bytes, of which each has a next one.
+fn collect<'a>(
+    entry: &StreamEntry,
+    size: usize,
+    piece: impl Fn(u32, usize) -> Result<&'a [u8], ReadError>,
+    next: impl Fn(u32) -> Result<u32, ReadError>,
+) -> Result<Vec<u8>, ReadError> {
+    let (mut at, length) = (entry.start, entry.length as usize);
+    let mut stream = Vec::new(); // grows with what is there, whatever the directory claims
+    while stream.len() < length {
+        stream.extend_from_slice(piece(at, size.min(length - stream.len()))?);
+        if stream.len() < length {
+            at = next(at)?;
+        }
+    }
+    Ok(stream)
 }
 
 fn numbers(raw: &[u8]) -> impl Iterator<Item = u32> + '_ {

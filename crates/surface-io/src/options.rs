@@ -1,7 +1,7 @@
 //! What a caller says about a file.
 
-use crate::layout::{DecimalMark, Layout};
 use crate::limits::Limits;
+use crate::need::{DecimalMark, Layout};
 
 /// A unit of heights given by the caller, in metres per unit, and when it counts.
 #[derive(Debug, Clone, Copy, PartialEq)]

@@ -8,7 +8,7 @@ use crate::{Format, Need, ReadError};
 
 /// The numbers of a text file and the lines before them.
 #[derive(Debug)]
-pub(crate) struct Table<'a> {
+pub(crate) struct NumberTable<'a> {
     pub(crate) header: Vec<(usize, &'a str)>,
     pub(crate) separator: Separator,
     pub(crate) columns: usize,
@@ -29,7 +29,7 @@ pub(crate) type NumberedLines<'a> = Vec<(usize, &'a str)>;
 
 const FORMAT: Format = Format::Text;
 
-impl<'a> Table<'a> {
+impl<'a> NumberTable<'a> {
     pub(crate) fn empty(header: NumberedLines<'a>) -> Self {
         Self {
             header,
@@ -285,9 +285,9 @@ fn scan<'a>(
     text: &'a str,
     written: Written<'_>,
     begins: &dyn Fn(&NumberedLines<'a>) -> bool,
-) -> Result<(Vec<Table<'a>>, Marks), ReadError> {
+) -> Result<(Vec<NumberTable<'a>>, Marks), ReadError> {
     let (mut tables, mut marks) = (Vec::new(), Marks::default());
-    let mut table = Table::empty(Vec::new());
+    let mut table = NumberTable::empty(Vec::new());
     // The line before, if it may be the first row: the next one decides.
     let mut held: Option<(usize, &str, Separator, usize)> = None;
     let mut started = false;
@@ -319,7 +319,7 @@ fn scan<'a>(
         {
             let mut header = std::mem::take(&mut table.header);
             header.append(&mut counts);
-            (table, started) = (Table::empty(header), false);
+            (table, started) = (NumberTable::empty(header), false);
         }
         if started
             && (!between.is_empty() || trouble.is_some())
@@ -328,7 +328,7 @@ fn scan<'a>(
             if begins(&between) {
                 tables.push(std::mem::replace(
                     &mut table,
-                    Table::empty(std::mem::take(&mut between)),
+                    NumberTable::empty(std::mem::take(&mut between)),
                 ));
                 (started, trouble, is_parted) = (false, None, false);
             } else if let Some(error) = trouble {
@@ -427,7 +427,7 @@ fn row_shape(line: &str, written: Written<'_>) -> Option<(Separator, usize)> {
 }
 
 #[cfg(test)]
-impl<'a> Table<'a> {
+impl<'a> NumberTable<'a> {
     /// The first table of a text.
     pub(crate) fn parse(text: &'a str) -> Result<Self, ReadError> {
         Self::all(text, Written::default(), &|_| false).map(|mut all| all.swap_remove(0))

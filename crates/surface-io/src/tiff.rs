@@ -30,12 +30,11 @@ pub(crate) fn is_tiff(bytes: &[u8]) -> bool {
     matches!(bytes, [b'I', b'I', 42 | 43, 0, ..] | [b'M', b'M', 0, 42 | 43, ..])
 }
 
-/// True if the first directory has this entry.
-pub(crate) fn first_page_has(bytes: &[u8], tag: u16) -> bool {
-    let only_first = Limits { items: 1 << 12, ..Limits::default() };
-    is_tiff(bytes)
-        && pages(bytes, Format::Tiff, &only_first, 1)
-            .is_ok_and(|pages| pages.first().is_some_and(|page| page.has(tag)))
+/// The first directory, if these bytes are a TIFF file.
+pub(crate) fn first_page(bytes: &[u8]) -> Option<Page<'_>> {
+    let few = Limits { items: 1 << 12, ..Limits::default() };
+    let pages = is_tiff(bytes).then(|| pages(bytes, Format::Tiff, &few, 1));
+    pages?.ok()?.pop()
 }
 
 /// One directory.

@@ -13,7 +13,7 @@ use std::io::{self, Write};
 /// digits and underscores.
 pub fn vti(out: &mut impl Write, grid: Grid, fields: &[(&str, &[f64])]) -> io::Result<()> {
     let ([ny, nx], [dy, dx]) = (grid.shape(), grid.pixel());
-    let refused = |what: String| Err(io::Error::new(io::ErrorKind::InvalidInput, what));
+    let refused = |what: String| Err(crate::write::invalid(what));
     for (name, values) in fields {
         if values.len() != grid.len() {
             return refused(format!("{name}: {} values for {ny} x {nx} points", values.len()));

@@ -21,8 +21,7 @@ pub fn npy(out: &mut impl Write, map: &HeightMap) -> io::Result<()> {
 /// Whatever `out` reports; `InvalidInput` if the number of values is not `ny nx`.
 pub fn npy_array(out: &mut impl Write, [ny, nx]: [usize; 2], values: &[f64]) -> io::Result<()> {
     if ny.checked_mul(nx) != Some(values.len()) {
-        let what = format!("{} values for {ny} x {nx} points", values.len());
-        return Err(io::Error::new(io::ErrorKind::InvalidInput, what));
+        return Err(invalid(format!("{} values for {ny} x {nx} points", values.len())));
     }
     let mut header = format!("{{'descr': '<f8', 'fortran_order': False, 'shape': ({ny}, {nx}), }}");
     // The data start at a multiple of 64 bytes.
@@ -35,6 +34,11 @@ pub fn npy_array(out: &mut impl Write, [ny, nx]: [usize; 2], values: &[f64]) -> 
     out.write_all(&length.to_le_bytes())?;
     out.write_all(header.as_bytes())?;
     numbers(out, values)
+}
+
+/// Something that cannot be written.
+pub(crate) fn invalid(what: String) -> io::Error {
+    io::Error::new(io::ErrorKind::InvalidInput, what)
 }
 
 pub(crate) fn numbers(out: &mut impl Write, values: &[f64]) -> io::Result<()> {
@@ -59,8 +63,7 @@ pub fn sdf(out: &mut impl Write, map: &HeightMap) -> io::Result<()> {
     let [dy, dx] = map.grid().pixel();
     let side = |n: usize| {
         u16::try_from(n).map_err(|_| {
-            let what = format!("SDF counts at most 65535 points along a side, this map has {n}");
-            io::Error::new(io::ErrorKind::InvalidInput, what)
+            invalid(format!("SDF counts at most 65535 points along a side, this map has {n}"))
         })
     };
     let mut header = b"bISO-1.0roughc-io 000000000000000000000000".to_vec();

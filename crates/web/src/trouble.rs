@@ -85,7 +85,7 @@ impl Trouble {
                 "",
                 vec!["If a point is missing there, leave the cell empty or write NaN.", AGAIN],
             ),
-            Self::Unread(ReadError::TwoReadings { .. } | ReadError::Ambiguous { .. }) => words(
+            Self::Unread(ReadError::TwoReadings { .. }) => words(
                 "This text can be read in two ways.",
                 "",
                 vec![

@@ -39,7 +39,7 @@ enum Item<'a> {
 
 pub(crate) fn parse<'a>(bytes: &'a [u8], limits: &Limits) -> Result<Contents<'a>, ReadError> {
     let b = Bytes::little(bytes, FORMAT);
-    let mut reader = Reader { b, at: 4, end: bytes.len(), count: 0, limits };
+    let mut reader = ObjectReader { b, at: 4, end: bytes.len(), count: 0, limits };
     let Item::Object(name, items) = reader.object(0)? else {
         return Err(b.fault(4, "there is no container"));
     };
@@ -128,7 +128,7 @@ fn channel<'a>(
 }
 
 /// Walks through the items, never outside the object they are in.
-struct Reader<'a, 'l> {
+struct ObjectReader<'a, 'l> {
     b: Bytes<'a>,
     at: usize,
     end: usize,
@@ -136,7 +136,7 @@ struct Reader<'a, 'l> {
     limits: &'l Limits,
 }
 
-impl<'a> Reader<'a, '_> {
+impl<'a> ObjectReader<'a, '_> {
     /// The next `length` bytes of the object.
     fn take(&mut self, length: usize) -> Result<&'a [u8], ReadError> {
         if length > self.end.saturating_sub(self.at) {

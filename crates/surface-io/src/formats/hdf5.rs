@@ -20,7 +20,7 @@ use super::npy::transpose;
 use super::scattered::Line;
 use crate::binary::find;
 use crate::cells::Digits;
-use crate::hdf5::{self, Dataset, Value};
+use crate::hdf5::{self, AttributeValue, Dataset};
 use crate::measurement::{Channel, Contents, Pixel};
 use crate::packed::Packing;
 use crate::{Format, Limits, ReadError};
@@ -61,8 +61,8 @@ pub(crate) fn parse_as<'a>(
                     let attributes = dataset.attributes.iter();
                     for (name, value) in attributes.filter(|(name, _)| !USED.contains(&&name[..])) {
                         let shown = match value {
-                            Value::Text(text) => text.clone(),
-                            Value::Numbers(numbers) if numbers.len() <= 3 => {
+                            AttributeValue::Text(text) => text.clone(),
+                            AttributeValue::Numbers(numbers) if numbers.len() <= 3 => {
                                 numbers.iter().map(f64::to_string).collect::<Vec<_>>().join(" ")
                             }
                             _ => continue,
@@ -172,14 +172,14 @@ fn profiles<'a>(
 /// `[dy, dx]` (m), as this crate writes it.
 fn written_pixel(dataset: &Dataset<'_>) -> Option<[f64; 2]> {
     let sides = dataset.attribute(&["pixel"])?.numbers()?.try_into().ok();
-    sides.filter(|_| dataset.attribute(&["pixel_unit"]).and_then(Value::text) == Some("m"))
+    sides.filter(|_| dataset.attribute(&["pixel_unit"]).and_then(AttributeValue::text) == Some("m"))
 }
 
 /// Metres per point of a converter in points.
 fn pixel(dataset: &Dataset<'_>, name: &str) -> Option<f64> {
-    let Value::Members(members) = dataset.attribute(&[name])? else { return None };
+    let AttributeValue::Members(members) = dataset.attribute(&[name])? else { return None };
     let values = || members.iter().map(|(_, value)| value);
-    let mut texts = values().filter_map(Value::text);
+    let mut texts = values().filter_map(AttributeValue::text);
     let is_lateral = texts.any(|text| matches!(text, "LateralCat" | "Pixels"));
-    values().find_map(Value::numbers).filter(|_| is_lateral)?.get(1).copied()
+    values().find_map(AttributeValue::numbers).filter(|_| is_lateral)?.get(1).copied()
 }

@@ -16,8 +16,7 @@
 //! | 216–231 | 4 × 4 | units of the dimensions |
 //! | 384 | | data, then formula, note, extended units, labels (32 bytes each, the first for the dimension) |
 //!
-//! Every layer is a channel, named by its label. Spacing is stored, so the question of N or
-//! N − 1 intervals does not arise.
+//! Every layer is a channel, named by its label.
 //!
 //! Waves of versions 1 to 3, whose checksum is over 118, 126 and 130 bytes, are refused.
 //!

@@ -32,7 +32,7 @@ const SLOTS: u16 = 0x8080;
 const DEFAULT_SLOT: u16 = 0x8081;
 
 pub(crate) fn sniff(bytes: &[u8]) -> bool {
-    tiff::first_page_has(bytes, GRID_WIDTH)
+    tiff::first_page(bytes).is_some_and(|page| page.has(GRID_WIDTH))
 }
 
 pub(crate) fn parse<'a>(bytes: &'a [u8], limits: &Limits) -> Result<Contents<'a>, ReadError> {

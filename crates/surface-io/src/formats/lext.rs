@@ -8,8 +8,8 @@
 //! | `ImageCommonSettingsInfo/MakerCalibrationValueX`, `Y`, `Z` | factors on these three; 1 if missing |
 //! | another directory, tag 270 `HEIGHT` | the heights: u16 |
 //!
-//! The spacing is stored, so the question of N or N − 1 intervals does not arise. Pictures of
-//! other names are listed. A mask of missing points (`INVALID`, one bit a point) is not read.
+//! Pictures of other names are listed. A mask of missing points (`INVALID`, one bit a point) is not
+//! read.
 //!
 //! Sources: SurfaceTopography, surfalize (both open readers). Not checked against a real file.
 
@@ -24,12 +24,8 @@ const EXIF: u16 = 34665;
 const DEVICE: u16 = 41995;
 
 pub(crate) fn sniff(bytes: &[u8]) -> bool {
-    let few = Limits { items: 1 << 12, ..Limits::default() };
-    tiff::is_tiff(bytes)
-        && tiff::pages(bytes, FORMAT, &few, 1).is_ok_and(|pages| {
-            let text = pages.first().and_then(|page| page.text(IMAGE_DESCRIPTION));
-            text.is_some_and(|text| text.contains("<TiffTagDescData"))
-        })
+    let about = tiff::first_page(bytes).and_then(|page| page.text(IMAGE_DESCRIPTION));
+    about.is_some_and(|text| text.contains("<TiffTagDescData"))
 }
 
 pub(crate) fn parse<'a>(bytes: &'a [u8], limits: &Limits) -> Result<Contents<'a>, ReadError> {

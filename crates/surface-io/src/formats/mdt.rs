@@ -22,8 +22,7 @@
 //! first and last index, i32 type); the texts.
 //! Type: −1, −2, −4, −8 signed, 1, 2, 4, 8 unsigned integers of that many bytes, −5892 f32, −13320 f64.
 //!
-//! Height = stored number × step (scale) + offset (bias). Steps are stored, so the question of N or
-//! N − 1 intervals does not arise. The first row is the bottom one.
+//! Height = stored number × step (scale) + offset (bias). The first row is the bottom one.
 //!
 //! Sources: NT-MDT's description as read by several open readers; a file of general maps of a current
 //! (no height among them). Scans were not checked against a real file.
@@ -49,7 +48,7 @@ pub(crate) fn parse<'a>(bytes: &'a [u8], limits: &Limits) -> Result<Contents<'a>
         if size < 22 {
             return Err(b.fault(at, format!("a frame of {size} bytes; its header has 22")));
         }
-        let frame = Frame { b, at, own: Bytes::little(b.slice(at, size)?, FORMAT), number };
+        let frame = StoredFrame { b, at, own: Bytes::little(b.slice(at, size)?, FORMAT), number };
         at += size;
         let channel = match frame.own.u16(4)? {
             0 => frame.scan(limits),
@@ -62,14 +61,14 @@ pub(crate) fn parse<'a>(bytes: &'a [u8], limits: &Limits) -> Result<Contents<'a>
 }
 
 /// One frame: the whole file for its data, and its own bytes for the rest.
-struct Frame<'a> {
+struct StoredFrame<'a> {
     b: Bytes<'a>,
     at: usize,
     own: Bytes<'a>,
     number: u64,
 }
 
-impl<'a> Frame<'a> {
+impl<'a> StoredFrame<'a> {
     fn scan(&self, limits: &Limits) -> Result<Channel<'a>, ReadError> {
         let f = self.own;
         let axis = |at: usize| Ok::<_, ReadError>((f.f32(at)?, f.f32(at + 4)?, f.i16(at + 8)?));

@@ -19,10 +19,9 @@
 //! | a text | u8 4, then UTF-16; 21 marks a packed one |
 //! | a blob | u64 bytes; then in any order blocks: u64 offset in points, u32 points, u32 bytes, a zlib stream |
 //!
-//! All numbers little endian. The spacing is stored, so the question of N or N − 1 intervals does
-//! not arise. Height = number × step + offset. As the form is not published, everything that can
-//! be checked is: units against their stored ratio, blocks against the number of points, and the
-//! lowest and highest number against the stored ones; what differs is refused.
+//! All numbers little endian. Height = number × step + offset. As the form is not published,
+//! everything that can be checked is: units against their stored ratio, blocks against the number
+//! of points, and the lowest and highest number against the stored ones; what differs is refused.
 //!
 //! Sources: SurfaceTopography (open) for the container, the records and the blocks; two documents of
 //! MountainsMap 9 and 10 for the rest. That reader takes 0001.0006 for the scale of the heights, which in
@@ -101,7 +100,7 @@ fn contents<'a>(bytes: &'a [u8], limits: &Limits) -> Result<Contents<'a>, ReadEr
         };
         let name = surface.get(&[BASE, BASE, BASE, BASE, 1]).and_then(Part::text);
         let name = name.unwrap_or_else(|_| format!("Surface {}", contents.channels.len() + 1));
-        let channel = Surface::new(surface, limits).map(|found| {
+        let channel = StoredSurface::new(surface, limits).map(|found| {
             let stream = Arc::clone(&stream);
             let unit = found.z.shown.clone();
             let pixel = Pixel::Metres(found.pixel);
@@ -179,7 +178,7 @@ impl Part<'_> {
 }
 
 /// How numbers along an axis become lengths.
-struct Axis {
+struct AxisScale {
     /// In the unit shown.
     step: f64,
     offset: f64,
@@ -188,7 +187,7 @@ struct Axis {
     metres: Option<f64>,
 }
 
-impl Axis {
+impl AxisScale {
     fn new(part: Part<'_>) -> Result<Self, ReadError> {
         let (step, ratio, offset) = (part.f64(1)?, part.f64(4)?, part.f64(5)?);
         let (unit, shown) = (part.record(2)?.text()?, part.record(3)?.text()?);
@@ -222,22 +221,22 @@ impl Axis {
 }
 
 /// What is known of a surface before its heights are unpacked.
-struct Surface {
+struct StoredSurface {
     shape: [usize; 2],
     pixel: [f64; 2],
-    z: Axis,
+    z: AxisScale,
     /// Lowest and highest number.
     range: [i32; 2],
     numbers: Blob,
     mask: Option<Blob>,
 }
 
-impl Surface {
+impl StoredSurface {
     fn new(part: Part<'_>, limits: &Limits) -> Result<Self, ReadError> {
         let part = part.record(BASE)?;
         let base = part.record(BASE)?;
         let ((nx, dx), (ny, dy)) =
-            (Axis::lateral(base.record(1)?)?, Axis::lateral(base.record(2)?)?);
+            (AxisScale::lateral(base.record(1)?)?, AxisScale::lateral(base.record(2)?)?);
         limits.check_points(FORMAT, [ny, nx])?;
         let z = part.record(2)?;
         let range = [z.u32(1)?.cast_signed(), z.u32(2)?.cast_signed()];
@@ -254,7 +253,7 @@ impl Surface {
             let blob = mask.record(5)?.object_of(9048, "a mask")?;
             Some(Blob::new(blob.record(2)?, (ny + 2) * (nx + 2), 1, limits)?)
         };
-        let z = Axis::new(z.record(BASE)?)?;
+        let z = AxisScale::new(z.record(BASE)?)?;
         Ok(Self { shape: [ny, nx], pixel: [dy, dx], z, range, numbers, mask })
     }
 

@@ -21,6 +21,7 @@
 //! aspect ratio, slow axis and version 9.2 Gwyddion and SurfaceTopography (both open readers).
 
 use crate::binary::{Bytes, Sample};
+use crate::entries::Entries;
 use crate::measurement::{Channel, Contents, Pixel, Raster};
 use crate::text;
 use crate::{Format, Limits, ReadError, metres_per};
@@ -29,15 +30,8 @@ use std::collections::BTreeMap;
 const FORMAT: Format = Format::Nanoscope;
 
 /// What the scan list says of every image.
-const COMMON: [&str; 7] = [
-    "version",
-    "samps/line",
-    "lines",
-    "slow axis size",
-    "aspect ratio",
-    "operating mode",
-    "start context",
-];
+const COMMON: &str =
+    "version|samps/line|lines|slow axis size|aspect ratio|operating mode|start context";
 
 /// From this version on every stored point has 4 bytes.
 const WIDE: u64 = 0x0920_0000;
@@ -49,7 +43,7 @@ pub(crate) fn sniff(bytes: &[u8]) -> bool {
     [&b"File list"[..], b"EC File list", b"Force file list"].iter().any(|s| rest.starts_with(s))
 }
 
-type Section = BTreeMap<String, String>;
+type HeaderSection = BTreeMap<String, String>;
 
 pub(crate) fn parse<'a>(bytes: &'a [u8], limits: &Limits) -> Result<Contents<'a>, ReadError> {
     let b = Bytes::little(bytes, FORMAT);
@@ -64,12 +58,12 @@ pub(crate) fn parse<'a>(bytes: &'a [u8], limits: &Limits) -> Result<Contents<'a>
     }
     let mut contents = Contents::default();
     // What the sections that are no images say of all of them.
-    let mut common = Section::new();
+    let mut common = HeaderSection::new();
     for (_, section) in sections.iter().filter(|(name, _)| !is_image(name)) {
         for (key, value) in section.iter().filter(|(key, _)| key.starts_with('@')) {
             common.insert(key.clone(), value.clone());
         }
-        for key in COMMON {
+        for key in COMMON.split('|') {
             if let Some(value) = section.get(key) {
                 common.entry(key.into()).or_insert_with(|| value.clone());
             }
@@ -100,17 +94,20 @@ fn is_image(section: &str) -> bool {
 }
 
 /// The sections of the header in order, keys in lower case; and whether its end was found.
-fn sections(bytes: &[u8], limits: &Limits) -> Result<(Vec<(String, Section)>, bool), ReadError> {
+fn sections(
+    bytes: &[u8],
+    limits: &Limits,
+) -> Result<(Vec<(String, HeaderSection)>, bool), ReadError> {
     let end = bytes.iter().position(|&byte| byte == 0x1a);
     let list_end = crate::binary::find(bytes, b"File list end");
     let header = &bytes[..end.into_iter().chain(list_end).min().unwrap_or(bytes.len())];
     let header = text::latin1(header);
-    let mut sections: Vec<(String, Section)> = Vec::new();
+    let mut sections: Vec<(String, HeaderSection)> = Vec::new();
     for (number, line) in text::lines(&header) {
         limits.check_items(FORMAT, number as u64)?;
         let Some(line) = line.trim().strip_prefix(['\\', '?']) else { continue };
         if let Some(name) = line.strip_prefix('*') {
-            sections.push((name.trim().to_lowercase(), Section::new()));
+            sections.push((name.trim().to_lowercase(), HeaderSection::new()));
         } else if let Some((_, section)) = sections.last_mut() {
             // "@2:Z scale: V ..." has a colon in its key, followed by no blank.
             let (key, value) = line.split_once(": ").unwrap_or((line.trim_end_matches(':'), ""));
@@ -122,15 +119,13 @@ fn sections(bytes: &[u8], limits: &Limits) -> Result<(Vec<(String, Section)>, bo
 
 fn channel<'a>(
     b: Bytes<'a>,
-    section: &Section,
-    common: &Section,
+    section: &HeaderSection,
+    common: &HeaderSection,
     limits: &Limits,
 ) -> Result<Channel<'a>, ReadError> {
-    let get = |key: &'static str| {
-        section.get(key).ok_or_else(|| b.field(key, "is missing in an image list"))
-    };
+    let entries = Entries::new(FORMAT, section, "is missing in an image list");
     let whole = |key: &'static str| {
-        let text = get(key)?;
+        let text = entries.text(key)?;
         whole(text).ok_or_else(|| b.field(key, format!("{text:?} is no whole number")))
     };
     let stated = [whole("number of lines")?, whole("samps/line")?];
@@ -153,7 +148,7 @@ fn channel<'a>(
     let pixel = pixel(section, common, stated, shape)
         .ok_or_else(|| b.field("scan size", format!("{:?}", section.get("scan size"))))?;
     let name = channel_name(section);
-    let scale = section.get("@4:z scale").map_or_else(|| get("@2:z scale"), Ok)?;
+    let scale = entries.get("@4:z scale").map_or_else(|| entries.text("@2:z scale"), Ok)?;
     let (step, unit) = height_scale(scale, common)
         .ok_or_else(|| b.field("@2:z scale", format!("{scale:?} cannot be read")))?;
     let step = step / levels;
@@ -169,7 +164,7 @@ fn whole(text: &str) -> Option<usize> {
 
 /// Lines, and points in each, that are stored where `points` are: fewer lines than stated if the
 /// scan was stopped early; those of the scan list if it is the one that fits.
-fn there(points: Option<usize>, stated: [usize; 2], common: &Section) -> [usize; 2] {
+fn there(points: Option<usize>, stated: [usize; 2], common: &HeaderSection) -> [usize; 2] {
     let count = |key: &str| common.get(key).and_then(|text| whole(text));
     let Some(points) = points.filter(|&n| n != stated[0].saturating_mul(stated[1])) else {
         return stated;
@@ -184,13 +179,13 @@ fn there(points: Option<usize>, stated: [usize; 2], common: &Section) -> [usize;
 ///
 /// The size along y is that of the whole scan where the image holds only a part of its lines.
 fn pixel(
-    section: &Section,
-    common: &Section,
+    section: &HeaderSection,
+    common: &HeaderSection,
     stated: [usize; 2],
     shape: [usize; 2],
 ) -> Option<[f64; 2]> {
     let count = |key: &str| common.get(key).and_then(|text| whole(text));
-    let ratio = |of: &Section| of.get("aspect ratio").and_then(|text| aspect(text));
+    let ratio = |of: &HeaderSection| of.get("aspect ratio").and_then(|text| aspect(text));
     let [lines, samples] = stated;
     let [fast, second] = scan_size(section.get("scan size")?)?;
     let slow_axis = common.get("slow axis size").and_then(|text| scan_size(text));
@@ -229,7 +224,7 @@ fn aspect(text: &str) -> Option<f64> {
 }
 
 /// `ZSensor` of `V [ZSensor] "Height Sensor"`.
-fn channel_name(section: &Section) -> String {
+fn channel_name(section: &HeaderSection) -> String {
     let keys = ["@2:image data", "@3:image data", "@4:image data", "image data"];
     let text = keys.iter().find_map(|key| section.get(*key)).map_or("", String::as_str);
     between(text, '[', ']').unwrap_or(text).to_owned()
@@ -259,7 +254,7 @@ fn scan_size(text: &str) -> Option<[f64; 2]> {
 }
 
 /// Range of all stored values and its unit.
-fn height_scale(scale: &str, soft_scales: &Section) -> Option<(f64, String)> {
+fn height_scale(scale: &str, soft_scales: &HeaderSection) -> Option<(f64, String)> {
     let range = scale.rsplit_once(')').map_or(scale.trim_start_matches("V "), |(_, range)| range);
     let mut words = range.split_whitespace();
     let hard: f64 = words.next()?.parse().ok()?;
@@ -291,7 +286,7 @@ mod tests {
 
     #[test]
     fn scales_with_and_without_soft_part() {
-        let soft: Section = [
+        let soft: HeaderSection = [
             ("@sens. zsens".into(), "V 33.15306 nm/V".into()),
             ("@sens. phase".into(), "V 1.000000 ".into()),
         ]

@@ -89,7 +89,7 @@ impl Variable {
 
 pub(crate) fn parse<'a>(bytes: &'a [u8], limits: &Limits) -> Result<Contents<'a>, ReadError> {
     let b = Bytes::big(bytes, FORMAT);
-    let mut header = Header { b, at: 4, version: b.u8(3)?, limits };
+    let mut header = HeaderCursor { b, at: 4, version: b.u8(3)?, limits };
     header.count()?; // number of records
     let mut dimensions = Vec::new();
     for _ in 0..header.list(10)? {
@@ -235,14 +235,14 @@ fn sample(code: u32) -> Option<Sample> {
 }
 
 /// Walks through the header.
-struct Header<'a, 'l> {
+struct HeaderCursor<'a, 'l> {
     b: Bytes<'a>,
     at: usize,
     version: u8,
     limits: &'l Limits,
 }
 
-impl Header<'_, '_> {
+impl HeaderCursor<'_, '_> {
     fn word(&mut self) -> Result<u32, ReadError> {
         let word = self.b.u32(self.at)?;
         self.at += 4;

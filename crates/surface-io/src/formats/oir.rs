@@ -24,9 +24,9 @@
 //! | `imageInfo/width`, `height` | points along x, along y |
 //! | `acquisition/microscopeConfiguration/pixelCalibration/x`, `y` | factors on the size of a pixel; 1 if missing |
 //!
-//! The only name in block 6, the id and the number of a piece, with `_` between them, name the data: u16, little endian,
-//! in rows. The spacing is stored, so the question of N or N − 1 intervals does not arise. A calibration of the heights
-//! (`pixelCalibration/z`) is listed with the metadata and not applied, as the reader this is known from does.
+//! The only name in block 6, the id and the number of a piece, with `_` between them, name the
+//! data: u16, little endian, in rows. A calibration of the heights (`pixelCalibration/z`) is listed
+//! with the metadata and not applied, as the reader this is known from does.
 //!
 //! Source: SurfaceTopography (an open reader). Not checked against a real file.
 
@@ -90,7 +90,7 @@ fn add<'a>(
     limits: &Limits,
 ) -> Result<(), ReadError> {
     let b = Bytes::little(data, FORMAT);
-    let parts = Parts::of(b, limits)?;
+    let parts = FileParts::of(b, limits)?;
     let properties = b.slice(parts.properties.start, parts.properties.len())?;
     let Properties { channels, fields } = Properties::of(properties, limits)?;
     let image = Entries::new(FORMAT, &fields, ABSENT);
@@ -152,14 +152,14 @@ fn scale(channel: Entries<'_>, image: Entries<'_>, axis: &str) -> Result<f64, Re
 }
 
 /// Where things are in a file.
-struct Parts {
+struct FileParts {
     properties: Range<usize>,
     prefix: String,
     /// By the names of the data.
     data: BTreeMap<String, Range<usize>>,
 }
 
-impl Parts {
+impl FileParts {
     fn of(b: Bytes<'_>, limits: &Limits) -> Result<Self, ReadError> {
         if b.slice(72, 8)?.starts_with(b"FLUOVIEW") {
             return Err(

@@ -40,146 +40,102 @@ pub(crate) fn sniff(bytes: &[u8]) -> bool {
     bytes.starts_with(MAGIC)
 }
 
-enum Value {
+enum ItemValue<'a> {
     Number(f64),
     Text(String),
     Quantity {
         value: f64,
         symbol: String,
     },
-    /// Where an array of f64 starts and how many bytes it has.
-    Array {
-        at: usize,
-        length: usize,
-    },
-    /// Where a matrix of f32 starts, `[ny, nx]`.
-    Matrix {
-        at: usize,
-        shape: [usize; 2],
-    },
+    /// An array of f64 as one row, or a matrix of f32.
+    Numbers(Raster<'a>),
 }
 
 pub(crate) fn parse<'a>(bytes: &'a [u8], limits: &Limits) -> Result<Contents<'a>, ReadError> {
     let b = Bytes::little(bytes, FORMAT);
-    let mut reader = Reader { b, at: MAGIC.len(), count: 0, limits, items: BTreeMap::new() };
+    let mut reader = ItemReader { b, at: MAGIC.len(), count: 0, limits, items: BTreeMap::new() };
     while reader.at < bytes.len() && reader.item("", 0)? {}
     let items = reader.items;
 
     let mut contents = Contents::default();
     let primary = match items.get("/MetaData/PrimaryData2D") {
-        Some(Value::Text(name)) => format!("/2D_Data/{name}/Matrix"),
+        Some(ItemValue::Text(name)) => format!("/2D_Data/{name}/Matrix"),
         _ => String::new(),
     };
     let first = items.get_key_value(&primary);
     for (path, value) in first.into_iter().chain(items.iter().filter(|item| *item.0 != primary)) {
-        let channel = match value {
-            Value::Matrix { at, shape } => matrix(b, &items, path, *at, *shape, limits)?,
-            Value::Array { at, length } => profile(b, &items, path, *at, *length)?,
-            Value::Number(_) | Value::Text(_) | Value::Quantity { .. } => None,
-        };
-        contents.channels.extend(channel);
+        if let ItemValue::Numbers(raster) = value {
+            contents.channels.extend(channel(&items, path, *raster, limits)?);
+        }
         let Some(key) = path.strip_prefix("/MetaData/") else { continue };
         let shown = match value {
-            Value::Number(value) => value.to_string(),
-            Value::Text(text) => text.clone(),
-            Value::Quantity { value, symbol } => format!("{value} {symbol}"),
-            Value::Array { .. } | Value::Matrix { .. } => continue,
+            ItemValue::Number(value) => value.to_string(),
+            ItemValue::Text(text) => text.clone(),
+            ItemValue::Quantity { value, symbol } => format!("{value} {symbol}"),
+            ItemValue::Numbers(_) => continue,
         };
         contents.metadata.insert(key.to_owned(), shown);
     }
     Ok(contents)
 }
 
-type Items = BTreeMap<String, Value>;
+type Items<'a> = BTreeMap<String, ItemValue<'a>>;
 
 /// Metres of a quantity; `None` if it is not there or no length.
-fn metres(items: &Items, path: &str) -> Option<f64> {
+fn metres(items: &Items<'_>, path: &str) -> Option<f64> {
     match items.get(path)? {
-        Value::Quantity { value, symbol } => Some(value * metres_per(symbol)?),
+        ItemValue::Quantity { value, symbol } => Some(value * metres_per(symbol)?),
         _ => None,
     }
 }
 
-/// Factor and unit of the data.
-fn scale(items: &Items, folder: &str) -> (f64, String) {
-    match items.get(&format!("{folder}/DataScale")) {
-        Some(Value::Quantity { value, symbol }) => (*value, symbol.clone()),
-        _ => (1.0, String::new()),
-    }
-}
-
-fn name(items: &Items, folder: &str) -> String {
-    match items.get(&format!("{folder}/DataKind")) {
-        Some(Value::Text(kind)) if !kind.is_empty() => kind.clone(),
-        _ => folder.rsplit('/').next().unwrap_or_default().to_owned(),
-    }
-}
-
-fn matrix<'a>(
-    b: Bytes<'a>,
-    items: &Items,
+/// The map or profile of a path, if it is one.
+fn channel<'a>(
+    items: &Items<'_>,
     path: &str,
-    at: usize,
-    shape: [usize; 2],
+    raster: Raster<'a>,
     limits: &Limits,
 ) -> Result<Option<Channel<'a>>, ReadError> {
-    let Some(folder) = path.strip_suffix("/Matrix").filter(|p| p.starts_with("/2D_Data/")) else {
-        return Ok(None);
+    let map = path.strip_suffix("/Matrix").filter(|path| path.starts_with("/2D_Data/"));
+    let profile = path.strip_suffix("/Array").filter(|path| path.starts_with("/1D_Data/"));
+    let [ny, nx] = raster.shape;
+    let (folder, [extent_y, extent_x]) = match (map, profile) {
+        (Some(folder), _) => (folder, ["Dimension1Extent", "Dimension2Extent"]),
+        (None, Some(folder)) if nx > 1 => (folder, ["", "Extent"]),
+        _ => return Ok(None),
     };
-    limits.check_points(FORMAT, shape)?;
+    limits.check_points(FORMAT, raster.shape)?;
     let step = |extent: &str, n: usize| {
         let extent = metres(items, &format!("{folder}/{extent}"))?;
         (n > 1).then(|| extent / (n - 1) as f64)
     };
-    let [dy, dx] = [step("Dimension1Extent", shape[0]), step("Dimension2Extent", shape[1])];
-    let pixel = match (dy.or(if shape[0] == 1 { dx } else { None }), dx) {
+    let (dy, dx) = (step(extent_y, ny), step(extent_x, nx));
+    let pixel = match (dy.or(dx.filter(|_| ny == 1)), dx) {
         (Some(dy), Some(dx)) => Pixel::Metres([dy, dx]),
         _ => Pixel::Unknown,
     };
-    let (factor, unit) = scale(items, folder);
-    let raster = Raster { bytes: b, at, shape, sample: Sample::F32 };
-    let name = name(items, folder);
-    Channel::raster(name, Some(&unit), pixel, raster, move |raw| height(raw, factor)).map(Some)
-}
-
-fn profile<'a>(
-    b: Bytes<'a>,
-    items: &Items,
-    path: &str,
-    at: usize,
-    length: usize,
-) -> Result<Option<Channel<'a>>, ReadError> {
-    let Some(folder) = path.strip_suffix("/Array").filter(|p| p.starts_with("/1D_Data/")) else {
-        return Ok(None);
+    let (factor, unit) = match items.get(&format!("{folder}/DataScale")) {
+        Some(ItemValue::Quantity { value, symbol }) => (*value, symbol.as_str()),
+        _ => (1.0, ""),
     };
-    let n = length.saturating_sub(ARRAY_HEAD) / 8;
-    if n < 2 {
-        return Ok(None);
-    }
-    let pixel = match metres(items, &format!("{folder}/Extent")) {
-        Some(extent) => Pixel::Metres([extent / (n - 1) as f64; 2]),
-        None => Pixel::Unknown,
+    let name = match items.get(&format!("{folder}/DataKind")) {
+        Some(ItemValue::Text(kind)) if !kind.is_empty() => kind,
+        _ => folder.rsplit('/').next().unwrap_or_default(),
     };
-    let (factor, unit) = scale(items, folder);
-    let raster = Raster { bytes: b, at: at + ARRAY_HEAD, shape: [1, n], sample: Sample::F64 };
-    let name = name(items, folder);
-    Channel::raster(name, Some(&unit), pixel, raster, move |raw| height(raw, factor)).map(Some)
-}
-
-fn height(raw: f64, factor: f64) -> f64 {
-    if raw.abs() < 1e30 { raw * factor } else { f64::NAN }
+    let convert = move |raw: f64| if raw.abs() < 1e30 { raw * factor } else { f64::NAN };
+    Channel::raster(name, Some(unit), pixel, raster, convert).map(Some)
 }
 
 /// Walks through the items.
-struct Reader<'a, 'l> {
+struct ItemReader<'a, 'l> {
     b: Bytes<'a>,
     at: usize,
     count: u64,
     limits: &'l Limits,
-    items: Items,
+    items: Items<'a>,
 }
 
-impl<'a> Reader<'a, '_> {
+impl<'a> ItemReader<'a, '_> {
     fn take(&mut self, length: usize) -> Result<&'a [u8], ReadError> {
         let raw = self.b.slice(self.at, length)?;
         self.at += length;
@@ -226,18 +182,18 @@ impl<'a> Reader<'a, '_> {
         let path = format!("{folder}/{}", self.name()?);
         let at = self.at;
         let value = match self.take(1)?[0] {
-            1 => Some(Value::Number(self.number(Sample::U8)?)),
-            4 => Some(Value::Number(self.number(Sample::I16)?)),
-            5 => Some(Value::Number(self.number(Sample::U16)?)),
-            6 => Some(Value::Number(self.number(Sample::I32)?)),
-            7 => Some(Value::Number(self.number(Sample::U32)?)),
-            10 => Some(Value::Number(self.number(Sample::I64)?)),
-            11 => Some(Value::Number(self.number(Sample::U64)?)),
-            12 => Some(Value::Number(self.number(Sample::F32)?)),
-            13 => Some(Value::Number(self.number(Sample::F64)?)),
+            1 => Some(ItemValue::Number(self.number(Sample::U8)?)),
+            4 => Some(ItemValue::Number(self.number(Sample::I16)?)),
+            5 => Some(ItemValue::Number(self.number(Sample::U16)?)),
+            6 => Some(ItemValue::Number(self.number(Sample::I32)?)),
+            7 => Some(ItemValue::Number(self.number(Sample::U32)?)),
+            10 => Some(ItemValue::Number(self.number(Sample::I64)?)),
+            11 => Some(ItemValue::Number(self.number(Sample::U64)?)),
+            12 => Some(ItemValue::Number(self.number(Sample::F32)?)),
+            13 => Some(ItemValue::Number(self.number(Sample::F64)?)),
             18 => {
                 let length = self.length()?;
-                Some(Value::Text(text(self.take(length)?)))
+                Some(ItemValue::Text(text(self.take(length)?)))
             }
             19 => {
                 let length = self.length()?;
@@ -246,7 +202,7 @@ impl<'a> Reader<'a, '_> {
                 self.name()?;
                 let symbol = self.name()?;
                 self.skip_to(end)?;
-                Some(Value::Quantity { value, symbol })
+                Some(ItemValue::Quantity { value, symbol })
             }
             21 => {
                 self.take(9)?;
@@ -262,7 +218,10 @@ impl<'a> Reader<'a, '_> {
                 let length = self.length()?;
                 let at = self.at;
                 self.take(length)?;
-                (kind == 64).then_some(Value::Array { at, length })
+                let shape = [1, length.saturating_sub(ARRAY_HEAD) / 8];
+                let at = at + ARRAY_HEAD;
+                let raster = Raster { bytes: self.b, at, shape, sample: Sample::F64 };
+                (kind == 64).then_some(ItemValue::Numbers(raster))
             }
             kind @ (0 | 69) => {
                 self.name()?;
@@ -275,7 +234,8 @@ impl<'a> Reader<'a, '_> {
                 let shape = [self.word()?, self.word()?];
                 let at = self.at;
                 self.skip_to(end)?;
-                Some(Value::Matrix { at, shape })
+                let raster = Raster { bytes: self.b, at, shape, sample: Sample::F32 };
+                Some(ItemValue::Numbers(raster))
             }
             70 | 71 | 125 => {
                 let length = self.length()?;

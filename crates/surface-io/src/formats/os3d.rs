@@ -10,8 +10,6 @@
 //! | origin | f64 f64 | µm |
 //! | heights | f32 | µm, in rows; below −3·10³⁸ is a missing point |
 //!
-//! The spacing is stored, so the question of N or N − 1 intervals does not arise.
-//!
 //! Sources: Digital Metrology Solutions, *OmniSurf3D file format*, as read by SurfaceTopography
 //! and surfalize (both open readers). Not checked against a real file.
 

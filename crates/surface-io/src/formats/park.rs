@@ -35,7 +35,7 @@ const DATA: u16 = 50434;
 const HEADER: u16 = 50435;
 
 pub(crate) fn sniff(bytes: &[u8]) -> bool {
-    tiff::first_page_has(bytes, MAGIC)
+    tiff::first_page(bytes).is_some_and(|page| page.has(MAGIC))
 }
 
 pub(crate) fn parse<'a>(bytes: &'a [u8], limits: &Limits) -> Result<Contents<'a>, ReadError> {

@@ -8,8 +8,6 @@
 //! | `INFO/ITEM_n/NAME`, `VALUE` | device, objective, technique |
 //! | `LAYER_n/FILENAME_Z` | member with the heights: f32 in µm, little endian, in rows; NaN is a missing point |
 //!
-//! The spacing is stored, so the question of N or N − 1 intervals does not arise.
-//!
 //! Sources: SurfaceTopography, surfalize (both open readers). Not checked against a real file.
 
 use super::archive::{Archive, MAGIC};

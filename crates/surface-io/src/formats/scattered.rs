@@ -107,7 +107,7 @@ fn tolerance(step: f64, digits: Digits, largest: f64) -> f64 {
 }
 
 /// A map gridded from a list.
-pub(crate) struct Map {
+pub(crate) struct GriddedMap {
     pub(crate) shape: [usize; 2],
     pub(crate) step: [f64; 2],
     /// Of every column behind x and y.
@@ -116,7 +116,7 @@ pub(crate) struct Map {
     pub(crate) is_complete: bool,
 }
 
-impl Map {
+impl GriddedMap {
     /// Three points a side or more.
     pub(crate) fn is_wide(&self) -> bool {
         self.shape.iter().all(|n| *n > 2)
@@ -130,9 +130,9 @@ pub(crate) fn grid(
     columns: usize,
     digits: [Digits; 2],
     limits: &Limits,
-) -> Result<Map, ReadError> {
-    let x = Axis::new(values, columns, 0, digits[0])?;
-    let y = Axis::new(values, columns, 1, digits[1])?;
+) -> Result<GriddedMap, ReadError> {
+    let x = GridLines::new(values, columns, 0, digits[0])?;
+    let y = GridLines::new(values, columns, 1, digits[1])?;
     let (nx, ny, n) = (x.count, y.count, values.len() / columns);
     limits.check_points(Format::Text, [ny, nx])?;
     if nx.saturating_mul(ny) > n.saturating_mul(2) {
@@ -158,7 +158,7 @@ pub(crate) fn grid(
         (Some(step), None) | (None, Some(step)) => [step; 2],
         (None, None) => return Err(unsupported("a single point".into())),
     };
-    Ok(Map { shape: [ny, nx], step, heights, is_complete: n == nx * ny })
+    Ok(GriddedMap { shape: [ny, nx], step, heights, is_complete: n == nx * ny })
 }
 
 fn unsupported(feature: String) -> ReadError {
@@ -166,14 +166,14 @@ fn unsupported(feature: String) -> ReadError {
 }
 
 /// One coordinate of a list.
-struct Axis {
+struct GridLines {
     first: f64,
     /// Distance of neighbouring grid lines; `None` if there is one line.
     step: Option<f64>,
     count: usize,
 }
 
-impl Axis {
+impl GridLines {
     fn new(
         values: &[f64],
         columns: usize,
@@ -243,8 +243,8 @@ mod tests {
     use super::*;
     use std::fmt::Write as _;
 
-    fn map(text: &str) -> Map {
-        let table = crate::text::Table::parse(text).unwrap();
+    fn map(text: &str) -> GriddedMap {
+        let table = crate::text::NumberTable::parse(text).unwrap();
         grid(&table.values, 3, [table.digits[0], table.digits[1]], &Limits::default()).unwrap()
     }
 
@@ -278,7 +278,7 @@ mod tests {
 
     #[test]
     fn the_same_place_twice_is_refused() {
-        let table = crate::text::Table::parse("0 0 1\n1 0 1\n0 1 1\n0 1 2\n").unwrap();
+        let table = crate::text::NumberTable::parse("0 0 1\n1 0 1\n0 1 1\n0 1 2\n").unwrap();
         let digits = [table.digits[0], table.digits[1]];
         let Err(error) = grid(&table.values, 3, digits, &Limits::default()) else { panic!() };
         assert!(error.to_string().contains("already in the list"), "{error}");
@@ -287,7 +287,7 @@ mod tests {
     #[test]
     fn uneven_profiles_say_by_how_much() {
         let uneven = |text: &str| {
-            let table = crate::text::Table::parse(text).unwrap();
+            let table = crate::text::NumberTable::parse(text).unwrap();
             let x: Vec<f64> = table.values.iter().step_by(2).copied().collect();
             Line::new(&x, table.digits[0]).unwrap().uneven
         };

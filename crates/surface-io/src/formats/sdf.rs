@@ -14,10 +14,9 @@
 //! Text: `aISO-1.0`, `aISO-2.0` or `aBCR-1.0`, lines `Field = value`, a line `*`, the numbers, a line `*`,
 //! a trailer. `BAD` is a missing point.
 //!
-//! DataType: 0 u8, 1 u16, 2 u32, 3 f32, 4 i8, 5 i16, 6 i32, 7 f64. A missing point is the
-//! smallest value of a signed type, the largest of an unsigned one (16 and 32 bits), and NaN or
-//! a number at the end of the range of a floating type. Height = value × Zscale. Scales are spacings, so
-//! the question of N or N − 1 intervals does not arise.
+//! DataType: 0 u8, 1 u16, 2 u32, 3 f32, 4 i8, 5 i16, 6 i32, 7 f64. A missing point is the smallest
+//! value of a signed type, the largest of an unsigned one (16 and 32 bits), and NaN or a number at
+//! the end of the range of a floating type. Height = value × Zscale.
 //!
 //! Source: ISO 25178-71:2017.
 

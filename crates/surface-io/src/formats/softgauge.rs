@@ -8,8 +8,6 @@
 //! | `…/DATA_POINT_VALUES` | heights, one a line |
 //! | `DATA/PART`, `PROCESS`, `MEASUREMENT` | what was measured |
 //!
-//! Spacing is stored, so the question of N or N − 1 intervals does not arise.
-//!
 //! Source: the softgauges of <https://physics.nist.gov/VSC/jsp/Database.jsp>.
 
 use crate::binary::find;

@@ -22,12 +22,13 @@
 //! | 474 | f32 | height of stored value 0, in the unit of byte 212 |
 //!
 //! Compressed data: u32 number of streams; u32 unpacked and u32 packed size of each; the zlib
-//! streams. Spacing is stored, so the question of N or N − 1 intervals does not arise.
+//! streams.
 //!
 //! Sources: Digital Surf, *Surf File Format* (2018), and the files of several writers.
 
 use crate::binary::{Bytes, Order, Sample};
 use crate::measurement::{Channel, Contents, Pixel, Raster};
+use crate::unpack::zlib;
 use crate::{Format, Limits, ReadError};
 
 const FORMAT: Format = Format::Sur;
@@ -125,11 +126,7 @@ fn object<'a>(b: Bytes<'a>, at: usize, limits: &Limits) -> Result<(Channel<'a>, 
     Ok((channel.converted(convert), at + end))
 }
 
-#[cfg(feature = "zip")]
 fn unpack(o: Bytes<'_>, at: usize, limits: &Limits) -> Result<(Vec<u8>, usize), ReadError> {
-    use flate2::read::ZlibDecoder;
-    use std::io::Read;
-
     let streams = o.u32(at)? as usize;
     limits.check_items(FORMAT, streams as u64)?;
     let sizes = (0..streams)
@@ -139,21 +136,13 @@ fn unpack(o: Bytes<'_>, at: usize, limits: &Limits) -> Result<(Vec<u8>, usize), 
     let mut at = at + 4 + 8 * streams;
     let mut unpacked = Vec::new();
     for [plain, packed] in sizes {
-        let stream = o.slice(at, packed as usize)?;
-        let before = unpacked.len();
-        ZlibDecoder::new(stream)
-            .take(u64::from(plain))
-            .read_to_end(&mut unpacked)
-            .map_err(|e| o.fault(at, format!("compressed data: {e}")))?;
-        if unpacked.len() - before != plain as usize {
+        let stream = zlib(o.slice(at, packed as usize)?, plain as usize)
+            .map_err(|what| o.fault(at, format!("compressed data: {what}")))?;
+        if stream.len() != plain as usize {
             return Err(o.fault(at, "the compressed data end too early"));
         }
+        unpacked.extend(stream);
         at += packed as usize;
     }
     Ok((unpacked, at))
-}
-
-#[cfg(not(feature = "zip"))]
-fn unpack(_: Bytes<'_>, _: usize, _: &Limits) -> Result<(Vec<u8>, usize), ReadError> {
-    Err(FORMAT.unsupported("compressed data (this build lacks the feature `zip`)"))
 }

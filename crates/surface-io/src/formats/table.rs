@@ -33,7 +33,7 @@ use super::scattered::{self, Line};
 use crate::cells::{Digits, Written};
 use crate::header::{Header, Title};
 use crate::measurement::{Channel, Contents, Pixel};
-use crate::text::{self, NumberedLines, Table, is_monotone};
+use crate::text::{self, NumberTable, NumberedLines, is_monotone};
 use crate::units::metres_per;
 use crate::{Ambiguity, Format, Layout, Limits, Need, ReadError, ReadOptions};
 
@@ -54,9 +54,10 @@ pub(crate) fn parse_as<'a>(
 ) -> Result<Contents<'a>, ReadError> {
     let text = text::decode(bytes);
     let written = Written { decimal: options.decimal, missing: &options.missing };
-    let begins =
-        |lines: &NumberedLines<'_>| Header::parse(&Table::empty(lines.clone())).says_channel();
-    let tables = Table::all(&text, written, &begins)?;
+    let begins = |lines: &NumberedLines<'_>| {
+        Header::parse(&NumberTable::empty(lines.clone())).says_channel()
+    };
+    let tables = NumberTable::all(&text, written, &begins)?;
     let several = tables.len() > 1;
     let mut contents = Contents::default();
     for (number, table) in tables.into_iter().enumerate() {
@@ -88,7 +89,7 @@ pub(crate) fn parse_as<'a>(
 enum Reading {
     Matrix,
     /// x y z and further columns, put on a grid already.
-    List(scattered::Map),
+    List(scattered::GriddedMap),
     Profile,
     Traces,
     Column,
@@ -96,7 +97,7 @@ enum Reading {
 
 /// What one table holds.
 fn channels(
-    mut table: Table<'_>,
+    mut table: NumberTable<'_>,
     header: &mut Header,
     options: &ReadOptions,
 ) -> Result<Vec<Channel<'static>>, ReadError> {
@@ -216,12 +217,13 @@ fn bad_layout(layout: Layout, reason: &'static str) -> ReadError {
 
 /// A refusal of columns that may be something else.
 fn or_matrix(error: ReadError, ambiguity: Ambiguity) -> ReadError {
-    match error {
-        ReadError::Unsupported { .. } | ReadError::Malformed { .. } => {
-            ReadError::Ambiguous { source: Box::new(error), ambiguity }
-        }
-        other => other,
-    }
+    let what = match error {
+        ReadError::Unsupported { feature, .. } => format!("{feature} is not supported"),
+        ReadError::Malformed { place, what, .. } => format!("{place}: {what}"),
+        other => return other,
+    };
+    let what = format!("{what} ({ambiguity})");
+    ReadError::TwoReadings { format: FORMAT, what, needs: ambiguity.needs() }
 }
 
 /// Titles of columns with positions along a line.
@@ -257,7 +259,7 @@ fn traces(sheet: &Sheet, header: &Header) -> Result<Vec<Channel<'static>>, ReadE
 
 /// One channel for z, and one for every column behind it.
 fn list(
-    map: scattered::Map,
+    map: scattered::GriddedMap,
     sheet: &Sheet,
     header: &Header,
     ambiguity: Option<Ambiguity>,

@@ -14,8 +14,8 @@
 //! | image + 796 | | heights in rows (behind a palette of 768 bytes) |
 //!
 //! VK6 and VK7 are the three letters, u32 length of a preview picture, the picture, and a ZIP
-//! archive whose member `Vk4File` is a VK4. The spacing is stored, so the question of N or N − 1
-//! intervals does not arise. The format has no mark for missing points; 0 is a height.
+//! archive whose member `Vk4File` is a VK4. The format has no mark for missing points; 0 is a
+//! height.
 //!
 //! Sources: SurfaceTopography, surfalize (both open readers); a VK6 file of a VK-X3000.
 

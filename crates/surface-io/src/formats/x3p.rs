@@ -14,7 +14,7 @@
 //!
 //! Heights are `z * Increment + Offset` for integers; floating point heights are metres already
 //! and only the offset applies. NaN and infinity are missing points. `Increment` is the distance of neighbouring
-//! points, so the question of N or N − 1 intervals does not arise. A document type declaration
+//! points. A document type declaration
 //! is refused, so no entity is ever expanded.
 //!
 //! Source: ISO 25178-72:2017; the schema `ISO5436_2.xsd` and sample files of openGPS,

@@ -8,8 +8,7 @@
 //! | 117 | u32 | length of the comment |
 //! | 205 | | the comment, then heights as i16 in rows |
 //!
-//! The spacing is stored, so the question of N or N − 1 intervals does not arise. A mark for
-//! missing points is not known.
+//! A mark for missing points is not known.
 //!
 //! Sources: SurfaceTopography, surfalize (both open readers). Not checked against a real file.
 

@@ -13,8 +13,7 @@
 //! | `686613b8-…` | XML: `XYCalibration/MeterPerPixel`, `ZCalibration/MeterPerUnit` |
 //! | `1d35862b-…`, `cbc1d39b-…` | XML: `ScanDateTime`, `DeviceModelName` |
 //!
-//! All numbers little endian. Height = stored number × `MeterPerUnit`. The spacing is stored, so the
-//! question of N or N − 1 intervals does not arise. The calibration of the user
+//! All numbers little endian. Height = stored number × `MeterPerUnit`. The calibration of the user
 //! (`7d5ea102-…`) is not applied: it is part of `MeterPerPixel` or it is not, no description says.
 //!
 //! Sources: SurfaceTopography, surfalize (both open readers); a file of a VR-6100.

@@ -2,7 +2,7 @@
 
 use super::chunks::{self, Chunked, Filter};
 use super::file::{File, Message, WAY_OUT};
-use super::types::{Type, Value, read_attribute, read_shape, read_type};
+use super::types::{AttributeValue, Type, read_attribute, read_shape, read_type};
 use crate::binary::{Bytes, Order, Sample};
 use crate::error::ReadError;
 
@@ -14,12 +14,12 @@ pub(crate) struct Dataset<'a> {
     pub(crate) shape: Vec<u64>,
     sample: Sample,
     order: Order,
-    layout: Layout,
-    pub(crate) attributes: Vec<(String, Value)>,
+    layout: Storage,
+    pub(crate) attributes: Vec<(String, AttributeValue)>,
 }
 
 #[derive(Debug)]
-enum Layout {
+enum Storage {
     /// One after the other from this byte.
     Contiguous(usize),
     Chunks(Chunked),
@@ -52,7 +52,7 @@ impl<'a> Dataset<'a> {
     }
 
     /// The value of an attribute, by one of its names.
-    pub(crate) fn attribute(&self, names: &[&str]) -> Option<&Value> {
+    pub(crate) fn attribute(&self, names: &[&str]) -> Option<&AttributeValue> {
         let found = self.attributes.iter().find(|(name, _)| names.contains(&name.as_str()));
         found.map(|(_, value)| value)
     }
@@ -64,11 +64,11 @@ impl<'a> Dataset<'a> {
         self.file.limits.check_points(self.file.b.format, [points, 1])?;
         let b = Bytes { order: self.order, ..self.file.b };
         match &self.layout {
-            Layout::Contiguous(at) => b.samples(*at, points, self.sample),
-            Layout::Chunks(chunked) => {
+            Storage::Contiguous(at) => b.samples(*at, points, self.sample),
+            Storage::Chunks(chunked) => {
                 chunked.values(&self.file, &self.shape, self.sample, self.order)
             }
-            Layout::Empty => Err(b.field("data", "the data set was never written")),
+            Storage::Empty => Err(b.field("data", "the data set was never written")),
         }
     }
 }
@@ -78,16 +78,16 @@ fn read_layout(
     message: Message,
     rank: usize,
     filters: Vec<Filter>,
-) -> Result<Layout, ReadError> {
+) -> Result<Storage, ReadError> {
     let (b, at) = (file.b, message.at);
     let unsupported = |feature: String| b.format.unsupported(feature);
     let (version, class) = (b.u8(at)?, b.u8(at + 1)?);
     if !matches!(version, 3 | 4) {
         return Err(unsupported(format!("a data layout of version {version} ({WAY_OUT})")));
     }
-    let contiguous = |at: Option<usize>| at.map_or(Layout::Empty, Layout::Contiguous);
+    let contiguous = |at: Option<usize>| at.map_or(Storage::Empty, Storage::Contiguous);
     Ok(match (class, version) {
-        (0, _) => Layout::Contiguous(at + 4),
+        (0, _) => Storage::Contiguous(at + 4),
         (1, _) => contiguous(file.address(at + 2)?),
         (2, 3) => {
             let axes = usize::from(b.u8(at + 2)?);
@@ -99,9 +99,9 @@ fn read_layout(
                 (0..rank).map(|i| b.u32(sides + 4 * i).map(u64::from)).collect();
             match file.address(at + 3)? {
                 Some(tree) => {
-                    Layout::Chunks(Chunked::new(file, sides?, filters, Some(tree), None)?)
+                    Storage::Chunks(Chunked::new(file, sides?, filters, Some(tree), None)?)
                 }
-                None => Layout::Empty,
+                None => Storage::Empty,
             }
         }
         (2, _) => {
@@ -126,9 +126,9 @@ fn read_layout(
             match file.address(place)? {
                 Some(only) => {
                     let only = (only, packed);
-                    Layout::Chunks(Chunked::new(file, sides?, filters, None, Some(only))?)
+                    Storage::Chunks(Chunked::new(file, sides?, filters, None, Some(only))?)
                 }
-                None => Layout::Empty,
+                None => Storage::Empty,
             }
         }
         (class, _) => return Err(unsupported(format!("a data layout of class {class}"))),

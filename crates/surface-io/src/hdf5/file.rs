@@ -142,15 +142,13 @@ impl<'a> File<'a> {
         };
         let Some(at) = self.address(message.at + place)? else { return Ok(None) };
         // Only the first level: shared messages do not point at shared messages.
-        let header = self.b.slice(at, 4)? == b"OHDR";
-        let first = if header { None } else { Some(at + 16) };
-        let Some(first) = first else {
+        if self.b.slice(at, 4)? == b"OHDR" {
             return Err(self
                 .b
                 .format
                 .unsupported(format!("a shared message in a header of version 2 ({WAY_OUT})")));
-        };
-        let mut at = first;
+        }
+        let mut at = at + 16;
         for _ in 0..16 {
             let (kind, size) = (self.b.u16(at)?, usize::from(self.b.u16(at + 2)?));
             if kind == message.kind {

@@ -24,5 +24,5 @@ mod write;
 pub(crate) use dataset::Dataset;
 pub(crate) use file::{File, MAGIC};
 pub(crate) use groups::datasets;
-pub(crate) use types::Value;
+pub(crate) use types::AttributeValue;
 pub use write::hdf5;

@@ -26,14 +26,14 @@ pub(crate) struct Sized {
 
 /// The value of an attribute.
 #[derive(Debug, Clone, PartialEq)]
-pub(crate) enum Value {
+pub(crate) enum AttributeValue {
     Numbers(Vec<f64>),
     Text(String),
     /// Of a compound, by name.
-    Members(Vec<(String, Value)>),
+    Members(Vec<(String, AttributeValue)>),
 }
 
-impl Value {
+impl AttributeValue {
     pub(crate) fn text(&self) -> Option<&str> {
         if let Self::Text(text) = self { Some(text) } else { None }
     }
@@ -131,7 +131,7 @@ pub(crate) fn read_shape(file: &File<'_>, at: usize) -> Result<Vec<u64>, ReadErr
 pub(crate) fn read_attribute(
     file: &File<'_>,
     at: usize,
-) -> Result<Option<(String, Value)>, ReadError> {
+) -> Result<Option<(String, AttributeValue)>, ReadError> {
     let b = file.b;
     let version = b.u8(at)?;
     let sizes = [b.u16(at + 2)?, b.u16(at + 4)?, b.u16(at + 6)?].map(usize::from);
@@ -148,7 +148,12 @@ pub(crate) fn read_attribute(
 }
 
 /// `count` values from `at`; of texts and compounds the first.
-fn value(file: &File<'_>, kind: &Sized, at: usize, count: u64) -> Result<Option<Value>, ReadError> {
+fn value(
+    file: &File<'_>,
+    kind: &Sized,
+    at: usize,
+    count: u64,
+) -> Result<Option<AttributeValue>, ReadError> {
     let b = file.b;
     if count == 0 {
         return Ok(None);
@@ -157,19 +162,19 @@ fn value(file: &File<'_>, kind: &Sized, at: usize, count: u64) -> Result<Option<
         Type::Number(sample, order) => {
             let count = usize::try_from(count).unwrap_or(usize::MAX).min(1024);
             let b = crate::binary::Bytes { order: *order, ..b };
-            Some(Value::Numbers(b.samples(at, count, *sample)?))
+            Some(AttributeValue::Numbers(b.samples(at, count, *sample)?))
         }
-        Type::Text => Some(Value::Text(b.text(at, kind.size)?)),
+        Type::Text => Some(AttributeValue::Text(b.text(at, kind.size)?)),
         Type::Long(base) => {
             let length = b.u32(at)? as usize;
             let Some(heap) = file.address(at + 4)? else { return Ok(None) };
             let raw = global(file, heap, b.u32(at + 4 + file.address_size)?)?;
             Some(match base {
-                None => Value::Text(crate::binary::text(&raw[..length.min(raw.len())])),
+                None => AttributeValue::Text(crate::binary::text(&raw[..length.min(raw.len())])),
                 Some((sample, order)) => {
                     let mut numbers = sample.decode(raw, *order);
                     numbers.truncate(length);
-                    Value::Numbers(numbers)
+                    AttributeValue::Numbers(numbers)
                 }
             })
         }
@@ -180,7 +185,7 @@ fn value(file: &File<'_>, kind: &Sized, at: usize, count: u64) -> Result<Option<
                     values.push((name.clone(), value));
                 }
             }
-            Some(Value::Members(values))
+            Some(AttributeValue::Members(values))
         }
         Type::Other => None,
     })

@@ -55,7 +55,7 @@ pub fn hdf5(
 }
 
 fn check(grid: Grid, fields: &[(&str, &str, &[f64])], comment: &str) -> io::Result<()> {
-    let refused = |what: String| Err(io::Error::new(io::ErrorKind::InvalidInput, what));
+    let refused = |what: String| Err(crate::write::invalid(what));
     let [ny, nx] = grid.shape();
     for (name, unit, values) in fields {
         if values.len() != grid.len() {

@@ -2,8 +2,8 @@
 
 use super::*;
 
-fn table(text: &str) -> Table<'_> {
-    Table::parse(text).unwrap()
+fn table(text: &str) -> NumberTable<'_> {
+    NumberTable::parse(text).unwrap()
 }
 
 #[test]
@@ -55,7 +55,7 @@ fn a_bad_row_at_the_start_is_no_header() {
         ("0 0 1\n0.l 1 2\n1 0 3\n1 1 4\n", "line 2"),
         ("0.1;1.O\n0.2;2\n0.3;3\n", "line 1"),
     ] {
-        let error = Table::parse(text).unwrap_err().to_string();
+        let error = NumberTable::parse(text).unwrap_err().to_string();
         assert!(error.contains(line), "{text:?}: {error}");
     }
     for text in ["Points 5 7\n1 2 3\n4 5 6\n", "5 7\na b\n1 2\n3 4\n", "1 um\n1 2\n3 4\n"] {
@@ -73,14 +73,14 @@ fn counts_before_the_rows_are_header() {
 #[test]
 fn wrong_rows_name_their_line() {
     for (text, line) in [("1 2\n3 4\n5\n", "line 3"), ("1 2\n\n3 4\n5 x\n", "line 4")] {
-        let e = Table::parse(text).unwrap_err().to_string();
+        let e = NumberTable::parse(text).unwrap_err().to_string();
         assert!(e.contains(line), "{e}");
     }
 }
 
 #[test]
 fn mixed_decimal_marks_are_refused() {
-    assert!(Table::parse("1,5;2.5\n1;2\n").is_err());
+    assert!(NumberTable::parse("1,5;2.5\n1;2\n").is_err());
 }
 
 #[test]

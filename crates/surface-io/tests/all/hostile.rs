@@ -1,7 +1,7 @@
 //! Damaged and hostile files: a typed error or a right answer, never a panic, within the limits.
 
 use crate::common::binary::{gzip, npy, x3p_main, zip};
-use crate::common::{Sample, Say as _, assert_sample, samples, unaided};
+use crate::common::{SampleFile, SayMore as _, assert_sample, samples, unaided};
 use rand_pcg::Pcg64Mcg;
 use rand_pcg::rand_core::{Rng, SeedableRng};
 use std::fmt::Write as _;
@@ -37,7 +37,7 @@ fn every_prefix_is_refused_or_right() {
 
 #[test]
 fn every_single_byte_corruption_is_survived() {
-    let corrupt = |sample: &Sample| {
+    let corrupt = |sample: &SampleFile| {
         let mut options = sample.options.clone();
         options.limits = tight();
         let mut bytes = sample.bytes.clone();
@@ -181,7 +181,7 @@ fn random_damage_is_survived() {
     let count = std::env::var("SURFACE_IO_MUTANTS").ok().and_then(|n| n.parse().ok());
     let count: u64 = count.unwrap_or(1000);
     for sample in samples() {
-        let found = read_bytes(&sample.bytes, &sample.options).unwrap();
+        let found = sample.read().unwrap();
         let spec = FORMATS.iter().find(|spec| spec.format == found.format()).unwrap();
         let options = sample.options.clone().and(|o| o.limits = tight());
         for seed in 0..count {

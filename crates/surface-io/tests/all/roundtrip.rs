@@ -1,7 +1,7 @@
 //! Written and read back: the same bits.
 
 use crate::common::binary::complete_map;
-use crate::common::{Say as _, scaled, unaided};
+use crate::common::{SayMore as _, scaled, unaided};
 use contact_types::{Grid, HeightMap};
 use proptest::prelude::*;
 use std::io::Cursor;

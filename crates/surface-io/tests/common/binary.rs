@@ -1,6 +1,6 @@
 //! Samples of the binary formats, written byte by byte after the layout tables of the readers.
 
-use super::{DX, DY, NX, NY, Sample, points};
+use super::{DX, DY, NX, NY, SampleFile, points};
 use contact_types::{Grid, HeightMap};
 use std::io::{Cursor, Write as _};
 
@@ -88,7 +88,7 @@ pub fn doubles(values: &[f64]) -> Vec<u8> {
     values.iter().flat_map(|v| v.to_le_bytes()).collect()
 }
 
-fn x3p_samples() -> Vec<Sample> {
+fn x3p_samples() -> Vec<SampleFile> {
     let metres: Vec<f64> = points(f64::NAN).iter().map(|h| h * 1e-9).collect();
     let link = "<DataLink><PointDataLink>bindata/data.bin</PointDataLink></DataLink>";
     let masked = "<DataLink><PointDataLink>bindata/data.bin</PointDataLink>\
@@ -103,14 +103,14 @@ fn x3p_samples() -> Vec<Sample> {
         .collect();
     let list = format!("<DataList>{data}</DataList>");
     vec![
-        Sample::new(
+        SampleFile::new(
             "x3p, binary",
             zip(&[
                 ("main.xml", x3p_main("D", "", link).as_bytes()),
                 ("bindata/data.bin", &doubles(&metres)),
             ]),
         ),
-        Sample::new(
+        SampleFile::new(
             "x3p, mask, in a folder, beside __MACOSX",
             zip(&[
                 ("__MACOSX/._main.xml", b"junk"),
@@ -119,7 +119,7 @@ fn x3p_samples() -> Vec<Sample> {
                 ("scan/bindata/valid.bin", &mask),
             ]),
         ),
-        Sample::new("x3p, list", zip(&[("main.xml", x3p_main("D", "", &list).as_bytes())])),
+        SampleFile::new("x3p, list", zip(&[("main.xml", x3p_main("D", "", &list).as_bytes())])),
     ]
 }
 
@@ -135,7 +135,7 @@ pub fn complete_map() -> HeightMap {
     HeightMap::new(Grid::new([NY, NX], [DY, DX]).unwrap(), heights).unwrap()
 }
 
-pub fn samples() -> Vec<Sample> {
+pub fn samples() -> Vec<SampleFile> {
     let values = points(f64::NAN);
     let columns: Vec<u8> = (0..NX)
         .flat_map(|ix| (0..NY).map(move |iy| (iy, ix)))
@@ -143,24 +143,24 @@ pub fn samples() -> Vec<Sample> {
         .collect();
     let integers: Vec<u8> = points(102.0).iter().flat_map(|h| (*h as u16).to_le_bytes()).collect();
     let mut samples = vec![
-        Sample::new("npy", npy("<f8", false, "(5, 7)", &doubles(&values)))
+        SampleFile::new("npy", npy("<f8", false, "(5, 7)", &doubles(&values)))
             .with_pixel()
             .with_unit(1e-9),
-        Sample::new("npy, Fortran, big endian", npy(">f4", true, "(5, 7)", &columns))
+        SampleFile::new("npy, Fortran, big endian", npy(">f4", true, "(5, 7)", &columns))
             .with_pixel()
             .with_unit(1e-9),
-        Sample::new("npy, integers", npy("<u2", false, "(5, 7)", &integers))
+        SampleFile::new("npy, integers", npy("<u2", false, "(5, 7)", &integers))
             .with_pixel()
             .with_unit(1e-9)
             .complete(),
-        Sample::new("zipped text", zip(&[("map.txt", b"# Width: 14 um\n# Height: 15 um\n# Value units: nm\n0 1 2 3 4 5 6\n100 101 NaN 103 104 105 106\n200 201 202 203 204 205 206\n300 301 302 303 304 305 306\n400 401 402 403 404 405 406")])),
+        SampleFile::new("zipped text", zip(&[("map.txt", b"# Width: 14 um\n# Height: 15 um\n# Value units: nm\n0 1 2 3 4 5 6\n100 101 NaN 103 104 105 106\n200 201 202 203 204 205 206\n300 301 302 303 304 305 306\n400 401 402 403 404 405 406")])),
     ];
     let plain = npy("<f8", false, "(5, 7)", &doubles(&values));
-    samples.push(Sample::new("gzipped npy", gzip(&plain)).with_pixel().with_unit(1e-9));
+    samples.push(SampleFile::new("gzipped npy", gzip(&plain)).with_pixel().with_unit(1e-9));
     let member = npy("<f8", false, "(5, 7)", &doubles(&values));
     let text = npy("<U3", false, "()", b"abcdefghijkl");
     let archive = zip(&[("note.npy", &text), ("height.npy", &member)]);
-    samples.push(Sample::new("npz", archive).with_pixel().with_unit(1e-9));
+    samples.push(SampleFile::new("npz", archive).with_pixel().with_unit(1e-9));
     samples.extend(x3p_samples());
     samples
 }

@@ -1,7 +1,7 @@
 //! Samples of instrument formats.
 
 use super::binary::{Writer, doubles, floats, shorts, upside_down, words};
-use super::{DX, DY, NX, NY, Sample, points};
+use super::{DX, DY, NX, NY, SampleFile, points};
 use std::io::Write as _;
 
 fn sur(is_compressed: bool, bits: u16) -> Vec<u8> {
@@ -424,39 +424,42 @@ fn opdx() -> Vec<u8> {
     w.0
 }
 
-pub fn samples() -> Vec<Sample> {
+pub fn samples() -> Vec<SampleFile> {
     let bytes: Vec<u8> = points(f64::NAN)
         .iter()
         .flat_map(|h| if h.is_nan() { i16::MIN } else { *h as i16 }.to_le_bytes())
         .collect();
     vec![
-        Sample::new("sur", sur(false, 32)),
-        Sample::new("sur, 16 bits", sur(false, 16)),
-        Sample::new("sur, compressed", sur(true, 32)),
-        Sample::new("sdf, f64", sdf_binary(1, 7, 1e-9, &doubles(&points(f64::NAN)))),
-        Sample::new("sdf, i16", sdf_binary(1, 5, 1e-9, &bytes)),
-        Sample::new("sdf 2.0, f32", sdf_binary(2, 3, 1e-9, &floats(&points(f64::from(f32::MIN))))),
-        Sample::text("sdf, text", &sdf_text()),
-        Sample::new("zygo", zygo()).with_pixel(),
-        Sample::new("opd", opd()),
-        Sample::new("gwy", gwy(false)),
-        Sample::new("gwy, mask", gwy(true)),
-        Sample::new("nanoscope, 2 bytes", nanoscope(2)).complete(),
-        Sample::new("nanoscope, 4 bytes", nanoscope(4)).complete(),
-        Sample::new("al3d", al3d()),
-        Sample::new("plu", plu()),
-        Sample::new("nms", nms()).complete(),
-        Sample::new("tmd", tmd()),
-        Sample::new("bcrf, UTF-16", bcrf("bcrf_unicode")),
-        Sample::new("bcrstm", bcrf("bcrstm")),
-        Sample::new("netcdf 1", netcdf(1, false)),
-        Sample::new("netcdf 2, x slow", netcdf(2, true)),
-        Sample::new("netcdf 5", netcdf(5, false)),
-        Sample::new("ibw", ibw()),
-        Sample::new("opdx", opdx()),
-        Sample::new("frt", frt()),
-        Sample::new("mi", mi()).complete(),
-        Sample::new("nid", nid()).complete(),
-        Sample::new("wsxm", wsxm()).complete(),
+        SampleFile::new("sur", sur(false, 32)),
+        SampleFile::new("sur, 16 bits", sur(false, 16)),
+        SampleFile::new("sur, compressed", sur(true, 32)),
+        SampleFile::new("sdf, f64", sdf_binary(1, 7, 1e-9, &doubles(&points(f64::NAN)))),
+        SampleFile::new("sdf, i16", sdf_binary(1, 5, 1e-9, &bytes)),
+        SampleFile::new(
+            "sdf 2.0, f32",
+            sdf_binary(2, 3, 1e-9, &floats(&points(f64::from(f32::MIN)))),
+        ),
+        SampleFile::text("sdf, text", &sdf_text()),
+        SampleFile::new("zygo", zygo()).with_pixel(),
+        SampleFile::new("opd", opd()),
+        SampleFile::new("gwy", gwy(false)),
+        SampleFile::new("gwy, mask", gwy(true)),
+        SampleFile::new("nanoscope, 2 bytes", nanoscope(2)).complete(),
+        SampleFile::new("nanoscope, 4 bytes", nanoscope(4)).complete(),
+        SampleFile::new("al3d", al3d()),
+        SampleFile::new("plu", plu()),
+        SampleFile::new("nms", nms()).complete(),
+        SampleFile::new("tmd", tmd()),
+        SampleFile::new("bcrf, UTF-16", bcrf("bcrf_unicode")),
+        SampleFile::new("bcrstm", bcrf("bcrstm")),
+        SampleFile::new("netcdf 1", netcdf(1, false)),
+        SampleFile::new("netcdf 2, x slow", netcdf(2, true)),
+        SampleFile::new("netcdf 5", netcdf(5, false)),
+        SampleFile::new("ibw", ibw()),
+        SampleFile::new("opdx", opdx()),
+        SampleFile::new("frt", frt()),
+        SampleFile::new("mi", mi()).complete(),
+        SampleFile::new("nid", nid()).complete(),
+        SampleFile::new("wsxm", wsxm()).complete(),
     ]
 }

@@ -1,7 +1,7 @@
 //! Samples of the formats of microscopes and profilers that came later than the others.
 
 use super::binary::{Writer, doubles, floats, shorts, upside_down, words, zip};
-use super::{DX, DY, NX, NY, Sample, points};
+use super::{DX, DY, NX, NY, SampleFile, points};
 use std::io::Read as _;
 
 /// Header, conditions at 84, a height image at 500; 1 pm is a tenth of the step.
@@ -69,7 +69,7 @@ fn sxm() -> Vec<u8> {
 
 /// A TIFF file of directories of entries (tag, type, count, value); values longer than 4 bytes
 /// stand behind all directories.
-fn tiff(pages: &[Vec<Entry>]) -> Vec<u8> {
+fn tiff(pages: &[Vec<TiffEntry>]) -> Vec<u8> {
     let directories: usize = pages.iter().map(|page| 6 + 12 * page.len()).sum();
     let (mut head, mut tail) = (Writer::default(), Vec::new());
     head.put(b"II*\0").u32([8]);
@@ -92,27 +92,27 @@ fn tiff(pages: &[Vec<Entry>]) -> Vec<u8> {
     head.0
 }
 
-type Entry = (u16, u16, u32, Vec<u8>);
+type TiffEntry = (u16, u16, u32, Vec<u8>);
 
-fn short(tag: u16, value: u16) -> Entry {
+fn short(tag: u16, value: u16) -> TiffEntry {
     (tag, 3, 1, value.to_le_bytes().to_vec())
 }
 
-fn long(tag: u16, value: u32) -> Entry {
+fn long(tag: u16, value: u32) -> TiffEntry {
     (tag, 4, 1, value.to_le_bytes().to_vec())
 }
 
-fn text(tag: u16, value: &str) -> Entry {
+fn text(tag: u16, value: &str) -> TiffEntry {
     (tag, 2, value.len() as u32 + 1, [value.as_bytes(), b"\0"].concat())
 }
 
-fn double(tag: u16, value: f64) -> Entry {
+fn double(tag: u16, value: f64) -> TiffEntry {
     (tag, 12, 1, value.to_le_bytes().to_vec())
 }
 
 /// Entries of a picture in one strip, whose offset is put in once it is known: the strip is the
 /// value of a private tag, behind all directories.
-fn picture(bits: u16, kind: u16, compression: u16, predictor: u16) -> Vec<Entry> {
+fn picture(bits: u16, kind: u16, compression: u16, predictor: u16) -> Vec<TiffEntry> {
     vec![
         long(256, NX as u32),
         long(257, NY as u32),
@@ -126,7 +126,7 @@ fn picture(bits: u16, kind: u16, compression: u16, predictor: u16) -> Vec<Entry>
 }
 
 /// Pages of which each has its strip in the private tag 65000.
-fn with_strips(mut pages: Vec<Vec<Entry>>, strips: &[Option<Vec<u8>>]) -> Vec<u8> {
+fn with_strips(mut pages: Vec<Vec<TiffEntry>>, strips: &[Option<Vec<u8>>]) -> Vec<u8> {
     for (page, strip) in pages.iter_mut().zip(strips) {
         if let Some(strip) = strip {
             page.push(long(273, 0));
@@ -368,40 +368,40 @@ pub fn mitutoyo() -> Vec<u8> {
     ])
 }
 
-pub fn samples() -> Vec<Sample> {
-    let square = |mut sample: Sample| {
+pub fn samples() -> Vec<SampleFile> {
+    let square = |mut sample: SampleFile| {
         // The format has square pixels; the sample has not.
         sample.options.pixel = Some([DY, DX]);
         sample
     };
     vec![
-        Sample::new("vk4", vk4()).complete(),
-        Sample::new("vk6", vk6()).complete(),
-        Sample::new("plux", plux()),
-        Sample::new("zmg", zmg()).complete(),
-        Sample::new("os3d", os3d()),
-        Sample::new("sxm", sxm()),
-        Sample::new("tiff, f32", tiff_floats()).with_pixel().with_unit(1e-9),
-        Sample::new("tiff, i16 differences", tiff_differences())
+        SampleFile::new("vk4", vk4()).complete(),
+        SampleFile::new("vk6", vk6()).complete(),
+        SampleFile::new("plux", plux()),
+        SampleFile::new("zmg", zmg()).complete(),
+        SampleFile::new("os3d", os3d()),
+        SampleFile::new("sxm", sxm()),
+        SampleFile::new("tiff, f32", tiff_floats()).with_pixel().with_unit(1e-9),
+        SampleFile::new("tiff, i16 differences", tiff_differences())
             .with_pixel()
             .with_unit(1e-9)
             .complete(),
-        Sample::new("jpk", jpk()).complete(),
-        Sample::new("park", park()),
-        Sample::new("lext", lext()).complete(),
-        Sample::new("mdt, scan", mdt_scan()).complete(),
-        Sample::new("mdt, general map", mdt_map()),
-        square(Sample::new("zon", zon(false))),
-        square(Sample::new("zon, zstd", zon(true))),
-        Sample::new("hdf5", hdf5(include_bytes!("../data/contiguous.h5.gz"))).with_pixel(),
-        Sample::new("hdf5, chunks", hdf5(include_bytes!("../data/chunked.h5.gz"))).with_pixel(),
-        Sample::new("hdf5, newest", hdf5(include_bytes!("../data/latest.h5.gz"))).with_pixel(),
-        Sample::new("hdf5, packed", hdf5(include_bytes!("../data/packed.h5.gz"))).with_pixel(),
-        Sample::new("hdf5, MATLAB", hdf5(include_bytes!("../data/matlab.h5.gz")))
+        SampleFile::new("jpk", jpk()).complete(),
+        SampleFile::new("park", park()),
+        SampleFile::new("lext", lext()).complete(),
+        SampleFile::new("mdt, scan", mdt_scan()).complete(),
+        SampleFile::new("mdt, general map", mdt_map()),
+        square(SampleFile::new("zon", zon(false))),
+        square(SampleFile::new("zon, zstd", zon(true))),
+        SampleFile::new("hdf5", hdf5(include_bytes!("../data/contiguous.h5.gz"))).with_pixel(),
+        SampleFile::new("hdf5, chunks", hdf5(include_bytes!("../data/chunked.h5.gz"))).with_pixel(),
+        SampleFile::new("hdf5, newest", hdf5(include_bytes!("../data/latest.h5.gz"))).with_pixel(),
+        SampleFile::new("hdf5, packed", hdf5(include_bytes!("../data/packed.h5.gz"))).with_pixel(),
+        SampleFile::new("hdf5, MATLAB", hdf5(include_bytes!("../data/matlab.h5.gz")))
             .with_pixel()
             .with_unit(1e-9),
-        Sample::new("hdf5, one chunk", hdf5(include_bytes!("../data/single_chunk.h5.gz")))
+        SampleFile::new("hdf5, one chunk", hdf5(include_bytes!("../data/single_chunk.h5.gz")))
             .with_pixel(),
-        Sample::new("datx", hdf5(include_bytes!("../data/made.datx.gz"))),
+        SampleFile::new("datx", hdf5(include_bytes!("../data/made.datx.gz"))),
     ]
 }

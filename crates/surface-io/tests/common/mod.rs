@@ -40,7 +40,7 @@ pub fn points(missing: f64) -> Vec<f64> {
 }
 
 /// One file of one format.
-pub struct Sample {
+pub struct SampleFile {
     pub name: &'static str,
     pub bytes: Vec<u8>,
     pub options: ReadOptions,
@@ -50,7 +50,7 @@ pub struct Sample {
     pub is_text: bool,
 }
 
-impl Sample {
+impl SampleFile {
     pub fn new(name: &'static str, bytes: Vec<u8>) -> Self {
         let options = ReadOptions::default();
         Self { name, bytes, options, can_miss: true, is_text: false }
@@ -58,6 +58,10 @@ impl Sample {
 
     pub fn text(name: &'static str, text: &str) -> Self {
         Self { is_text: true, ..Self::new(name, text.as_bytes().to_vec()) }
+    }
+
+    pub fn read(&self) -> Result<Measurement, ReadError> {
+        read_bytes(&self.bytes, &self.options)
     }
 
     pub fn complete(mut self) -> Self {
@@ -77,7 +81,7 @@ impl Sample {
 }
 
 /// Options that say more.
-pub trait Say: Sized {
+pub trait SayMore: Sized {
     fn and(self, say: impl FnOnce(&mut ReadOptions)) -> Self;
 
     fn channel(self, name: &str) -> Self {
@@ -97,7 +101,7 @@ pub trait Say: Sized {
     }
 }
 
-impl Say for ReadOptions {
+impl SayMore for ReadOptions {
     fn and(mut self, say: impl FnOnce(&mut ReadOptions)) -> Self {
         say(&mut self);
         self
@@ -107,6 +111,12 @@ impl Say for ReadOptions {
 /// What is read with nothing said.
 pub fn unaided(bytes: impl AsRef<[u8]>) -> Result<Measurement, ReadError> {
     read_bytes(bytes.as_ref(), &ReadOptions::default())
+}
+
+/// Panics unless a reading is refused with all these words.
+pub fn assert_refused(reading: Result<Measurement, ReadError>, words: &[&str]) {
+    let error = reading.expect_err("refused").to_string();
+    assert!(words.iter().all(|word| error.contains(word)), "{error}, not {words:?}");
 }
 
 /// With this pixel and height unit (m) where the file is silent.
@@ -175,8 +185,13 @@ fn list(order: fn(usize) -> (usize, usize)) -> String {
     text
 }
 
+/// The sample of this name.
+pub fn sample(name: &str) -> SampleFile {
+    samples().into_iter().find(|sample| sample.name == name).unwrap()
+}
+
 /// Every sample.
-pub fn samples() -> Vec<Sample> {
+pub fn samples() -> Vec<SampleFile> {
     let header = "# Channel: Z\n# Width: 14 \u{b5}m\n# Height: 15 um\n# Value units: nm\n";
     let mut latin1 = header.chars().map(|c| c as u8).collect::<Vec<u8>>();
     latin1.extend(matrix("\t", false, "NaN", "\r\n").bytes());
@@ -188,22 +203,27 @@ pub fn samples() -> Vec<Sample> {
     let spip = "# File Format = ASCII\n# x-length = 14\n# x-unit = um\n# y-length = 15000\n\
                 # y-unit = nm\n# z-unit = nm\n";
     let mut samples = vec![
-        Sample::text("text, German", &format!("{german}{}", matrix("\t", true, "", "\n"))),
-        Sample::text("text, SPIP", &format!("{spip}{}", matrix("\t", false, "NaN", "\n"))),
-        Sample::text("text, tabs", &format!("{header}{}", matrix("\t", false, "", "\n"))),
-        Sample::text("text, blanks", &format!("{header}{}", matrix("  ", false, "bad", "\r\n"))),
-        Sample::text("text, data frame", &framed()).with_pixel().with_unit(1e-9),
-        Sample::text("text, commas", &format!("{header}{}", matrix(",", false, "", ",\n"))),
-        Sample::text("text, semicolons", &matrix(";", true, "", "\n")).with_pixel().with_unit(1e-9),
-        Sample::text("text, decimal comma", &matrix(" ", true, "---", "\r"))
+        SampleFile::text("text, German", &format!("{german}{}", matrix("\t", true, "", "\n"))),
+        SampleFile::text("text, SPIP", &format!("{spip}{}", matrix("\t", false, "NaN", "\n"))),
+        SampleFile::text("text, tabs", &format!("{header}{}", matrix("\t", false, "", "\n"))),
+        SampleFile::text(
+            "text, blanks",
+            &format!("{header}{}", matrix("  ", false, "bad", "\r\n")),
+        ),
+        SampleFile::text("text, data frame", &framed()).with_pixel().with_unit(1e-9),
+        SampleFile::text("text, commas", &format!("{header}{}", matrix(",", false, "", ",\n"))),
+        SampleFile::text("text, semicolons", &matrix(";", true, "", "\n"))
             .with_pixel()
             .with_unit(1e-9),
-        Sample { is_text: true, ..Sample::new("text, Latin-1", latin1) },
-        Sample { is_text: true, ..Sample::new("text, UTF-16", utf16) },
-        Sample::text("list, rows", &list(|i| (i / NX, i % NX))),
-        Sample::text("list, columns", &list(|i| (i % NY, i / NY))),
-        Sample::text("list, from the end", &list(|i| (NY - 1 - i / NX, NX - 1 - i % NX))),
-        Sample::text("list, any order", &list(|i| ((i * 12 % 35) / NX, (i * 12 % 35) % NX))),
+        SampleFile::text("text, decimal comma", &matrix(" ", true, "---", "\r"))
+            .with_pixel()
+            .with_unit(1e-9),
+        SampleFile { is_text: true, ..SampleFile::new("text, Latin-1", latin1) },
+        SampleFile { is_text: true, ..SampleFile::new("text, UTF-16", utf16) },
+        SampleFile::text("list, rows", &list(|i| (i / NX, i % NX))),
+        SampleFile::text("list, columns", &list(|i| (i % NY, i / NY))),
+        SampleFile::text("list, from the end", &list(|i| (NY - 1 - i / NX, NX - 1 - i % NX))),
+        SampleFile::text("list, any order", &list(|i| ((i * 12 % 35) / NX, (i * 12 % 35) % NX))),
     ];
     samples.extend(binary::samples());
     samples.extend(instruments::samples());

@@ -1,7 +1,7 @@
 //! Documents of Mountains (MNT), and the OLE compound documents that hold them.
 
 use super::binary::Writer;
-use super::{DX, DY, NX, NY, Sample, points};
+use super::{DX, DY, NX, NY, SampleFile, points};
 use std::io::Write as _;
 
 const FREE: u32 = 0xffff_ffff;
@@ -157,9 +157,12 @@ pub fn document(contents: &[u8], shift: u16) -> Vec<u8> {
     ole(&[("ImagePreview", b"\xff\xd8\xff"), ("ScopedContents", &contents)], shift)
 }
 
-pub fn samples() -> Vec<Sample> {
+pub fn samples() -> Vec<SampleFile> {
     vec![
-        Sample::new("mnt", document(&contents(9062, None, 306), 9)).complete(),
-        Sample::new("mnt, mask, large sectors", document(&contents(9062, Some([9, 22]), 306), 12)),
+        SampleFile::new("mnt", document(&contents(9062, None, 306), 9)).complete(),
+        SampleFile::new(
+            "mnt, mask, large sectors",
+            document(&contents(9062, Some([9, 22]), 306), 12),
+        ),
     ]
 }

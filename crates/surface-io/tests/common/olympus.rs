@@ -1,7 +1,7 @@
 //! Sample of OIR, with a picture beside the heights and these in two pieces; and packed.
 
 use super::binary::{Writer, zip};
-use super::{NX, NY, Sample, points};
+use super::{NX, NY, SampleFile, points};
 
 fn word(value: usize) -> [u8; 4] {
     (value as u32).to_le_bytes()
@@ -77,7 +77,10 @@ fn oir() -> Vec<u8> {
     w.0
 }
 
-pub fn samples() -> Vec<Sample> {
+pub fn samples() -> Vec<SampleFile> {
     let packed = zip(&[("about.txt", b"no image"), ("a.oir", &oir()), ("b.oir", &oir()[..300])]);
-    vec![Sample::new("oir", oir()).complete(), Sample::new("oir, packed", packed).complete()]
+    vec![
+        SampleFile::new("oir", oir()).complete(),
+        SampleFile::new("oir, packed", packed).complete(),
+    ]
 }

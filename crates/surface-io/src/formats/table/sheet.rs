@@ -3,7 +3,7 @@
 use super::super::scattered::{self, Line};
 use crate::cells::Digits;
 use crate::header::{Header, Title};
-use crate::text::{Table, is_monotone};
+use crate::text::{NumberTable, is_monotone};
 use crate::{Format, Layout, Limits, Need, ReadError};
 
 const FORMAT: Format = Format::Text;
@@ -30,7 +30,7 @@ pub(super) struct Sheet {
 
 impl Sheet {
     /// Takes the numbers of `table`; units of its cells are those of its titles.
-    pub(super) fn of(table: &mut Table<'_>, header: &Header) -> Self {
+    pub(super) fn of(table: &mut NumberTable<'_>, header: &Header) -> Self {
         let mut titles = header.columns.clone();
         titles.resize(table.columns.max(titles.len()), Title { name: String::new(), unit: None });
         for (title, unit) in titles.iter_mut().zip(&table.units) {
@@ -174,7 +174,7 @@ impl Sheet {
             .is_ok_and(|map| map.is_wide() && map.is_complete)
     }
 
-    pub(super) fn grid(&self, limits: &Limits) -> Result<scattered::Map, ReadError> {
+    pub(super) fn grid(&self, limits: &Limits) -> Result<scattered::GriddedMap, ReadError> {
         scattered::grid(&self.values, self.columns, [self.digits[0], self.digits[1]], limits)
     }
 
