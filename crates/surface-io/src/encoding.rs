@@ -39,22 +39,6 @@ pub(crate) fn is_text(bytes: &[u8]) -> bool {
 
 /// Lines with their numbers from 1. `\n`, `\r\n` and a lone `\r` end a line, also mixed.
 pub(crate) fn lines(text: &str) -> impl Iterator<Item = (usize, &str)> {
-    let mut rest = Some(text);
-    let mut number = 0;
-    std::iter::from_fn(move || {
-        let text = rest?;
-        number += 1;
-        match text.bytes().position(|b| b == b'\n' || b == b'\r') {
-            None => {
-                rest = None;
-                Some((number, text))
-            }
-            Some(end) => {
-                let after = &text[end..];
-                let skip = if after.starts_with("\r\n") { 2 } else { 1 };
-                rest = Some(&after[skip..]);
-                Some((number, &text[..end]))
-            }
-        }
-    })
+    let ended = text.split('\n').map(|line| line.strip_suffix('\r').unwrap_or(line));
+    (1..).zip(ended.flat_map(|line| line.split('\r')))
 }

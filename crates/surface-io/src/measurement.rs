@@ -55,9 +55,6 @@ impl Pixel {
 /// Entry of the metadata with the unit of the file where another one was given for silent files.
 pub(crate) const KEPT_UNIT: &str = "height unit of the file, kept";
 
-/// Produces the heights of a channel in the unit of the file; NaN where a point is missing.
-pub(crate) type Decode<'a> = Box<dyn FnOnce() -> Result<Vec<f64>, ReadError> + 'a>;
-
 /// A channel as a reader hands it over.
 pub(crate) struct Channel<'a> {
     pub(crate) name: String,
@@ -78,7 +75,8 @@ pub(crate) struct Channel<'a> {
     pub(crate) ambiguity: Option<Ambiguity>,
     /// Why it cannot be read.
     pub(crate) fault: Option<ReadError>,
-    pub(crate) decode: Decode<'a>,
+    /// Produces the heights in the unit of the file; NaN where a point is missing.
+    pub(crate) decode: Box<dyn FnOnce() -> Result<Vec<f64>, ReadError> + 'a>,
 }
 
 impl<'a> Channel<'a> {
@@ -114,14 +112,6 @@ impl<'a> Channel<'a> {
             fault: None,
             decode: Box::new(decode),
         }
-    }
-
-    /// A channel that is there and cannot be read: it must not cost the others.
-    pub(crate) fn unreadable(name: impl Into<String>, fault: ReadError) -> Self {
-        let mut channel = Self::new(name, None, [0, 0], Pixel::Unknown, || Ok(Vec::new()));
-        channel.fault = Some(fault);
-        channel.is_height = false;
-        channel
     }
 
     /// A map of stored numbers, in rows; `convert` brings one to `unit`, or to NaN
@@ -241,8 +231,11 @@ impl<'a> Contents<'a> {
 
     /// Adds a channel. One that cannot be read must not cost the others.
     pub(crate) fn add(&mut self, name: &str, channel: Result<Channel<'a>, ReadError>) {
-        let channel = channel.unwrap_or_else(|fault| Channel::unreadable(name, fault));
-        self.channels.push(channel);
+        self.channels.push(channel.unwrap_or_else(|fault| Channel {
+            is_height: false,
+            fault: Some(fault),
+            ..Channel::new(name, None, [0, 0], Pixel::Unknown, || Ok(Vec::new()))
+        }));
     }
 
     /// Keeps an entry that no reader understands if it looks like a size, a scale or a unit.

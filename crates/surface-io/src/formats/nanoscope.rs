@@ -317,6 +317,8 @@ mod tests {
         file
     }
 
+    const IMAGE: &str = "\\Bytes/pixel: 2\r\n\\Samps/line: 8\r\n\\Number of lines: 4\r\n";
+
     fn read(file: &[u8]) -> crate::Measurement {
         crate::read_bytes(file, &crate::ReadOptions::default()).unwrap()
     }
@@ -324,7 +326,6 @@ mod tests {
     /// Sizes of 8 x 4 points: by aspect ratio, slow axis, two numbers, and of a part of a scan.
     #[test]
     fn size_along_the_slow_axis() {
-        let image = "\\Bytes/pixel: 2\r\n\\Samps/line: 8\r\n\\Number of lines: 4\r\n";
         for (scan, of_image, dy) in [
             ("\\Lines: 4\r\n", "\\Aspect Ratio: 2:1\r\n\\Scan Size: 10 10 ~m\r\n", 10.0 / 8.0),
             ("\\Lines: 4\r\n", "\\Aspect Ratio: 2:1\r\n\\Scan Size: 10 ~m\r\n", 10.0 / 8.0),
@@ -350,7 +351,7 @@ mod tests {
                 5.0 / 6.0,
             ),
         ] {
-            let found = read(&file(scan, &format!("{image}{of_image}"), 64));
+            let found = read(&file(scan, &format!("{IMAGE}{of_image}"), 64));
             let [y, x] = found.grid().pixel();
             assert!((x / 1.25e-6 - 1.0).abs() < 1e-12, "{scan}{of_image}: {x:e}");
             assert!((y / (1e-6 * dy) - 1.0).abs() < 1e-12, "{scan}{of_image}: {y:e}");
@@ -361,9 +362,8 @@ mod tests {
     /// file is its last.
     #[test]
     fn lines_that_are_there() {
-        let image = "\\Bytes/pixel: 2\r\n\\Samps/line: 8\r\n\\Number of lines: 4\r\n\
-                     \\Data length: 48\r\n\\Scan Size: 10 10 ~m\r\n";
-        let found = read(&file("", image, 48));
+        let image = format!("{IMAGE}\\Data length: 48\r\n\\Scan Size: 10 10 ~m\r\n");
+        let found = read(&file("", &image, 48));
         assert_eq!(found.grid().shape(), [3, 8]);
         assert!((found.grid().pixel()[0] / 2.5e-6 - 1.0).abs() < 1e-12);
         assert!((found.heights()[0] / 16e-9 - 1.0).abs() < 1e-12);
@@ -375,9 +375,8 @@ mod tests {
     /// Points of 4 bytes from version 9.2, scaled as if they had 2.
     #[test]
     fn four_bytes_whatever_the_header_says() {
-        let image = "\\Bytes/pixel: 2\r\n\\Samps/line: 8\r\n\\Number of lines: 4\r\n\
-                     \\Data length: 128\r\n\\Scan Size: 10 10 ~m\r\n";
-        let mut wide = file("", image, 0);
+        let image = format!("{IMAGE}\\Data length: 128\r\n\\Scan Size: 10 10 ~m\r\n");
+        let mut wide = file("", &image, 0);
         let at = crate::binary::find(&wide, b"0x0512").unwrap();
         wide[at..at + 6].copy_from_slice(b"0x0920");
         for i in 0..32i32 {
@@ -390,9 +389,8 @@ mod tests {
 
     #[test]
     fn other_beginnings() {
-        let image = "\\Bytes/pixel: 2\r\n\\Samps/line: 8\r\n\\Number of lines: 4\r\n\
-                     \\Scan Size: 10 10 ~m\r\n";
-        let plain = file("", image, 64);
+        let image = format!("{IMAGE}\\Scan Size: 10 10 ~m\r\n");
+        let plain = file("", &image, 64);
         let mut other = b"\\*EC ".to_vec();
         other.extend(&plain[2..]);
         let moved = crate::binary::find(&other, b"2048").unwrap();
@@ -400,7 +398,7 @@ mod tests {
         assert_eq!(read(&other).heights(), read(&plain).heights());
         let mut text = plain.clone();
         text[0] = b'?';
-        let curve = file("\\Operating mode: Force\r\n", image, 64);
+        let curve = file("\\Operating mode: Force\r\n", &image, 64);
         for (bytes, word) in [(text, "as text"), (curve, "force curve")] {
             let error = crate::read_bytes(&bytes, &crate::ReadOptions::default()).unwrap_err();
             assert!(error.to_string().contains(word), "{error}");

@@ -232,8 +232,7 @@ fn profiles_in_other_forms() {
 
 #[test]
 fn numbers_as_people_and_programs_write_them() {
-    let header = "# Width: 4 um\n# Height: 3 um\n# Value units: nm\n";
-    let read = |row: &str| heights(&format!("{header}{row}\n{row}\n"), &ReadOptions::default());
+    let read = |row: &str| heights(&format!("{GWYDDION}{row}\n{row}\n"), &ReadOptions::default());
     for row in [
         "1234.5\t-0.25\t1e3",
         "1.2345D+03\t-2.5d-01\t1.0D3",
@@ -258,14 +257,13 @@ fn numbers_as_people_and_programs_write_them() {
 
 #[test]
 fn thousands_are_told_by_their_pattern_or_asked_for() {
-    let header = "# Width: 4 um\n# Height: 3 um\n# Value units: nm\n";
     for mark in [",", "."] {
-        let text = format!("{header}34\t1{mark}855\t-291\n2{mark}184\t853\t-12{mark}034\n");
+        let text = format!("{GWYDDION}34\t1{mark}855\t-291\n2{mark}184\t853\t-12{mark}034\n");
         let expected = [34.0, 1855.0, -291.0, 2184.0, 853.0, -12034.0];
         assert_eq!(heights(&text, &ReadOptions::default()), expected, "{text}");
     }
     // In every number: nothing tells.
-    let text = format!("{header}1,855\t2,184\n3,853\t4,291\n");
+    let text = format!("{GWYDDION}1,855\t2,184\n3,853\t4,291\n");
     let error = refusal(&text, &ReadOptions::default());
     assert_eq!(error.needs(), [Need::DecimalMark]);
     let said = error.to_string();
@@ -276,7 +274,7 @@ fn thousands_are_told_by_their_pattern_or_asked_for() {
     assert_eq!(refusal("1,855;2\n3.853;4\n", &scaled()).needs(), [Need::DecimalMark]);
     // A mark of missing points among decimals is no thousands.
     assert_eq!(
-        heights(&format!("{header}1.855 999\n2.184 3.853\n"), &ReadOptions::default())[0],
+        heights(&format!("{GWYDDION}1.855 999\n2.184 3.853\n"), &ReadOptions::default())[0],
         1.855
     );
     // Whole coordinates beside heights with three decimals.
@@ -289,26 +287,25 @@ fn thousands_are_told_by_their_pattern_or_asked_for() {
 
 #[test]
 fn marks_of_missing_points() {
-    let header = "# Width: 4 um\n# Height: 3 um\n# Value units: nm\n";
     let marks = "1.#QNAN|-1.#IND|1.#QNAN00|-nan(ind)|-nan|NaN|No Data|NODATA|n.a.|#N/A|#NV|#VALUE!|BAD|\
                  null|3.40282346638529E+38|***|---|\u{2013}|";
     for mark in marks.split('|') {
         for separator in [";", "\t", ","] {
             let text =
-                format!("{header}1{separator}{mark}{separator}3\n4{separator}5{separator}6\n");
+                format!("{GWYDDION}1{separator}{mark}{separator}3\n4{separator}5{separator}6\n");
             let found = unaided(text.as_bytes());
             let found = found.unwrap_or_else(|e| panic!("{text}: {e}"));
             assert_eq!((found.grid().shape(), found.missing()), ([2, 3], 1), "{text}");
         }
     }
-    let blanks = format!("{header}1 No Data 3\n4 5 6\n");
+    let blanks = format!("{GWYDDION}1 No Data 3\n4 5 6\n");
     assert_eq!(read(&blanks).missing(), 1);
     // At the start of a line.
-    assert_eq!(read(&format!("{header}#N/A;2;3\n4;5;6\n")).missing(), 1);
+    assert_eq!(read(&format!("{GWYDDION}#N/A;2;3\n4;5;6\n")).missing(), 1);
     // Marks that are given: words, of several parts, numbers; not among coordinates.
     let given = |text: &str, mark: &str| {
         let options = ReadOptions::default().and(|o| o.missing.push(mark.into()));
-        read_bytes(format!("{header}{text}").as_bytes(), &options).unwrap().missing()
+        read_bytes(format!("{GWYDDION}{text}").as_bytes(), &options).unwrap().missing()
     };
     assert_eq!(given("1 x 3\n4 X 6\n", "x"), 2);
     assert_eq!(given("1 out of range 3\n4 5 6\n", "out of range"), 1);

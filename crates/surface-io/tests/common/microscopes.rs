@@ -67,26 +67,33 @@ fn sxm() -> Vec<u8> {
     w.0
 }
 
-/// A TIFF file of directories of entries (tag, type, count, value); values longer than 4 bytes
-/// stand behind all directories.
-fn tiff(pages: &[Vec<TiffEntry>]) -> Vec<u8> {
-    let directories: usize = pages.iter().map(|page| 6 + 12 * page.len()).sum();
+/// A TIFF file of directories of entries (tag, type, count, value), each with the strip of its picture if
+/// it has one; strips and values longer than 4 bytes stand behind all directories.
+fn tiff(pages: Vec<(Vec<TiffEntry>, Vec<u8>)>) -> Vec<u8> {
+    let of_strip = |strip: &[u8]| if strip.is_empty() { 0 } else { 2 };
+    let lengths = pages.iter().map(|(page, strip)| 6 + 12 * (page.len() + of_strip(strip)));
+    let (behind, count) = (8 + lengths.sum::<usize>(), pages.len());
     let (mut head, mut tail) = (Writer::default(), Vec::new());
     head.put(b"II*\0").u32([8]);
-    for (i, page) in pages.iter().enumerate() {
-        head.u16([page.len() as u16]);
-        for (tag, kind, count, value) in page {
-            head.put(tag.to_le_bytes()).put(kind.to_le_bytes()).put(count.to_le_bytes());
-            let mut inline = value.clone();
-            if value.len() > 4 {
-                inline = ((8 + directories + tail.len()) as u32).to_le_bytes().to_vec();
-                tail.extend_from_slice(value);
-            }
-            inline.resize(4, 0);
-            head.put(inline);
+    for (i, (mut page, strip)) in pages.into_iter().enumerate() {
+        if !strip.is_empty() {
+            page.push(long(273, (behind + tail.len()) as u32));
+            page.push(long(279, strip.len() as u32));
+            tail.extend(strip);
         }
-        let next = if i + 1 < pages.len() { head.0.len() + 4 } else { 0 };
-        head.u32([next as u32]);
+        page.sort_by_key(|entry| entry.0);
+        head.u16([page.len() as u16]);
+        for (tag, kind, count, mut value) in page {
+            head.u16([tag, kind]).u32([count]);
+            if value.len() > 4 {
+                let at = ((behind + tail.len()) as u32).to_le_bytes().to_vec();
+                tail.extend(std::mem::replace(&mut value, at));
+            }
+            value.resize(4, 0);
+            head.put(value);
+        }
+        let next = if i + 1 < count { head.0.len() as u32 + 4 } else { 0 };
+        head.u32([next]);
     }
     head.put(tail);
     head.0
@@ -110,8 +117,7 @@ fn double(tag: u16, value: f64) -> TiffEntry {
     (tag, 12, 1, value.to_le_bytes().to_vec())
 }
 
-/// Entries of a picture in one strip, whose offset is put in once it is known: the strip is the
-/// value of a private tag, behind all directories.
+/// Entries of a picture in one strip.
 fn picture(bits: u16, kind: u16, compression: u16, predictor: u16) -> Vec<TiffEntry> {
     vec![
         long(256, NX as u32),
@@ -125,37 +131,8 @@ fn picture(bits: u16, kind: u16, compression: u16, predictor: u16) -> Vec<TiffEn
     ]
 }
 
-/// Pages of which each has its strip in the private tag 65000.
-fn with_strips(mut pages: Vec<Vec<TiffEntry>>, strips: &[Option<Vec<u8>>]) -> Vec<u8> {
-    for (page, strip) in pages.iter_mut().zip(strips) {
-        if let Some(strip) = strip {
-            page.push(long(273, 0));
-            page.push(long(279, strip.len() as u32));
-            page.push((65000, 1, strip.len() as u32, strip.clone()));
-        }
-        page.sort_by_key(|entry| entry.0);
-    }
-    let directories: usize = pages.iter().map(|page| 6 + 12 * page.len()).sum();
-    let mut place = 8 + directories;
-    for page in &mut pages {
-        let mut at = 0;
-        for (tag, _, _, value) in page.iter() {
-            if value.len() > 4 {
-                if *tag == 65000 {
-                    at = place;
-                }
-                place += value.len();
-            }
-        }
-        if let Some(entry) = page.iter_mut().find(|entry| entry.0 == 273) {
-            entry.3 = (at as u32).to_le_bytes().to_vec();
-        }
-    }
-    tiff(&pages)
-}
-
 fn tiff_floats() -> Vec<u8> {
-    with_strips(vec![picture(32, 3, 1, 1)], &[Some(floats(&points(f64::NAN)))])
+    tiff(vec![(picture(32, 3, 1, 1), floats(&points(f64::NAN)))])
 }
 
 /// Differences along the rows, packed by deflate.
@@ -171,7 +148,7 @@ fn tiff_differences() -> Vec<u8> {
     let mut pack = flate2::read::ZlibEncoder::new(&data[..], flate2::Compression::default());
     let mut packed = Vec::new();
     pack.read_to_end(&mut packed).unwrap();
-    with_strips(vec![picture(16, 2, 8, 2)], &[Some(packed)])
+    tiff(vec![(picture(16, 2, 8, 2), packed)])
 }
 
 fn jpk() -> Vec<u8> {
@@ -198,8 +175,8 @@ fn jpk() -> Vec<u8> {
     // h = 1 um - 0.5 nm * stored
     let stored: Vec<f64> = upside_down(&points(102.0)).iter().map(|h| (1000.0 - h) * 2.0).collect();
     let data = words(&stored);
-    let pages = vec![grid, channel("Error", "m"), channel("Height", "m")];
-    with_strips(pages, &[None, Some(data.clone()), Some(data)])
+    let channels = [(channel("Error", "m"), data.clone()), (channel("Height", "m"), data)];
+    tiff([(grid, Vec::new())].into_iter().chain(channels).collect())
 }
 
 fn park() -> Vec<u8> {
@@ -209,12 +186,13 @@ fn park() -> Vec<u8> {
     h.to(140).put(doubles(&[14.0, 15.0])).to(220).put(doubles(&[0.5, 2e-3, 7.0])).put(wide("um"));
     h.to(348).u32([2]).to(580);
     let data = floats(&upside_down(&points(f64::NAN)));
-    tiff(&[vec![
+    let entries = vec![
         (50432, 4, 1, 0x0E03_1301u32.to_le_bytes().to_vec()),
         (50433, 4, 1, 0x0100_0002u32.to_le_bytes().to_vec()),
         (50434, 1, data.len() as u32, data),
         (50435, 7, 580, h.0),
-    ]])
+    ];
+    tiff(vec![(entries, Vec::new())])
 }
 
 fn lext() -> Vec<u8> {
@@ -229,8 +207,7 @@ fn lext() -> Vec<u8> {
     height.push(text(270, "HEIGHT"));
     let mut first = picture(8, 1, 1, 1);
     first.extend([text(270, xml), long(34665, 0)]);
-    let strips = [Some(vec![0; NX * NY]), Some(shorts(&points(102.0)))];
-    let mut file = with_strips(vec![first, height], &strips);
+    let mut file = tiff(vec![(first, vec![0; NX * NY]), (height, shorts(&points(102.0)))]);
     let at = file.len() as u32;
     let place = file.windows(4).position(|w| w == [0x69, 0x87, 4, 0]).unwrap() + 8;
     file[place..place + 4].copy_from_slice(&at.to_le_bytes());
