@@ -143,7 +143,9 @@ impl<'a> Channel<'a> {
     /// Brings every stored number to the unit, or to NaN if it marks a missing point.
     pub(crate) fn converted(self, convert: impl Fn(f64) -> f64 + 'a) -> Self {
         self.then(move |heights| {
-            heights.iter_mut().for_each(|height| *height = convert(*height));
+            for height in heights {
+                *height = convert(*height);
+            }
             Ok(())
         })
     }

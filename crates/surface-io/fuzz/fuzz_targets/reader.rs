@@ -19,12 +19,8 @@ fn format() -> Option<&'static FormatSpec> {
 }
 
 fuzz_target!(|bytes: &[u8]| {
-    let limits = Limits {
-        file_bytes: 1 << 20,
-        unpacked_bytes: 1 << 20,
-        points: 1 << 16,
-        items: 1 << 10,
-    };
+    let limits =
+        Limits { file_bytes: 1 << 20, unpacked_bytes: 1 << 20, points: 1 << 16, items: 1 << 10 };
     let options = ReadOptions { limits, ..ReadOptions::default() };
     let pixel = Some([3e-6, 2e-6]);
     let height_unit = Some(HeightUnit::IfSilent(1e-9));

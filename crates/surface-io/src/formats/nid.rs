@@ -91,7 +91,7 @@ fn read_channel<'a>(raster: Raster<'a>, section: Entries<'_>) -> Result<Channel<
     let steps = [section.number("Dim1Range")? / ny, section.number("Dim0Range")? / nx];
     let pixel = Pixel::in_units(steps, [section.text("Dim1Unit")?, section.text("Dim0Unit")?]);
     // Number of values the type can hold.
-    let levels = f64::powi(256.0, raster.sample.size() as i32);
+    let levels = (1u64 << (8 * raster.sample.size())) as f64;
     let step = section.number("Dim2Range")? / levels;
     let is_signed = matches!(raster.sample, Sample::I8 | Sample::I16 | Sample::I32);
     let lowest = section.number("Dim2Min")? + if is_signed { 0.5 * levels * step } else { 0.0 };

@@ -53,7 +53,7 @@ pub(crate) fn parse<'a>(bytes: &'a [u8], limits: &Limits) -> Result<Contents<'a>
         ["FLOAT", "MSBFIRST"] => Order::Big,
         ["FLOAT", "LSBFIRST"] => Order::Little,
         _ => {
-            return Err(FORMAT.unsupported(format!("data of type {:?}", kind)));
+            return Err(FORMAT.unsupported(format!("data of type {kind:?}")));
         }
     };
     let is_up = entries.text("SCAN_DIR")? != "down";

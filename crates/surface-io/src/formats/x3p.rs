@@ -201,7 +201,9 @@ impl MainXml {
             Some(raw) => binary_heights(raw, sample, points)?,
             None => self.listed_heights(points)?,
         };
-        z.iter_mut().for_each(|z| *z = *z * factor + offset);
+        for z in &mut z {
+            *z = *z * factor + offset;
+        }
         Ok(z)
     }
 

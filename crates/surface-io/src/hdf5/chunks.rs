@@ -14,8 +14,14 @@ pub(crate) struct Filter {
     setting: usize,
 }
 
-/// Where the only chunk of a data set is; with filters, its packed size and the filters left out.
-type Only = (usize, Option<(u64, u32)>);
+/// Where the chunks of a data set are.
+#[derive(Debug, Clone, Copy)]
+pub(crate) enum Index {
+    /// In a B-tree at this address.
+    Tree(usize),
+    /// There is one, at this address; with filters, its packed size and the filters left out.
+    Only(usize, Option<(u64, u32)>),
+}
 
 /// A data set in chunks.
 #[derive(Debug)]
@@ -23,9 +29,7 @@ pub(crate) struct Chunked {
     /// Points of a chunk along every axis.
     sides: Vec<u64>,
     filters: Vec<Filter>,
-    /// Address of the B-tree of chunks.
-    tree: Option<usize>,
-    only: Option<Only>,
+    index: Index,
 }
 
 /// The chain of filters in a message.
@@ -59,8 +63,7 @@ impl Chunked {
         file: &File<'_>,
         sides: Vec<u64>,
         filters: Vec<Filter>,
-        tree: Option<usize>,
-        only: Option<Only>,
+        index: Index,
     ) -> Result<Self, ReadError> {
         let points =
             sides.iter().try_fold(1u64, |n, &side| n.checked_mul(side)).unwrap_or(u64::MAX);
@@ -69,7 +72,7 @@ impl Chunked {
         }
         let points = usize::try_from(points).unwrap_or(usize::MAX);
         file.limits.check_points(file.b.format, [points, 1])?;
-        Ok(Self { sides, filters, tree, only })
+        Ok(Self { sides, filters, index })
     }
 
     pub(crate) fn values(
@@ -92,13 +95,15 @@ impl Chunked {
             .check_points(file.b.format, [usize::try_from(work).unwrap_or(usize::MAX), 1])?;
         let mut chunks = 0;
         let mut values = vec![f64::NAN; points];
-        if let Some((at, packed)) = self.only {
-            let bytes = self.sides.iter().product::<u64>() * sample.size() as u64;
-            let (size, skip) = packed.unwrap_or((bytes, 0));
-            let origin = vec![0; shape.len()];
-            self.place(file, (at, size, skip), &origin, shape, sample, order, &mut values)?;
-        }
-        let mut nodes: Vec<usize> = self.tree.into_iter().collect();
+        let mut nodes = match self.index {
+            Index::Tree(at) => vec![at],
+            Index::Only(at, packed) => {
+                let (size, skip) = packed.unwrap_or((chunk * sample.size() as u64, 0));
+                let origin = vec![0; shape.len()];
+                self.place(file, (at, size, skip), &origin, shape, sample, order, &mut values)?;
+                Vec::new()
+            }
+        };
         let mut read = 0;
         while let Some(node) = nodes.pop() {
             read += 1;

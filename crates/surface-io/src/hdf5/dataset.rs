@@ -1,6 +1,6 @@
 //! A data set: what it is, and its numbers.
 
-use super::chunks::{self, Chunked, Filter};
+use super::chunks::{self, Chunked, Filter, Index};
 use super::file::{File, Message, WAY_OUT};
 use super::types::{AttributeValue, Type, read_attribute, read_shape, read_type};
 use crate::binary::{Bytes, Order, Sample};
@@ -85,10 +85,9 @@ fn read_layout(
     if !matches!(version, 3 | 4) {
         return Err(unsupported(format!("a data layout of version {version} ({WAY_OUT})")));
     }
-    let contiguous = |at: Option<usize>| at.map_or(Storage::Empty, Storage::Contiguous);
-    Ok(match (class, version) {
-        (0, _) => Storage::Contiguous(at + 4),
-        (1, _) => contiguous(file.address(at + 2)?),
+    let (sides, index) = match (class, version) {
+        (0, _) => return Ok(Storage::Contiguous(at + 4)),
+        (1, _) => return Ok(file.address(at + 2)?.map_or(Storage::Empty, Storage::Contiguous)),
         (2, 3) => {
             let axes = usize::from(b.u8(at + 2)?);
             if axes != rank + 1 {
@@ -97,12 +96,7 @@ fn read_layout(
             let sides = at + 3 + file.address_size;
             let sides: Result<Vec<u64>, ReadError> =
                 (0..rank).map(|i| b.u32(sides + 4 * i).map(u64::from)).collect();
-            match file.address(at + 3)? {
-                Some(tree) => {
-                    Storage::Chunks(Chunked::new(file, sides?, filters, Some(tree), None)?)
-                }
-                None => Storage::Empty,
-            }
+            (sides, file.address(at + 3)?.map(Index::Tree))
         }
         (2, _) => {
             let (flags, axes, width) =
@@ -110,8 +104,7 @@ fn read_layout(
             if axes != rank + 1 || !(1..=8).contains(&width) {
                 return Err(b.fault(at + 3, format!("chunks of {axes} axes for {rank}")));
             }
-            let sides: Result<Vec<u64>, ReadError> =
-                (0..rank).map(|i| file.unsigned(at + 5 + width * i, width)).collect();
+            let sides = (0..rank).map(|i| file.unsigned(at + 5 + width * i, width)).collect();
             let index = at + 5 + width * axes;
             if b.u8(index)? != 1 {
                 let feature = format!("chunks with an index of a newer form ({WAY_OUT})");
@@ -123,14 +116,12 @@ fn read_layout(
                 packed = Some((file.length(place)?, b.u32(place + file.length_size)?));
                 place += file.length_size + 4;
             }
-            match file.address(place)? {
-                Some(only) => {
-                    let only = (only, packed);
-                    Storage::Chunks(Chunked::new(file, sides?, filters, None, Some(only))?)
-                }
-                None => Storage::Empty,
-            }
+            (sides, file.address(place)?.map(|only| Index::Only(only, packed)))
         }
         (class, _) => return Err(unsupported(format!("a data layout of class {class}"))),
-    })
+    };
+    match index {
+        Some(index) => Ok(Storage::Chunks(Chunked::new(file, sides?, filters, index)?)),
+        None => Ok(Storage::Empty),
+    }
 }

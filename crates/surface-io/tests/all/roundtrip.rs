@@ -15,7 +15,7 @@ fn x3p(map: &HeightMap) -> Vec<u8> {
 
 #[test]
 fn comment_and_instrument_come_back() {
-    let found = unaided(&x3p(&complete_map())).unwrap();
+    let found = unaided(x3p(&complete_map())).unwrap();
     assert_eq!(found.metadata()["Comment"], "round <trip> & \"more\"");
     assert_eq!(found.metadata()["Instrument/Model"], "surface-io");
     assert_eq!(x3p(&complete_map()), x3p(&complete_map()));
@@ -68,7 +68,7 @@ proptest! {
         let grid = Grid::new([ny, nx], [dy, dx]).unwrap();
         let heights: Vec<f64> = (0..ny * nx).map(|i| offset + seed[i]).collect();
         let map = HeightMap::new(grid, heights).unwrap();
-        let back = unaided(&x3p(&map)).unwrap();
+        let back = unaided(x3p(&map)).unwrap();
         prop_assert_eq!(&back.fill(Fill::Refuse).unwrap(), &map);
         let mut file = Vec::new();
         write::sdf(&mut file, &map).unwrap();

@@ -346,11 +346,6 @@ pub fn mitutoyo() -> Vec<u8> {
 }
 
 pub fn samples() -> Vec<SampleFile> {
-    let square = |mut sample: SampleFile| {
-        // The format has square pixels; the sample has not.
-        sample.options.pixel = Some([DY, DX]);
-        sample
-    };
     vec![
         SampleFile::new("vk4", vk4()).complete(),
         SampleFile::new("vk6", vk6()).complete(),
@@ -368,8 +363,9 @@ pub fn samples() -> Vec<SampleFile> {
         SampleFile::new("lext", lext()).complete(),
         SampleFile::new("mdt, scan", mdt_scan()).complete(),
         SampleFile::new("mdt, general map", mdt_map()),
-        square(SampleFile::new("zon", zon(false))),
-        square(SampleFile::new("zon, zstd", zon(true))),
+        // The format has square pixels; the sample has not.
+        SampleFile::new("zon", zon(false)).with_pixel(),
+        SampleFile::new("zon, zstd", zon(true)).with_pixel(),
         SampleFile::new("hdf5", hdf5(include_bytes!("../data/contiguous.h5.gz"))).with_pixel(),
         SampleFile::new("hdf5, chunks", hdf5(include_bytes!("../data/chunked.h5.gz"))).with_pixel(),
         SampleFile::new("hdf5, newest", hdf5(include_bytes!("../data/latest.h5.gz"))).with_pixel(),
