@@ -7,7 +7,7 @@ use crate::{Origin, Registry, Settings};
 use contact_types::{AmplitudeSpectrum, ContactModulus, HeightMap};
 use std::f64::consts::TAU;
 use surface_stats::spectrum::{PowerSpectrum, Ring, radial};
-use surface_stats::{Edges, Spectra, StatsError, SurfaceStatistics, level};
+use surface_stats::{Edges, Spectra, StatsError, StatsOptions, SurfaceStatistics, level};
 
 /// Removes the form and takes the statistics. A map made from a recipe repeats; a measured one
 /// does not; one that was given, only if who gave it says so.
@@ -16,8 +16,8 @@ pub(crate) fn describe(
     origin: &Origin,
     settings: &Settings,
 ) -> Result<(HeightMap, SurfaceStatistics, Spectra), StatsError> {
-    let options =
-        origin.options(heights, settings.level)?.with_fractal_range(settings.fractal_range);
+    let fractal_range = settings.fractal_range;
+    let options = StatsOptions { fractal_range, ..origin.options(heights, settings.level)? };
     // From the heights as given, so that a tilt that is removed is still reported.
     let (statistics, spectra) = SurfaceStatistics::with_spectra(heights, &options)?;
     Ok((level(heights, statistics.level)?, statistics, spectra))

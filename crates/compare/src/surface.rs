@@ -268,11 +268,13 @@ impl Origin {
     /// # Errors
     /// [`StatsError::OutOfRange`] for heights beyond what can be levelled.
     pub fn options(&self, heights: &HeightMap, asked: Level) -> Result<StatsOptions, StatsError> {
-        Ok(StatsOptions::default()
-            .with_level(self.level(asked).on(heights)?)
-            .with_edges(self.edges())
-            .with_missing(self.missing())
-            .with_height_step(self.height_step()))
+        Ok(StatsOptions {
+            level: self.level(asked).on(heights)?,
+            edges: self.edges(),
+            fractal_range: None,
+            missing: self.missing(),
+            height_step: self.height_step(),
+        })
     }
 
     /// Height step that is still in the heights (m). Rounding errors of two bodies are independent, so

@@ -18,12 +18,13 @@ pub fn of_map(
 ) -> Result<Adhesion, StatsError> {
     let rms_height = HeightStatistics::of(map).rms_height;
     let moments = DirectionalMoments::of(map, Edges::Open)?.isotropic(rms_height * rms_height);
+    let as_it_is = StatsOptions { level: Level::None, ..StatsOptions::default() };
     let rough = Rough {
         modulus: modulus.pascals(),
         gradient: moments.rms_gradient(),
         m4: moments.m4,
         asperities: AsperityStatistics::from_moments(moments).ok(),
-        shortest: SpectralScales::of(map, &StatsOptions::default().with_level(Level::None))?.cutoff,
+        shortest: SpectralScales::of(map, &as_it_is)?.cutoff,
     };
     let spectrum = surface_stats::spectrum::radial(map).ok();
     Ok(Adhesion::of(given, &rough, spectrum.as_ref(), contacts))

@@ -3,7 +3,7 @@
 use contact_types::HeightMap;
 use serde_json::{Value, json};
 use surface_stats::iso25178::{
-    Autocorrelation, CoreRoughness, Hybrid, MaterialRatioCurve, Spatial, Volumes, texture_direction,
+    CoreRoughness, Hybrid, MaterialRatioCurve, Spatial, Volumes, texture_direction,
 };
 use surface_stats::{Edges, HeightStatistics, StatsError};
 
@@ -36,7 +36,7 @@ impl Iso {
         Ok(Self {
             heights: HeightStatistics::of(map),
             hybrid: Hybrid::of(map)?,
-            spatial: Autocorrelation::of(map, edges)?.spatial(),
+            spatial: Spatial::of(map, edges)?,
             direction: texture_direction(map)?,
             core: curve.core(),
             volumes: curve.volumes(),

@@ -17,9 +17,8 @@ use contact_types::{
 use serde_json::{Value, json};
 use std::path::Path;
 use surface_stats::clean::RowOffsets;
-use surface_stats::fractal::PowerLaw;
 use surface_stats::profile::ProfileStatistics;
-use surface_stats::spectrum::{Axis, amplitudes, radial};
+use surface_stats::spectrum::{amplitudes, radial};
 use surface_stats::{
     DirectionalMoments, Edges, HeightStatistics, SpectralScales, StatsError, StatsOptions, level,
 };
@@ -204,19 +203,16 @@ pub fn measured(
     inputs.source = MomentSource::FiniteDifferences;
     inputs.moments = Some(differences.isotropic(rms * rms));
     if card.of_map == OfMap::Fractal {
-        let options =
-            StatsOptions::default().with_level(form).with_edges(edges).with_missing(missing);
+        let options = StatsOptions { level: form, edges, missing, ..StatsOptions::default() };
         let scales = SpectralScales::of(&heights, &options).map_err(refused)?;
-        let fractal = scales.power_law.as_ref().map(PowerLaw::fractal_of_surface);
-        inputs.dimension = fractal.map(|(dimension, _)| dimension);
-        inputs.fractal = fractal.and_then(|(_, parameters)| parameters);
+        (inputs.dimension, inputs.fractal) = scales.fractal_of_surface();
         return Ok(inputs);
     }
     drop(heights);
     match card.of_map {
         OfMap::Spectrum => inputs.spectrum = Some(radial(&map).map_err(refused)?),
         OfMap::Amplitudes => {
-            inputs.amplitudes = Some(amplitudes(&map, Axis::X).map_err(refused)?);
+            inputs.amplitudes = Some(amplitudes(&map).map_err(refused)?);
         }
         OfMap::Moments | OfMap::Fractal => {}
     }

@@ -76,11 +76,13 @@ impl Traces {
 
     /// How statistics are taken of them; `degree` is that of the polynomial that levels a trace.
     pub(crate) fn options(&self, degree: usize) -> ProfileOptions {
-        ProfileOptions::default()
-            .with_degree(degree)
-            .with_short(self.cleaning.s_filter)
-            .with_cutoff(self.cleaning.l_filter)
-            .with_height_step(self.height_step)
+        ProfileOptions {
+            degree,
+            short: self.cleaning.s_filter,
+            cutoff: self.cleaning.l_filter,
+            fractal_range: None,
+            height_step: self.height_step,
+        }
     }
 }
 

@@ -44,11 +44,13 @@ pub(crate) fn statistics(
             Some(_) => (surface.origin.missing(), surface.origin.height_step(), &[][..]),
             None => (facts.missing, facts.height_step, &facts.cleaned[..]),
         };
-        let options = StatsOptions::default()
-            .with_level(surface.origin.level(request.level))
-            .with_edges(request.boundary.unwrap_or(surface.origin.edges()))
-            .with_missing(missing)
-            .with_height_step(height_step);
+        let options = StatsOptions {
+            level: surface.origin.level(request.level),
+            edges: request.boundary.unwrap_or(surface.origin.edges()),
+            fractal_range: None,
+            missing,
+            height_step,
+        };
         let from = Measured { path: facts.path(), cleaned, pair };
         contact_front_end::statistics(&surface.heights, &options, from, request.iso, request.scales)
             .map(|found| found.json.to_string())

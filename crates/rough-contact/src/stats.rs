@@ -119,11 +119,9 @@ impl PerFile for Stats {
             }
         };
         let Complete { map, missing, cleaned, height_step, .. } = complete;
-        let options = StatsOptions::default()
-            .with_level(self.level)
-            .with_edges(self.boundary)
-            .with_missing(missing)
-            .with_height_step(height_step);
+        let (level, edges) = (self.level, self.boundary);
+        let options =
+            StatsOptions { level, edges, missing, height_step, ..StatsOptions::default() };
         let subject = front_end::Measured { path, cleaned: &cleaned, pair: pair.as_ref() };
         let mut found = front_end::statistics(&map, &options, subject, self.iso, self.scales)?;
         if let Some((made_of, Some(given))) = &asked {

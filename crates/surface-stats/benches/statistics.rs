@@ -5,9 +5,9 @@
 use contact_types::{Grid, HeightMap, Named};
 use criterion::{BenchmarkId, Criterion, Throughput, criterion_group, criterion_main};
 use std::hint::black_box;
-use surface_stats::clean::{Form, OutlierRule, find_outliers, fit_form, s_filter};
-use surface_stats::iso25178::{Autocorrelation, Hybrid, MaterialRatioCurve};
-use surface_stats::spectrum::{Axis, Window, amplitudes, radial, radial_psd};
+use surface_stats::clean::{Form, OutlierRule, Step, apply, find_outliers};
+use surface_stats::iso25178::{Hybrid, MaterialRatioCurve, Spatial};
+use surface_stats::spectrum::{Window, amplitudes, radial, radial_psd};
 use surface_stats::synthesis::{Scale, SelfAffine};
 use surface_stats::{
     DirectionalMoments, Edges, Level, StatsOptions, Summits, SurfaceStatistics, level,
@@ -37,7 +37,7 @@ fn whole(c: &mut Criterion) {
         let map = surface(n);
         group.throughput(Throughput::Elements((n * n) as u64));
         for edges in [Edges::Open, Edges::Periodic] {
-            let options = StatsOptions::default().with_level(Level::Plane).with_edges(edges);
+            let options = StatsOptions { level: Level::Plane, edges, ..StatsOptions::default() };
             group.bench_with_input(BenchmarkId::new(edges.name(), n), &map, |b, map| {
                 b.iter(|| SurfaceStatistics::of(black_box(map), &options));
             });
@@ -63,26 +63,24 @@ fn parts(c: &mut Criterion) {
     group.bench_function("windowed-psd", |b| {
         b.iter(|| radial_psd(black_box(&map), Window::Hann));
     });
-    group.bench_function("amplitudes", |b| b.iter(|| amplitudes(black_box(&map), Axis::X)));
+    group.bench_function("amplitudes", |b| b.iter(|| amplitudes(black_box(&map))));
     group.bench_function("hybrid", |b| b.iter(|| Hybrid::of(black_box(&map))));
     group.bench_function("material-ratio", |b| {
         b.iter(|| MaterialRatioCurve::of(black_box(&map)).map(|curve| curve.core()));
     });
-    group.bench_function("autocorrelation", |b| {
-        b.iter(|| Autocorrelation::of(black_box(&map), open).map(|a| a.spatial()));
-    });
+    group.bench_function("autocorrelation", |b| b.iter(|| Spatial::of(black_box(&map), open)));
     group.bench_function("outliers", |b| {
         b.iter(|| find_outliers(grid, black_box(map.heights()), OutlierRule::default()));
     });
-    group.bench_function("sphere", |b| {
-        b.iter(|| fit_form(grid, black_box(map.heights()), Form::Sphere));
-    });
-    group.bench_function("gaussian-open-25-pixels", |b| {
-        b.iter(|| s_filter(black_box(&map), 25e-6, open));
-    });
-    group.bench_function("gaussian-periodic", |b| {
-        b.iter(|| s_filter(black_box(&map), 25e-6, Edges::Periodic));
-    });
+    for (name, step, edges) in [
+        ("sphere", Step::Form(Form::Sphere), open),
+        ("gaussian-open-25-pixels", Step::SFilter(25e-6), open),
+        ("gaussian-periodic", Step::SFilter(25e-6), Edges::Periodic),
+    ] {
+        group.bench_function(name, |b| {
+            b.iter(|| apply(grid, &mut black_box(map.heights()).to_vec(), &[step], edges));
+        });
+    }
     group.bench_function("synthesis", |b| b.iter(|| recipe(black_box(n)).generate()));
     group.finish();
 }

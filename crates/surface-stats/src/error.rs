@@ -1,6 +1,6 @@
 //! What can be wrong with a request for statistics.
 
-use contact_types::{Grid, SurfaceError};
+use contact_types::SurfaceError;
 use std::ops::RangeInclusive;
 
 /// Why there is no number.
@@ -107,19 +107,6 @@ pub enum StatsError {
         form: &'static str,
         /// Iterations spent.
         iterations: usize,
-    },
-    /// Two maps that should lie on each other do not.
-    #[error(
-        "the maps do not match: {} x {} pixels of {:e} m x {:e} m and {} x {} pixels of {:e} m x \
-         {:e} m; crop or resample one of them",
-        first.shape()[0], first.shape()[1], first.pixel()[0], first.pixel()[1],
-        second.shape()[0], second.shape()[1], second.pixel()[0], second.pixel()[1]
-    )]
-    GridMismatch {
-        /// Grid of the first map.
-        first: Grid,
-        /// Grid of the second map.
-        second: Grid,
     },
     /// The surface itself cannot be built.
     #[error(transparent)]

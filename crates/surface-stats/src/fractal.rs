@@ -19,28 +19,24 @@ const CUTOFF_SHARE: f64 = 0.999;
 
 /// A power law fitted to a spectrum.
 #[derive(Debug, Clone, Copy, PartialEq)]
-#[cfg_attr(feature = "serde", derive(serde::Serialize))]
-#[non_exhaustive]
-pub struct PowerLaw {
+pub(crate) struct PowerLaw {
     /// d ln(PSD) / d ln(frequency) (-).
-    pub slope: f64,
+    slope: f64,
     /// ln of the PSD at frequency 1.
-    pub intercept: f64,
-    /// Rms distance of ln(PSD) from the line (-).
-    pub scatter: f64,
+    intercept: f64,
     /// Shortest and longest wavelength used (m).
-    pub range: [f64; 2],
+    pub(crate) range: [f64; 2],
 }
 
 /// A point of a spectrum in logarithms, with the number of waves averaged.
 #[derive(Debug, Clone, Copy)]
-struct Point {
+struct LogBin {
     ln_frequency: f64,
     ln_psd: f64,
     waves: f64,
 }
 
-impl Point {
+impl LogBin {
     /// ln of a mean of n exponential variables scatters by 1/n; real spectra stray from a power
     /// law by some 20 % anyway, so that no bin counts more than 25 waves would.
     fn weight(&self) -> f64 {
@@ -84,7 +80,7 @@ impl PowerLaw {
     /// for `C = C0 q^(-2-2H)` at all wavelengths. The PSD of a measured profile bends near
     /// roll-off and cut-off, because the integral ends there; read off directly it would give a D
     /// too small by 0.1 and more, and a G wrong by powers of ten.
-    pub fn fractal_of_surface(&self) -> (f64, Option<FractalParameters>) {
+    pub(crate) fn fractal_of_surface(&self) -> (f64, Option<FractalParameters>) {
         let exponent = -1.0 - 2.0 * self.hurst();
         // Trapezoidal rule: exact to rounding for this integrand (analytic, decaying both ways).
         let (step, reach) = (0.25, 40.0 / -exponent.min(-0.1));
@@ -97,16 +93,15 @@ impl PowerLaw {
         Self { slope: exponent, intercept, ..*self }.fractal_of_profile()
     }
 
-    fn of(points: &[Point]) -> Option<Self> {
+    fn of(points: &[LogBin]) -> Option<Self> {
         let (first, last) = (points.first()?, points.last()?);
         let span = (last.ln_frequency - first.ln_frequency).exp();
         if points.len() < MIN_BINS || span < MIN_SPAN {
             return None;
         }
-        let (slope, intercept, misfit) = line(points, |p| p.ln_frequency)?;
-        let weight: f64 = points.iter().map(Point::weight).sum();
+        let (slope, intercept, _) = line(points, |p| p.ln_frequency)?;
         let range = [(-last.ln_frequency).exp(), (-first.ln_frequency).exp()];
-        Some(Self { slope, intercept, scatter: (misfit / weight).sqrt(), range })
+        Some(Self { slope, intercept, range })
     }
 }
 
@@ -116,10 +111,9 @@ pub(crate) fn fit_radial(rings: &[Ring], range: [f64; 2]) -> Option<PowerLaw> {
     PowerLaw::of(&radial_points(rings, range))
 }
 
-/// Fits a power law to profile spectra (one or both axes) between two wavelengths (m).
-pub fn fit_profile(spectra: &[&[ProfileBin]], range: [f64; 2]) -> Option<PowerLaw> {
-    let [short, long] = range;
-    let bins = spectra.iter().flat_map(|s| s.iter()).filter(|b| {
+/// Fits a power law to a profile spectrum between two wavelengths (m).
+pub(crate) fn fit_profile(bins: &[ProfileBin], [short, long]: [f64; 2]) -> Option<PowerLaw> {
+    let bins = bins.iter().filter(|b| {
         let wavelength = 1.0 / b.frequency;
         wavelength >= short && wavelength <= long
     });
@@ -128,7 +122,7 @@ pub fn fit_profile(spectra: &[&[ProfileBin]], range: [f64; 2]) -> Option<PowerLa
 
 /// Shortest wavelength that matters: 99.9 % of the gradient variance belongs to longer ones (m).
 /// Never shorter than `shortest`. `None` for a flat map.
-pub fn cutoff(rings: &[Ring], shortest: f64) -> Option<f64> {
+pub(crate) fn cutoff(rings: &[Ring], shortest: f64) -> Option<f64> {
     let gradient = |r: &Ring| r.variance * r.wavenumber * r.wavenumber;
     let total: f64 = rings.iter().map(gradient).sum();
     let mut below = 0.0;
@@ -141,22 +135,11 @@ pub fn cutoff(rings: &[Ring], shortest: f64) -> Option<f64> {
     None
 }
 
-/// Roll-off wavelength and the Hurst exponent below it.
-#[derive(Debug, Clone, Copy, PartialEq)]
-#[cfg_attr(feature = "serde", derive(serde::Serialize))]
-#[non_exhaustive]
-pub struct Rolloff {
-    /// Longer waves have a flat spectrum (m).
-    pub wavelength: f64,
-    /// Hurst exponent of the shorter ones.
-    pub hurst: f64,
-}
-
-/// Looks for the wavelength beyond which the PSD is flat: least squares of
+/// Roll-off wavelength (m), beyond which the PSD is flat: least squares of
 /// `ln C = c - 2 (1 + H) max(0, ln q/q0)` over c, H and q0, down to the wavelength `shortest`.
 /// `None` unless the bend improves the fit by more than three standard deviations and leaves at
 /// least three bins on its flat side.
-pub fn rolloff(rings: &[Ring], shortest: f64) -> Option<Rolloff> {
+pub(crate) fn rolloff(rings: &[Ring], shortest: f64) -> Option<f64> {
     let points = radial_points(rings, [shortest, f64::INFINITY]);
     let (first, last) = (points.first()?.ln_frequency, points.last()?.ln_frequency);
     if points.len() < 2 * MIN_BINS {
@@ -175,11 +158,11 @@ pub fn rolloff(rings: &[Ring], shortest: f64) -> Option<Rolloff> {
     let flat = points.iter().filter(|p| p.ln_frequency < ln_q0).count();
     let steep = points.len() - flat;
     let found = straight - misfit > 9.0 && slope < -1.0 && flat >= 3 && steep >= MIN_BINS;
-    found.then(|| Rolloff { wavelength: (-ln_q0).exp(), hurst: -0.5 * slope - 1.0 })
+    found.then(|| (-ln_q0).exp())
 }
 
 /// Rings that lie within two wavelengths with all their waves, in logarithmic bins.
-fn radial_points(rings: &[Ring], [short, long]: [f64; 2]) -> Vec<Point> {
+fn radial_points(rings: &[Ring], [short, long]: [f64; 2]) -> Vec<LogBin> {
     let inside = |r: &&Ring| {
         let (low, high) = (r.wavenumber - 0.5 * r.width, r.wavenumber + 0.5 * r.width);
         TAU >= short * high && TAU <= long * low.max(0.5 * r.width)
@@ -190,7 +173,7 @@ fn radial_points(rings: &[Ring], [short, long]: [f64; 2]) -> Vec<Point> {
 
 /// Averages over logarithmic bins; bins without waves, or with nothing but rounding, are left
 /// out.
-fn log_bins(spectrum: impl Iterator<Item = (f64, f64, f64)>) -> Vec<Point> {
+fn log_bins(spectrum: impl Iterator<Item = (f64, f64, f64)>) -> Vec<LogBin> {
     let mut bins = std::collections::BTreeMap::<i64, [f64; 3]>::new();
     for (frequency, psd, waves) in spectrum {
         let ln = frequency.ln();
@@ -202,7 +185,7 @@ fn log_bins(spectrum: impl Iterator<Item = (f64, f64, f64)>) -> Vec<Point> {
     let largest = bins.values().map(|s| s[1] / s[0]).fold(0.0, f64::max);
     bins.values()
         .filter(|[waves, power, _]| power / waves > 1e-24 * largest)
-        .map(|&[waves, power, ln]| Point {
+        .map(|&[waves, power, ln]| LogBin {
             ln_frequency: ln / waves,
             ln_psd: (power / waves).ln(),
             waves,
@@ -211,10 +194,10 @@ fn log_bins(spectrum: impl Iterator<Item = (f64, f64, f64)>) -> Vec<Point> {
 }
 
 /// Weighted least squares `ln C = intercept + slope x`: (slope, intercept, weighted misfit).
-fn line(points: &[Point], x: impl Fn(&Point) -> f64) -> Option<(f64, f64, f64)> {
-    let mean = |f: &dyn Fn(&Point) -> f64| {
+fn line(points: &[LogBin], x: impl Fn(&LogBin) -> f64) -> Option<(f64, f64, f64)> {
+    let mean = |f: &dyn Fn(&LogBin) -> f64| {
         points.iter().map(|p| p.weight() * f(p)).sum::<f64>()
-            / points.iter().map(Point::weight).sum::<f64>()
+            / points.iter().map(LogBin::weight).sum::<f64>()
     };
     let (mx, my) = (mean(&x), mean(&|p| p.ln_psd));
     let (sxx, sxy) =
@@ -223,7 +206,7 @@ fn line(points: &[Point], x: impl Fn(&Point) -> f64) -> Option<(f64, f64, f64)> 
         return None;
     }
     let slope = sxy / sxx;
-    let misfit = |p: &Point| (p.ln_psd - my - slope * (x(p) - mx)).powi(2);
+    let misfit = |p: &LogBin| (p.ln_psd - my - slope * (x(p) - mx)).powi(2);
     Some((slope, my - slope * mx, points.iter().map(|p| p.weight() * misfit(p)).sum()))
 }
 
@@ -242,7 +225,7 @@ mod tests {
                 .map(|i| 1e4 * 1.03f64.powi(i))
                 .map(|frequency| ProfileBin { frequency, psd: s(frequency) })
                 .collect();
-            let fit = fit_profile(&[&bins], [0.0, 1.0]).unwrap();
+            let fit = fit_profile(&bins, [0.0, 1.0]).unwrap();
             let (dimension, parameters) = fit.fractal_of_profile();
             assert_relative_eq!(dimension, d, epsilon = 1e-4); // bins average over a sixth octave
             assert_relative_eq!(parameters.unwrap().roughness, g, max_relative = 0.05);
@@ -255,7 +238,7 @@ mod tests {
     fn profile_of_an_isotropic_surface() {
         let c0 = 1e-8; // m, as C = C0 q^-3 is in m⁴
         let intercept = (c0 * TAU.powi(-3)).ln();
-        let law = PowerLaw { slope: -3.0, intercept, scatter: 0.0, range: [1e-6, 1e-4] };
+        let law = PowerLaw { slope: -3.0, intercept, range: [1e-6, 1e-4] };
         let (dimension, parameters) = law.fractal_of_surface();
         assert_relative_eq!(dimension, 1.5, max_relative = 1e-15);
         let roughness = 2.0 * 1.5f64.ln() * 8.0 * PI * c0 / TAU.powi(2);
@@ -265,7 +248,7 @@ mod tests {
     #[test]
     fn outside_its_domain_there_is_no_g() {
         for slope in [-3.1, -0.9] {
-            let law = PowerLaw { slope, intercept: -30.0, scatter: 0.0, range: [1e-6, 1e-4] };
+            let law = PowerLaw { slope, intercept: -30.0, range: [1e-6, 1e-4] };
             assert!(law.fractal_of_profile().1.is_none());
         }
     }

@@ -113,7 +113,11 @@ pub fn level(map: &HeightMap, level: Level) -> Result<HeightMap, StatsError> {
     without_form(map, degree)
 }
 
-fn without_form(map: &HeightMap, degree: usize) -> Result<HeightMap, StatsError> {
+/// The map without its least-squares polynomial of this total degree.
+///
+/// # Errors
+/// [`StatsError::OutOfRange`]; [`StatsError::BadSetting`] above degree 12.
+pub(crate) fn without_form(map: &HeightMap, degree: usize) -> Result<HeightMap, StatsError> {
     let form = Polynomial::fit(map.grid(), map.heights(), degree)?;
     let mut heights = map.heights().to_vec();
     form.remove_from(&mut heights);

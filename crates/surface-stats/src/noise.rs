@@ -1,7 +1,7 @@
 //! What measurement noise does to the moments, and where a spectrum ends in it.
 
 use crate::spectrum::Ring;
-use contact_types::SpectralMoments;
+use crate::{SpectralMoments, Warning};
 use std::f64::consts::{PI, TAU};
 
 /// A PSD falls at least as q⁻² on any self-affine surface; flatter than this at the shortest
@@ -9,33 +9,59 @@ use std::f64::consts::{PI, TAU};
 const FLAT_SLOPE: f64 = -1.0;
 
 /// Waves belong to the surface where the PSD is this many times the floor.
-const SIGNAL: f64 = 3.0;
+pub(crate) const SIGNAL: f64 = 3.0;
 
-/// What white noise of rms `s` (m) adds to the moments by finite differences on pixels
-/// `[dy, dx]` (m): s² to m0, `s² (1/dx² + 1/dy²)` to m2, `3 s² (1/dx⁴ + 1/dy⁴)` to m4.
-///
-/// Rounding to steps of height Q is noise of rms Q/√12, if the relief changes by a step or more
-/// from pixel to pixel.
-pub(crate) fn white_noise_moments(s: f64, [dy, dx]: [f64; 2]) -> SpectralMoments {
-    SpectralMoments {
-        m0: s * s,
-        m2: (s / dx).powi(2) + (s / dy).powi(2),
-        m4: 3.0 * ((s / dx / dx).powi(2) + (s / dy / dy).powi(2)),
-    }
+/// What white noise of rms `s` (m) adds to m2 and m4 by finite differences on pixels `[dy, dx]` (m):
+/// `s² (1/dx² + 1/dy²)` and `3 s² (1/dx⁴ + 1/dy⁴)`.
+fn white_noise_moments(s: f64, [dy, dx]: [f64; 2]) -> [f64; 2] {
+    let m2 = (s / dx).powi(2) + (s / dy).powi(2);
+    [m2, 3.0 * ((s / dx / dx).powi(2) + (s / dy / dy).powi(2))]
 }
 
 /// The level at which a PSD stops falling.
 #[derive(Debug, Clone, Copy, PartialEq)]
-#[cfg_attr(feature = "serde", derive(serde::Serialize))]
-#[non_exhaustive]
-pub struct NoiseFloor {
-    /// C of the floor (m⁴).
-    pub psd: f64,
-    /// Rms height of white noise with this PSD (m).
-    pub rms: f64,
+pub(crate) struct NoiseFloor {
+    /// Rms height of white noise with the PSD of the floor (m).
+    pub(crate) rms: f64,
     /// Shortest wavelength at which the PSD is three times the floor (m): the end of the reliable
-    /// bandwidth. `None` if there is none: the map cannot be told from noise.
-    pub reliable: Option<f64>,
+    /// bandwidth. `None` if there is none: the surface cannot be told from noise.
+    pub(crate) reliable: Option<f64>,
+}
+
+/// Whether a PSD with these means over the lower and the upper half of its last octave has stopped
+/// falling there: d ln(PSD) / d ln(frequency) is `flat` or more.
+pub(crate) fn is_flat([lower, upper]: [f64; 2], flat: f64) -> bool {
+    // The halves of the octave are centred at 5/8 and 7/8 of its end.
+    let slope = (upper / lower).ln() / (0.875f64 / 0.625).ln();
+    upper > 0.0 && slope >= flat
+}
+
+impl Warning {
+    /// Whether slopes and curvatures are those of the instrument: of the height step (m) if it explains the
+    /// noise, else of the noise. Rounding to steps of height Q is white noise of rms Q/√12, if the relief
+    /// changes by a step or more from pixel to pixel.
+    pub(crate) fn of_noise(
+        moments: SpectralMoments,
+        pixel: [f64; 2],
+        step: Option<f64>,
+        noise: Option<NoiseFloor>,
+    ) -> Option<Self> {
+        let shares = |rms: f64| {
+            let [m2, m4] = white_noise_moments(rms, pixel);
+            [(m2 / moments.m2).min(1.0), (m4 / moments.m4).min(1.0)]
+        };
+        let matters = |[m2, m4]: [f64; 2]| m2 > 1.0 / 12.0 || m4 > 0.25;
+        let rms = noise.map_or(0.0, |n| n.rms);
+        if let Some(step) = step {
+            let rounding = step / 12f64.sqrt();
+            let [m2_share, m4_share] = shares(rounding);
+            if matters([m2_share, m4_share]) && rms < 2.0 * rounding {
+                return Some(Self::Stepped { step, m2_share, m4_share });
+            }
+        }
+        let ([m2_share, m4_share], reliable) = (shares(rms), noise.and_then(|n| n.reliable));
+        matters([m2_share, m4_share]).then_some(Self::Noisy { rms, m2_share, m4_share, reliable })
+    }
 }
 
 impl NoiseFloor {
@@ -57,12 +83,9 @@ impl NoiseFloor {
             let waves: f64 = rings.iter().map(|r| r.waves as f64).sum();
             rings.iter().map(|r| r.waves as f64 * r.psd).sum::<f64>() / waves
         };
-        // Slope from the means of the two halves of the octave, whose centres are 0.75 / 0.5 and
-        // 1 / 0.75 of each other: ln ratio of the centres is ln(0.875 / 0.625).
         let (low, high) = last_octave.split_at(last_octave.len() / 2);
         let psd = mean(high);
-        let slope = (psd / mean(low)).ln() / (0.875f64 / 0.625).ln();
-        if psd <= 0.0 || slope < FLAT_SLOPE {
+        if !is_flat([mean(low), psd], FLAT_SLOPE) {
             return None;
         }
         // Averaged over three rings, so that a single strong wave of noise does not count. In the octave that was found flat
@@ -75,7 +98,7 @@ impl NoiseFloor {
             }
         };
         let reliable = rings.windows(5).rfind(is_signal).map(|r| TAU / r[2].wavenumber);
-        Some(Self { psd, rms: TAU * (psd / (dy * dx)).sqrt(), reliable })
+        Some(Self { rms: TAU * (psd / (dy * dx)).sqrt(), reliable })
     }
 }
 
@@ -83,22 +106,14 @@ impl NoiseFloor {
 mod tests {
     use super::*;
     use crate::spectrum::{PowerSpectrum, Window};
-    use crate::synthesis::{Scale, SelfAffine};
+    use crate::synthesis::rough;
     use crate::{DirectionalMoments, Edges};
     use approx::assert_relative_eq;
     use contact_types::{Grid, HeightMap};
 
     fn surface(cutoff: f64, rms: f64, seed: u64) -> HeightMap {
-        let recipe = SelfAffine {
-            grid: Grid::new([300, 256], [1e-6, 1.2e-6]).unwrap(),
-            hurst: 0.8,
-            rolloff: if cutoff > 5e-6 { 40e-6 } else { cutoff },
-            cutoff,
-            scale: Scale::RmsHeight(rms),
-            seed,
-            quantise: None,
-        };
-        recipe.generate().unwrap()
+        let grid = Grid::new([300, 256], [1e-6, 1.2e-6]).unwrap();
+        rough(grid, 0.8, [if cutoff > 5e-6 { 40e-6 } else { cutoff }, cutoff], rms, seed)
     }
 
     fn white(rms: f64) -> HeightMap {
@@ -119,10 +134,10 @@ mod tests {
     #[test]
     fn moments_of_white_noise() {
         let map = white(3e-9);
-        let expected = white_noise_moments(3e-9, map.grid().pixel());
+        let [m2, m4] = white_noise_moments(3e-9, map.grid().pixel());
         let m = DirectionalMoments::of(&map, Edges::Periodic).unwrap().isotropic(9e-18);
-        assert_relative_eq!(m.m2, expected.m2, max_relative = 0.1);
-        assert_relative_eq!(m.m4, expected.m4, max_relative = 0.1);
+        assert_relative_eq!(m.m2, m2, max_relative = 0.1);
+        assert_relative_eq!(m.m4, m4, max_relative = 0.1);
     }
 
     /// Noise of 2 nm under a surface that ends at 8 um: level and end of the reliable band.
@@ -136,8 +151,8 @@ mod tests {
         let floor = NoiseFloor::of(&rings, pixel).unwrap();
         // The noise fills a circle of radius 2 pi / 2.4 um of the plane (2 pi)² / (dy dx).
         let q = TAU / 2.4e-6;
-        assert_relative_eq!(floor.psd, 4e-18 / (PI * q * q), max_relative = 0.05);
-        assert_relative_eq!(floor.rms, TAU * (floor.psd / 1.2e-12).sqrt(), max_relative = 1e-12);
+        let psd = 4e-18 / (PI * q * q);
+        assert_relative_eq!(floor.rms, TAU * (psd / 1.2e-12).sqrt(), max_relative = 0.025);
         assert_relative_eq!(floor.reliable.unwrap(), 8e-6, max_relative = 0.05);
         let rings = PowerSpectrum::of(&noise, Window::None).unwrap().rings();
         assert_eq!(NoiseFloor::of(&rings, pixel).unwrap().reliable, None);
@@ -158,16 +173,9 @@ mod tests {
 
     #[test]
     fn a_falling_spectrum_has_no_floor() {
-        let recipe = SelfAffine {
-            grid: Grid::new([256, 256], [1e-6, 1e-6]).unwrap(),
-            hurst: 0.3,
-            rolloff: 40e-6,
-            cutoff: 2e-6,
-            scale: Scale::RmsHeight(1e-7),
-            seed: 3,
-            quantise: None,
-        };
-        let rings = PowerSpectrum::of(&recipe.generate().unwrap(), Window::None).unwrap().rings();
+        let grid = Grid::new([256, 256], [1e-6, 1e-6]).unwrap();
+        let map = rough(grid, 0.3, [40e-6, 2e-6], 1e-7, 3);
+        let rings = PowerSpectrum::of(&map, Window::None).unwrap().rings();
         assert_eq!(NoiseFloor::of(&rings, [1e-6, 1e-6]), None);
     }
 }

@@ -5,7 +5,6 @@ use contact_types::HeightMap;
 
 /// How statistics are taken.
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
-#[non_exhaustive]
 pub struct StatsOptions {
     /// What is removed by least squares first. The mean is always taken off: `None` is the same as `Mean` here, and so
     /// is `Auto` where `edges` say that the map repeats.
@@ -23,36 +22,6 @@ pub struct StatsOptions {
 }
 
 impl StatsOptions {
-    /// With this form removed first.
-    #[must_use]
-    pub fn with_level(self, level: Level) -> Self {
-        Self { level, ..self }
-    }
-
-    /// With this beyond the edges.
-    #[must_use]
-    pub fn with_edges(self, edges: Edges) -> Self {
-        Self { edges, ..self }
-    }
-
-    /// With the fractal fit between these wavelengths, shortest and longest (m).
-    #[must_use]
-    pub fn with_fractal_range(self, range: impl Into<Option<[f64; 2]>>) -> Self {
-        Self { fractal_range: range.into(), ..self }
-    }
-
-    /// With this many points said to have been filled in.
-    #[must_use]
-    pub fn with_missing(self, missing: usize) -> Self {
-        Self { missing, ..self }
-    }
-
-    /// With this height step (m) of the data as measured.
-    #[must_use]
-    pub fn with_height_step(self, step: impl Into<Option<f64>>) -> Self {
-        Self { height_step: step.into(), ..self }
-    }
-
     /// The form taken off this map.
     pub(crate) fn level_on(&self, map: &HeightMap) -> Result<Level, StatsError> {
         match (self.level, self.edges) {

@@ -13,7 +13,7 @@ pub(crate) const MAX_DEGREE: usize = 12;
 
 /// A polynomial in x and y of limited total degree.
 #[derive(Debug, Clone, PartialEq)]
-pub struct Polynomial {
+pub(crate) struct Polynomial {
     degree: usize,
     grid: Grid,
     origin: f64,

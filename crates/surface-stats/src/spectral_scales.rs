@@ -1,30 +1,30 @@
 //! What the spectrum of a map says of its scales: noise, cut-off, roll-off, power law.
 
 use crate::fractal::{self, PowerLaw};
+use crate::level::without_form;
 use crate::noise::NoiseFloor;
 use crate::options::{StatsOptions, check_range};
-use crate::polynomial::Polynomial;
 use crate::spectrum::{PowerSpectrum, Ring, Window};
 use crate::{Edges, HeightStatistics, StatsError, scale};
-use contact_types::{Grid, HeightMap};
+use contact_types::{FractalParameters, Grid, HeightMap};
 use std::f64::consts::TAU;
 
-/// Scales and power law of a radial PSD.
+/// Scales and power law of a PSD.
 #[derive(Debug, Clone, Copy, PartialEq)]
 #[non_exhaustive]
 pub struct SpectralScales {
     /// Noise at the level where the PSD stops falling; absent if it falls to the end.
-    pub noise: Option<NoiseFloor>,
+    pub(crate) noise: Option<NoiseFloor>,
     /// 99.9 % of the gradient variance that stands out of the noise is at longer wavelengths (m);
     /// two pixels at least.
     pub cutoff: Option<f64>,
     /// Wavelength beyond which the PSD is flat (m); absent if the map shows none.
-    pub rolloff: Option<f64>,
+    pub(crate) rolloff: Option<f64>,
     /// Power law between the wavelengths of `fractal_range`; absent if they hold less than four
     /// bins or an octave.
-    pub power_law: Option<PowerLaw>,
+    pub(crate) power_law: Option<PowerLaw>,
     /// Shortest and longest wavelength of the power law (m).
-    pub fractal_range: Option<[f64; 2]>,
+    pub(crate) fractal_range: Option<[f64; 2]>,
 }
 
 impl SpectralScales {
@@ -39,20 +39,18 @@ impl SpectralScales {
         scale::check(map)?;
         check_range(options.fractal_range)?;
         let degree = options.level_on(map)?.degree().unwrap_or(0);
-        let mut heights = map.heights().to_vec();
-        Polynomial::fit(map.grid(), map.heights(), degree)?.remove_from(&mut heights);
-        let levelled = HeightMap::new(map.grid(), heights)?;
+        let levelled = without_form(map, degree)?;
         let rms_height = HeightStatistics::of(&levelled).rms_height;
         let mut heights = levelled.into_heights();
         if options.edges == Edges::Open {
             Window::Hann.apply(map.grid(), &mut heights);
         }
         let rings = PowerSpectrum::of_field(map.grid(), &heights).rings();
-        Ok(Self::of_rings(&rings, map.grid(), rms_height, options.fractal_range))
+        Ok(Self::of_map(&rings, map.grid(), rms_height, options.fractal_range))
     }
 
-    /// From the radial PSD of a map of known rms height.
-    pub(crate) fn of_rings(
+    /// From the radial PSD of a map of known rms height (m).
+    pub(crate) fn of_map(
         rings: &[Ring],
         grid: Grid,
         rms_height: f64,
@@ -61,22 +59,35 @@ impl SpectralScales {
         let ([dy, dx], [ly, lx]) = (grid.pixel(), grid.size());
         // A floor at the rounding of the transform is no noise.
         let noise = NoiseFloor::of(rings, [dy, dx]).filter(|n| n.rms > 1e-9 * rms_height);
-        let reliable = noise.and_then(|n| n.reliable);
-        let (cutoff, rolloff) = ends(rings, 2.0 * dy.min(dx), reliable);
-        let found = cutoff.map(|short| [short, rolloff.unwrap_or(0.5 * ly.min(lx))]);
+        let limits = [2.0 * dy.min(dx), 0.5 * ly.min(lx)];
+        Self::of_rings(rings, noise, limits, fractal_range, |r| fractal::fit_radial(rings, r))
+    }
+
+    /// From a PSD with this noise. `limits` are the shortest cut-off and, without a roll-off, the longest
+    /// wavelength of the power law (m).
+    pub(crate) fn of_rings(
+        rings: &[Ring],
+        noise: Option<NoiseFloor>,
+        [shortest, longest]: [f64; 2],
+        fractal_range: Option<[f64; 2]>,
+        fit: impl Fn([f64; 2]) -> Option<PowerLaw>,
+    ) -> Self {
+        // The wave at which the reliable ones end is one of them, whatever its last digit says.
+        let reliable = noise.and_then(|n| n.reliable).unwrap_or(0.0) * (1.0 - 1e-12);
+        let end = rings.partition_point(|r| TAU / r.wavenumber >= reliable);
+        let cutoff = fractal::cutoff(&rings[..end], shortest);
+        let rolloff = cutoff.and_then(|short| fractal::rolloff(rings, short));
+        let found = cutoff.map(|short| [short, rolloff.unwrap_or(longest)]);
         let range = fractal_range.or(found);
-        let power_law = range.and_then(|r| fractal::fit_radial(rings, r));
+        let power_law = range.and_then(fit);
         Self { noise, cutoff, rolloff, power_law, fractal_range: power_law.and(range) }
     }
-}
 
-/// Cut-off and roll-off wavelength, from the waves that stand out of the noise.
-fn ends(rings: &[Ring], two_pixels: f64, reliable: Option<f64>) -> (Option<f64>, Option<f64>) {
-    let shortest = reliable.unwrap_or(0.0);
-    let end = rings.iter().rposition(|r| TAU / r.wavenumber >= shortest).map_or(0, |i| i + 1);
-    let cutoff = fractal::cutoff(&rings[..end], two_pixels);
-    let rolloff = cutoff.and_then(|short| fractal::rolloff(rings, short));
-    (cutoff, rolloff.map(|r| r.wavelength))
+    /// D and G of the profiles of an isotropic surface with this radial PSD; G is absent unless 1 < D < 2.
+    pub fn fractal_of_surface(&self) -> (Option<f64>, Option<FractalParameters>) {
+        let fractal = self.power_law.map(|law| law.fractal_of_surface());
+        (fractal.map(|(dimension, _)| dimension), fractal.and_then(|(_, found)| found))
+    }
 }
 
 #[cfg(test)]
@@ -103,9 +114,7 @@ mod tests {
                 let options = StatsOptions { level, edges, ..StatsOptions::default() };
                 let all = SurfaceStatistics::of(&map, &options).unwrap();
                 let some = SpectralScales::of(&map, &options).unwrap();
-                let fractal = some.power_law.map(|p| p.fractal_of_surface());
-                assert_eq!(all.dimension, fractal.map(|f| f.0));
-                assert_eq!(all.fractal(), fractal.and_then(|f| f.1));
+                assert_eq!((all.dimension, all.fractal()), some.fractal_of_surface());
                 assert_eq!((all.cutoff, all.rolloff), (some.cutoff, some.rolloff));
                 assert!(all.dimension.is_some());
             }

@@ -1,14 +1,11 @@
 //! The one call most users need.
 
 use crate::clean::{RowOffsets, row_offsets};
-use crate::fractal::PowerLaw;
-use crate::level::tilted;
-use crate::noise::white_noise_moments;
+use crate::level::{tilted, without_form};
 use crate::options::{StatsOptions, check_range};
-use crate::polynomial::Polynomial;
 use crate::seam::{MOST_SEAM_JUMP, seam_jump};
 use crate::spectral_scales::SpectralScales;
-use crate::spectrum::{Axis, PowerSpectrum, Window, amplitudes_of_levelled};
+use crate::spectrum::{PowerSpectrum, Window, amplitudes};
 use crate::{
     DirectionalMoments, Edges, HeightStatistics, Level, StatsError, Summits, Warning, scale, steps,
 };
@@ -18,29 +15,6 @@ use contact_types::{
 use grid_fft::parallel::join;
 
 /// Everything a contact model can ask of a surface. SI units; absent where undefined.
-///
-/// ```
-/// use contact_types::Grid;
-/// use surface_stats::synthesis::{Scale, SelfAffine};
-/// use surface_stats::{Edges, StatsOptions, SurfaceStatistics};
-///
-/// let map = SelfAffine {
-///     grid: Grid::new([256, 256], [1e-6, 1e-6])?,
-///     hurst: 0.8,
-///     rolloff: 32e-6,
-///     cutoff: 8e-6,
-///     scale: Scale::RmsHeight(0.5e-6),
-///     seed: 7,
-///     quantise: None,
-/// }
-/// .generate()?;
-/// let options = StatsOptions::default().with_edges(Edges::Periodic);
-/// let statistics = SurfaceStatistics::of(&map, &options)?;
-/// assert!((statistics.rms_height / 0.5e-6 - 1.0).abs() < 1e-12);
-/// assert!((statistics.hurst.unwrap() - 0.8).abs() < 0.1);
-/// assert!(statistics.warnings.is_empty());
-/// # Ok::<(), Box<dyn std::error::Error>>(())
-/// ```
 #[derive(Debug, Clone, PartialEq)]
 #[non_exhaustive]
 #[cfg_attr(feature = "serde", derive(serde::Serialize))]
@@ -165,10 +139,7 @@ impl SurfaceStatistics {
         let degree = level.degree().unwrap_or(0);
         let tilted = if periodic { None } else { tilted(map, options.level)? };
         let height_step = options.height_step.or_else(|| steps::height_step(map.heights()));
-        let form = Polynomial::fit(grid, map.heights(), degree)?;
-        let mut heights = map.heights().to_vec();
-        form.remove_from(&mut heights);
-        let surface = HeightMap::new(grid, heights)?;
+        let surface = without_form(map, degree)?;
 
         let start = Clock::now();
         let distribution = HeightStatistics::of(&surface);
@@ -180,7 +151,7 @@ impl SurfaceStatistics {
                 let summits = || Summits::of(&surface, options.edges);
                 join(summits, || {
                     let start = Clock::now();
-                    amplitudes_of_levelled(&surface, Axis::X).map(|found| (found, seconds(start)))
+                    amplitudes(&surface).map(|found| (found, seconds(start)))
                 })
             },
             || {
@@ -210,9 +181,9 @@ impl SurfaceStatistics {
 
         let rms_height = distribution.rms_height;
         let moments = differences.isotropic(rms_height * rms_height);
-        let scales = SpectralScales::of_rings(&rings, grid, rms_height, options.fractal_range);
+        let scales = SpectralScales::of_map(&rings, grid, rms_height, options.fractal_range);
         let of_spectrum = seconds(start) + if periodic { of_power } else { 0.0 };
-        let fractal = scales.power_law.as_ref().map(PowerLaw::fractal_of_surface);
+        let (dimension, fractal) = scales.fractal_of_surface();
 
         let mut statistics = Self {
             shape: grid.shape(),
@@ -242,8 +213,8 @@ impl SurfaceStatistics {
             asperities: AsperityStatistics::from_moments(moments).ok(),
             summits,
             hurst: scales.power_law.map(|fit| fit.hurst()),
-            dimension: fractal.map(|(dimension, _)| dimension),
-            roughness: fractal.and_then(|(_, g)| g).map(|g| g.roughness),
+            dimension,
+            roughness: fractal.map(|g| g.roughness),
             fractal_range: scales.fractal_range,
             rolloff: scales.rolloff,
             cutoff: scales.cutoff,
@@ -257,12 +228,12 @@ impl SurfaceStatistics {
         let (low, high) = map.range();
         let spacing = f64::EPSILON * low.abs().max(high.abs());
         let directional = differences.anisotropy();
+        let noisy = Warning::of_noise(moments, grid.pixel(), height_step, scales.noise);
         statistics.warnings = statistics.judge(
-            tilted,
+            [noisy, tilted, Warning::of_resolution(resolved.unwrap_or(1.0))],
             spacing,
             edge_jump,
             directional,
-            resolved.unwrap_or(1.0),
             rows.as_ref(),
         );
         let seconds = [of_moments, of_amplitudes, of_spectrum];
@@ -279,40 +250,14 @@ impl SurfaceStatistics {
         Some(FractalParameters { dimension: self.dimension?, roughness: self.roughness? })
     }
 
-    /// Whether slopes and curvatures are those of the instrument: steps if they explain the noise,
-    /// else the noise.
-    fn judge_noise(&self) -> Option<Warning> {
-        let shares = |rms: f64| {
-            let noise = white_noise_moments(rms, self.pixel);
-            ((noise.m2 / self.m2).min(1.0), (noise.m4 / self.m4).min(1.0))
-        };
-        let matters = |(m2_share, m4_share)| m2_share > 1.0 / 12.0 || m4_share > 0.25;
-        let rounding = self.height_step.map_or(0.0, |step| step / 12f64.sqrt());
-        let rms = self.noise_rms.unwrap_or(0.0);
-        let (m2_share, m4_share) = shares(rounding);
-        if matters((m2_share, m4_share)) && rms < 2.0 * rounding {
-            let step = self.height_step?;
-            return Some(Warning::Stepped { step, m2_share, m4_share });
-        }
-        let (m2_share, m4_share) = shares(rms);
-        let reliable = self.reliable_wavelength;
-        matters((m2_share, m4_share)).then_some(Warning::Noisy {
-            rms,
-            m2_share,
-            m4_share,
-            reliable,
-        })
-    }
-
     /// Warnings, worst first. Limits after Nayak (1971) for the bandwidth; the others are choices
     /// explained in the book, chapter "Surface statistics".
     fn judge(
         &self,
-        tilted: Option<Warning>,
+        [noisy, tilted, unresolved]: [Option<Warning>; 3],
         spacing: f64,
         edge_jump: f64,
         anisotropy: Option<f64>,
-        resolved: f64,
         rows: Option<&RowOffsets>,
     ) -> Vec<Warning> {
         let mut warnings = Vec::new();
@@ -322,29 +267,20 @@ impl SurfaceStatistics {
         if self.rms_height < 4.0 * spacing {
             return vec![Warning::Rounding { rms_height: self.rms_height, spacing }];
         }
-        warnings.extend(self.judge_noise());
+        warnings.extend(noisy);
         let Summits { plateaus, count: summits, .. } = self.summits;
         if 10 * plateaus > summits {
             warnings.push(Warning::FlatTops { plateaus, summits });
         }
         warnings.extend(tilted);
-        if resolved < 0.94 {
-            warnings.push(Warning::Unresolved { ratio: resolved });
-        }
+        warnings.extend(unresolved);
         if let Some(rows) = rows.filter(|rows| rows.rows_jump()) {
             // Slopes across the rows are those of the jumps: no lay is known.
             warnings.push(Warning::RowsJump { jump: rows.jump, share: rows.share });
         } else if let Some(ratio) = anisotropy.filter(|&r| r > 2.0) {
             warnings.push(Warning::Anisotropic { ratio });
         }
-        if let (Some(skewness), Some(kurtosis)) = (self.skewness, self.kurtosis)
-            && (skewness.abs() > 0.2 || (kurtosis - 3.0).abs() > 0.3)
-        {
-            warnings.push(Warning::NotGaussian { skewness, kurtosis });
-        }
-        if let Some(bandwidth) = self.bandwidth.filter(|&b| b < 1.5) {
-            warnings.push(Warning::NarrowBand { bandwidth });
-        }
+        warnings.extend(Warning::of_distribution(self.skewness, self.kurtosis, self.bandwidth));
         if edge_jump > MOST_SEAM_JUMP {
             warnings.push(Warning::EdgeJump { ratio: edge_jump });
         }
@@ -356,9 +292,7 @@ impl SurfaceStatistics {
             None if self.hurst.is_some() => warnings.push(Warning::NoRolloff),
             _ => {}
         }
-        if let Some(hurst) = self.hurst.filter(|h| !(0.0..=1.0).contains(h)) {
-            warnings.push(Warning::NotSelfAffine { hurst });
-        }
+        warnings.extend(Warning::of_hurst(self.hurst));
         warnings
     }
 }

@@ -76,6 +76,19 @@ pub struct SelfAffine {
     pub quantise: Option<f64>,
 }
 
+/// A map for tests, by its Hurst exponent, roll-off and cut-off (m), rms height (m) and seed.
+#[cfg(test)]
+pub(crate) fn rough(
+    grid: Grid,
+    hurst: f64,
+    [rolloff, cutoff]: [f64; 2],
+    rms_height: f64,
+    seed: u64,
+) -> HeightMap {
+    let scale = Scale::RmsHeight(rms_height);
+    SelfAffine { grid, hurst, rolloff, cutoff, scale, seed, quantise: None }.generate().unwrap()
+}
+
 impl SelfAffine {
     /// Makes the map. Its mean is zero before rounding to steps.
     ///

@@ -98,6 +98,31 @@ pub enum Warning {
 }
 
 impl Warning {
+    /// Of the height distribution and of Nayak's bandwidth (1971), which is 3/2 at least.
+    pub(crate) fn of_distribution(
+        skewness: Option<f64>,
+        kurtosis: Option<f64>,
+        bandwidth: Option<f64>,
+    ) -> impl Iterator<Item = Self> {
+        let is_far = |&(s, k): &(f64, f64)| s.abs() > 0.2 || (k - 3.0).abs() > 0.3;
+        let not_gaussian = skewness.zip(kurtosis).filter(is_far);
+        let not_gaussian =
+            not_gaussian.map(|(skewness, kurtosis)| Self::NotGaussian { skewness, kurtosis });
+        let narrow = bandwidth.filter(|b| *b < 1.5).map(|bandwidth| Self::NarrowBand { bandwidth });
+        not_gaussian.into_iter().chain(narrow)
+    }
+
+    /// Of the rms gradient by finite differences over the one by the spectrum (-).
+    pub(crate) fn of_resolution(ratio: f64) -> Option<Self> {
+        (ratio < 0.94).then_some(Self::Unresolved { ratio })
+    }
+
+    /// Of the fitted Hurst exponent (-).
+    pub(crate) fn of_hurst(hurst: Option<f64>) -> Option<Self> {
+        let outside = hurst.filter(|h| !(0.0..=1.0).contains(h));
+        outside.map(|hurst| Self::NotSelfAffine { hurst })
+    }
+
     /// A short name for scripts: `anisotropic`, `not-gaussian`, ...
     pub fn kind(&self) -> &'static str {
         match self {

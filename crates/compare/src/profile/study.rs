@@ -37,18 +37,19 @@ pub struct ProfileSurface {
 impl ProfileSurface {
     /// How statistics of it are taken in a study.
     pub(crate) fn options(&self, settings: &Settings) -> ProfileOptions {
-        let (short, cutoff, step) = match &self.origin {
+        let (short, cutoff, height_step) = match &self.origin {
             Origin::File(file) => {
                 (file.cleaning.s_filter, file.cleaning.l_filter, file.height_step)
             }
             Origin::Recipe(_) | Origin::Given(_) | Origin::Pair(_) => (None, None, None),
         };
-        ProfileOptions::default()
-            .with_degree(settings.level.degree().unwrap_or(0))
-            .with_short(short)
-            .with_cutoff(cutoff)
-            .with_height_step(step)
-            .with_fractal_range(settings.fractal_range)
+        ProfileOptions {
+            degree: settings.level.degree().unwrap_or(0),
+            short,
+            cutoff,
+            fractal_range: settings.fractal_range,
+            height_step,
+        }
     }
 }
 

@@ -14,7 +14,7 @@ use std::ops::ControlFlow;
 use std::time::Instant;
 use studies::tradeoff::{PAIR, STATISTICS, TradeoffRow};
 use surface_stats::clean::resample;
-use surface_stats::spectrum::{Axis, amplitudes};
+use surface_stats::spectrum::amplitudes;
 use surface_stats::{Edges, StatsOptions, SurfaceStatistics};
 
 type Outcome<T> = Result<T, Box<dyn Error>>;
@@ -182,12 +182,13 @@ fn as_compared(surface: Surface) -> Outcome<(HeightMap, Inputs)> {
 
 /// Seconds for everything a model may need of a map.
 fn statistics_seconds(map: &HeightMap) -> Outcome<f64> {
-    let options = StatsOptions::default().with_level(Level::None).with_edges(PERIODIC);
+    let options =
+        StatsOptions { level: Level::None, edges: PERIODIC, ..StatsOptions::default() };
     let mut best = f64::INFINITY;
     for _ in 0..REPEATS {
         let clock = Instant::now();
         black_box(SurfaceStatistics::of(map, &options)?);
-        black_box(amplitudes(map, Axis::X)?);
+        black_box(amplitudes(map)?);
         best = best.min(clock.elapsed().as_secs_f64());
     }
     Ok(best)

@@ -18,7 +18,7 @@ use std::hint::black_box;
 use std::io::Cursor;
 use std::ops::ControlFlow;
 use surface_io::{Fill, HeightUnit, ReadOptions};
-use surface_stats::spectrum::{Axis, amplitudes, radial};
+use surface_stats::spectrum::{amplitudes, radial};
 use surface_stats::{DirectionalMoments, Edges, SpectralScales, StatsOptions, SurfaceStatistics};
 
 /// One call and what it took from the allocator, on one thread.
@@ -164,7 +164,7 @@ fn files(map: &HeightMap) -> [Case; 2] {
 fn statistics(map: &HeightMap) -> Vec<Case> {
     let package = "surface-stats";
     let all = |edges| {
-        let options = StatsOptions::default().with_edges(edges);
+        let options = StatsOptions { edges, ..StatsOptions::default() };
         black_box(SurfaceStatistics::of(map, &options).expect("a surface"));
     };
     vec![
@@ -175,7 +175,7 @@ fn statistics(map: &HeightMap) -> Vec<Case> {
             black_box(radial(map).expect("a surface"));
         }),
         Case::on(package, "amplitudes of rows (for stacked)", map, || {
-            black_box(amplitudes(map, Axis::X).expect("a surface"));
+            black_box(amplitudes(map).expect("a surface"));
         }),
         Case::on(package, "scales and power law (for Majumdar–Bhushan)", map, || {
             let options = StatsOptions::default();

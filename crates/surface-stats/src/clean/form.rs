@@ -1,10 +1,12 @@
 //! Removal of nominal form: polynomial, sphere, cylinder.
 
 use crate::linear::NormalEquations;
-use crate::polynomial::Polynomial;
+use crate::polynomial::{MAX_DEGREE, Polynomial};
 use crate::{StatsError, scale};
 use contact_types::Grid;
 use std::f64::consts::{FRAC_PI_2, PI};
+use std::fmt;
+use std::str::FromStr;
 
 /// Iterations a sphere or cylinder may take; ten are common for half a sphere, three for a cap.
 const MAX_ITERATIONS: usize = 60;
@@ -27,6 +29,64 @@ pub enum Form {
     /// A circular cylinder in any direction of the plane, convex or concave, with a tilt along
     /// its axis.
     Cylinder,
+}
+
+/// A text that names no form, with the names that there are.
+#[derive(Debug, Clone, PartialEq, Eq, thiserror::Error)]
+#[error("{0}")]
+pub struct FormNameError(String);
+
+impl FromStr for Form {
+    type Err = FormNameError;
+
+    /// `plane`, `quadratic`, `polynomial:N`, `sphere` or `cylinder`.
+    fn from_str(text: &str) -> Result<Self, FormNameError> {
+        let text = text.trim();
+        let degree = match text {
+            "plane" => Ok(1),
+            "quadratic" => Ok(2),
+            "sphere" => return Ok(Self::Sphere),
+            "cylinder" => return Ok(Self::Cylinder),
+            _ => text.strip_prefix("polynomial:").map(str::parse).ok_or_else(|| {
+                FormNameError(format!(
+                    "'{text}' is no form; write plane, quadratic, polynomial:N with N from 0 to \
+                     {MAX_DEGREE}, sphere or cylinder"
+                ))
+            })?,
+        };
+        let degree = degree.ok().filter(|degree| *degree <= MAX_DEGREE);
+        degree.map(Self::Polynomial).ok_or_else(|| {
+            FormNameError(format!(
+                "'{text}' has no degree from 0 to {MAX_DEGREE}; write for example polynomial:4"
+            ))
+        })
+    }
+}
+
+impl fmt::Display for Form {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match self {
+            Self::Polynomial(1) => f.write_str("plane"),
+            Self::Polynomial(2) => f.write_str("quadratic"),
+            Self::Polynomial(degree) => write!(f, "polynomial:{degree}"),
+            Self::Sphere => f.write_str("sphere"),
+            Self::Cylinder => f.write_str("cylinder"),
+        }
+    }
+}
+
+impl TryFrom<String> for Form {
+    type Error = FormNameError;
+
+    fn try_from(text: String) -> Result<Self, FormNameError> {
+        text.parse()
+    }
+}
+
+impl From<Form> for String {
+    fn from(form: Form) -> Self {
+        form.to_string()
+    }
 }
 
 /// What was found.
@@ -57,27 +117,19 @@ pub enum FormParameters {
     },
 }
 
-/// A form fitted to the valid points of a map.
-#[derive(Debug, Clone, PartialEq)]
-pub struct FittedForm {
-    grid: Grid,
-    shape: Shape,
-    points: usize,
-}
-
-#[derive(Debug, Clone, PartialEq)]
-enum Shape {
-    Polynomial(Polynomial, usize),
-    Round(Round),
-}
-
-/// Fits `form` to the points of `heights` (m, row-major) that are not NaN, by least squares of
-/// the vertical distances.
+/// Fits `form` by least squares of the vertical distances to the points of `heights` (m, row-major)
+/// that are not NaN, and replaces their heights by their distances above it. What was found, and the
+/// number of points fitted.
 ///
 /// # Errors
 /// [`StatsError::Shape`], [`StatsError::Surface`] for infinite heights, [`StatsError::OutOfRange`],
-/// [`StatsError::TooFewPoints`], [`StatsError::BadSetting`] for a degree above 12, [`StatsError::NotConverged`] if no sphere or cylinder comes near the points.
-pub fn fit_form(grid: Grid, heights: &[f64], form: Form) -> Result<FittedForm, StatsError> {
+/// [`StatsError::TooFewPoints`], [`StatsError::BadSetting`] for a degree above 12,
+/// [`StatsError::NotConverged`] if no sphere or cylinder comes near the points.
+pub(super) fn take_form_off(
+    grid: Grid,
+    heights: &mut [f64],
+    form: Form,
+) -> Result<(FormParameters, usize), StatsError> {
     scale::check_measured(grid, heights)?;
     let points = heights.iter().filter(|h| !h.is_nan()).count();
     let needed = match form {
@@ -88,61 +140,33 @@ pub fn fit_form(grid: Grid, heights: &[f64], form: Form) -> Result<FittedForm, S
     if points < needed {
         return Err(StatsError::TooFewPoints { what: "this form", needed, found: points });
     }
-    let shape = match form {
+    let origin = heights.iter().copied().find(|h| !h.is_nan()).unwrap_or(0.0);
+    let frame = CentredGrid::of(grid);
+    let across = match form {
         Form::Polynomial(degree) => {
-            Shape::Polynomial(Polynomial::fit(grid, heights, degree)?, degree)
+            Polynomial::fit(grid, heights, degree)?.remove_from(heights);
+            return Ok((FormParameters::Polynomial { degree }, points));
         }
-        Form::Sphere => Shape::Round(Round::fit(grid, heights, None)?),
-        Form::Cylinder => {
-            let across = Round::direction_across(grid, heights);
-            Shape::Round(Round::fit(grid, heights, Some(across))?)
-        }
+        Form::Sphere => None,
+        Form::Cylinder => Some(Round::direction_across(&frame, heights, origin)),
     };
-    Ok(FittedForm { grid, shape, points })
-}
-
-impl FittedForm {
-    /// Replaces every valid height by its distance above the form; missing points stay missing.
-    ///
-    /// # Panics
-    /// If `heights` does not have the pixels of the grid that was fitted.
-    pub fn remove_from(&self, heights: &mut [f64]) {
-        assert_eq!(heights.len(), self.grid.len(), "heights of another grid");
-        match &self.shape {
-            Shape::Polynomial(polynomial, _) => polynomial.remove_from(heights),
-            Shape::Round(round) => {
-                let frame = Frame::of(self.grid);
-                for (i, h) in heights.iter_mut().enumerate() {
-                    let (x, y) = frame.position(i);
-                    // A missing point may lie beyond the sphere; NaN stays NaN.
-                    let form = round.height(x, y).unwrap_or(f64::NAN);
-                    *h = (*h - round.origin) - form * frame.unit;
-                }
-            }
-        }
+    let round = Round::fit(&frame, heights, origin, across)?;
+    for (i, h) in heights.iter_mut().enumerate() {
+        let (x, y) = frame.position(i);
+        // A missing point may lie beyond the sphere; NaN stays NaN.
+        let form = round.height(x, y).unwrap_or(f64::NAN);
+        *h = (*h - origin) - form * frame.unit;
     }
-
-    /// Valid points that were fitted.
-    pub(crate) fn points(&self) -> usize {
-        self.points
-    }
-
-    /// Radius, position, direction.
-    pub(crate) fn parameters(&self) -> FormParameters {
-        match &self.shape {
-            Shape::Polynomial(_, degree) => FormParameters::Polynomial { degree: *degree },
-            Shape::Round(round) => round.parameters(&Frame::of(self.grid)),
-        }
-    }
+    Ok((round.parameters(&frame), points))
 }
 
 /// Lengths in units of half the longer side, positions from the middle of the map.
-struct Frame {
+struct CentredGrid {
     grid: Grid,
     unit: f64,
 }
 
-impl Frame {
+impl CentredGrid {
     fn of(grid: Grid) -> Self {
         let [ly, lx] = grid.size();
         Self { grid, unit: 0.5 * ly.max(lx) }
@@ -153,13 +177,22 @@ impl Frame {
         let middle = |i: usize, n: usize| i as f64 - 0.5 * (n - 1) as f64;
         (middle(index % nx, nx) * dx / self.unit, middle(index / nx, ny) * dy / self.unit)
     }
+
+    /// `(x, y, z)` of the valid points, with z above `origin` (m).
+    fn points(&self, heights: &[f64], origin: f64) -> impl Iterator<Item = (f64, f64, f64)> {
+        let valid = heights.iter().enumerate().filter(|(_, h)| !h.is_nan());
+        valid.map(move |(i, h)| {
+            let (x, y) = self.position(i);
+            (x, y, (h - origin) / self.unit)
+        })
+    }
 }
 
 /// A sphere or cylinder as the root of `A (u² + z²) - z + B u + C w + E = 0` that stays finite as
 /// A goes to 0, where it becomes a plane. For a sphere u² is x² + y², B u is B x and C w is C y.
 /// For a cylinder u runs across the axis and `C w`, the tilt along it, is added to z outside the
 /// root.
-#[derive(Debug, Clone, PartialEq)]
+#[derive(Clone, Copy)]
 struct Round {
     origin: f64,
     /// A, B, C, E; for a cylinder also the direction of u.
@@ -168,22 +201,26 @@ struct Round {
 }
 
 impl Round {
-    fn fit(grid: Grid, heights: &[f64], across: Option<f64>) -> Result<Self, StatsError> {
-        let origin = heights.iter().copied().find(|h| !h.is_nan()).unwrap_or(0.0);
-        let frame = Frame::of(grid);
+    fn fit(
+        frame: &CentredGrid,
+        heights: &[f64],
+        origin: f64,
+        across: Option<f64>,
+    ) -> Result<Self, StatsError> {
         let mut fit = Self { origin, p: [0.0; 4], across };
-        let mut error = fit.misfit(&frame, heights).unwrap_or(f64::INFINITY);
-        let valid = || heights.iter().filter(|h| !h.is_nan()).map(|h| (h - origin) / frame.unit);
-        let magnitude = valid().fold(1e-6 + origin.abs() / frame.unit, |m, z| m.max(z.abs()));
+        let mut error = fit.misfit(frame, heights).unwrap_or(f64::INFINITY);
+        let valid = || frame.points(heights, origin);
+        let least = 1e-6 + origin.abs() / frame.unit;
+        let magnitude = valid().fold(least, |m, (.., z)| m.max(z.abs()));
         let rounding = 4.0 * f64::EPSILON * magnitude;
         let floor = valid().count() as f64 * rounding * rounding;
         for _ in 0..MAX_ITERATIONS {
-            let step = fit.gauss_newton(&frame, heights);
+            let step = fit.gauss_newton(frame, heights);
             // Shorten the step until every point lies below the equator and the fit is better.
             let (mut fraction, mut beyond_equator) = (1.0, false);
             let next = loop {
                 let trial = fit.moved(&step, fraction);
-                let misfit = trial.misfit(&frame, heights);
+                let misfit = trial.misfit(frame, heights);
                 match misfit {
                     Some(e) if e <= error => break Some((trial, e)),
                     _ if fraction < 1e-6 => break None,
@@ -224,24 +261,19 @@ impl Round {
         (root > 0.0).then(|| 2.0 * q / (1.0 + root.sqrt()) + tilt)
     }
 
-    fn misfit(&self, frame: &Frame, heights: &[f64]) -> Option<f64> {
-        let mut sum = 0.0;
-        for (i, h) in heights.iter().enumerate().filter(|(_, h)| !h.is_nan()) {
-            let (x, y) = frame.position(i);
-            sum += ((h - self.origin) / frame.unit - self.height(x, y)?).powi(2);
-        }
-        Some(sum)
+    fn misfit(&self, frame: &CentredGrid, heights: &[f64]) -> Option<f64> {
+        let square = |(x, y, z): (f64, f64, f64)| Some((z - self.height(x, y)?).powi(2));
+        frame.points(heights, self.origin).map(square).sum()
     }
 
     /// Step of all parameters that fits the residual to first order.
-    fn gauss_newton(&self, frame: &Frame, heights: &[f64]) -> Vec<f64> {
+    fn gauss_newton(&self, frame: &CentredGrid, heights: &[f64]) -> Vec<f64> {
         let [a, b, c, _] = self.p;
         let terms = if self.across.is_some() { 5 } else { 4 };
         let mut equations = NormalEquations::new(terms);
-        for (i, h) in heights.iter().enumerate().filter(|(_, h)| !h.is_nan()) {
-            let (x, y) = frame.position(i);
+        for (x, y, height) in frame.points(heights, self.origin) {
             let Some(z) = self.height(x, y) else { continue };
-            let residual = (h - self.origin) / frame.unit - z;
+            let residual = height - z;
             let (u, w) = self.turned(x, y);
             if self.across.is_some() {
                 let g = z - c * w;
@@ -259,7 +291,7 @@ impl Round {
     }
 
     fn moved(&self, step: &[f64], fraction: f64) -> Self {
-        let mut moved = self.clone();
+        let mut moved = *self;
         for (p, d) in moved.p.iter_mut().zip(step) {
             *p += fraction * d;
         }
@@ -268,13 +300,9 @@ impl Round {
     }
 
     /// Direction of the strongest curvature of the least-squares quadratic.
-    fn direction_across(grid: Grid, heights: &[f64]) -> f64 {
-        let origin = heights.iter().copied().find(|h| !h.is_nan()).unwrap_or(0.0);
-        let frame = Frame::of(grid);
+    fn direction_across(frame: &CentredGrid, heights: &[f64], origin: f64) -> f64 {
         let mut equations = NormalEquations::new(6);
-        for (i, h) in heights.iter().enumerate().filter(|(_, h)| !h.is_nan()) {
-            let (x, y) = frame.position(i);
-            let z = (h - origin) / frame.unit;
+        for (x, y, z) in frame.points(heights, origin) {
             equations.add_point(&[x * x, x * y, y * y, x, y, 1.0], z);
         }
         let q = equations.solve();
@@ -283,7 +311,7 @@ impl Round {
         if q[0] + q[2] >= 0.0 { angle } else { angle + FRAC_PI_2 }
     }
 
-    fn parameters(&self, frame: &Frame) -> FormParameters {
+    fn parameters(&self, frame: &CentredGrid) -> FormParameters {
         let [a, b, c, e] = self.p;
         // Centre (-B/2A, -C/2A, 1/2A); R² = (1 + B² + C²)/4A² - E/A. A < 0 is convex.
         let slope_square = if self.across.is_some() { b * b } else { b * b + c * c };
@@ -333,14 +361,14 @@ mod tests {
             };
             let mut h = heights(z);
             h[..500].fill(f64::NAN);
-            let fit = fit_form(grid(), &h, Form::Sphere).unwrap();
-            let FormParameters::Sphere { radius: found, apex: at } = fit.parameters() else {
+            let (parameters, points) = take_form_off(grid(), &mut h, Form::Sphere).unwrap();
+            let FormParameters::Sphere { radius: found, apex: at } = parameters else {
                 panic!("not a sphere")
             };
+            assert_eq!(points, 60 * 80 - 500);
             assert_relative_eq!(found, radius, max_relative = 1e-6);
             assert_abs_diff_eq!(at[0], apex[0], epsilon = 1e-9 * (1.0 + radius.abs() / 1e-3));
             assert_abs_diff_eq!(at[1], apex[1], epsilon = 1e-9 * (1.0 + radius.abs() / 1e-3));
-            fit.remove_from(&mut h);
             assert_eq!(h.iter().filter(|h| h.is_nan()).count(), 500);
             assert!(h.iter().all(|h| h.is_nan() || h.abs() < 1e-15));
         }
@@ -358,9 +386,9 @@ mod tests {
                 tilt * along - across * across / (r + r.signum() * (r * r - across * across).sqrt())
             };
             let mut h = heights(z);
-            let fit = fit_form(grid(), &h, Form::Cylinder).unwrap();
+            let (parameters, _) = take_form_off(grid(), &mut h, Form::Cylinder).unwrap();
             let FormParameters::Cylinder { radius: found, direction: angle, tilt: slope } =
-                fit.parameters()
+                parameters
             else {
                 panic!("not a cylinder")
             };
@@ -368,7 +396,6 @@ mod tests {
             assert_abs_diff_eq!((angle - direction).sin(), 0.0, epsilon = 1e-8);
             let sign = (angle - direction).cos().signum();
             assert_abs_diff_eq!(sign * slope, tilt, epsilon = 1e-9);
-            fit.remove_from(&mut h);
             assert!(h.iter().all(|h| h.abs() < 1e-13), "{radius} {direction}");
         }
     }
@@ -377,17 +404,17 @@ mod tests {
     #[test]
     fn flat_and_rough_planes() {
         let mut h = heights(|y, x| 0.1 * x - 0.2 * y);
-        fit_form(grid(), &h, Form::Sphere).unwrap().remove_from(&mut h);
+        take_form_off(grid(), &mut h, Form::Sphere).unwrap();
         assert!(h.iter().all(|h| h.abs() < 1e-15));
         for form in [Form::Sphere, Form::Cylinder] {
             let mut h = heights(|y, x| 1e-7 * ((1e6 * x).sin() * (2.3e6 * y).cos() + 1e4 * y));
-            fit_form(grid(), &h, form).unwrap().remove_from(&mut h);
+            take_form_off(grid(), &mut h, form).unwrap();
             assert!(h.iter().all(|h| h.is_finite()));
         }
         let flat = vec![5.0; 60 * 80];
         for form in [Form::Sphere, Form::Cylinder, Form::Polynomial(4)] {
             let mut h = flat.clone();
-            fit_form(grid(), &h, form).unwrap().remove_from(&mut h);
+            take_form_off(grid(), &mut h, form).unwrap();
             assert!(h.iter().all(|h| h.abs() < 1e-15), "{form:?}");
         }
     }
@@ -397,9 +424,22 @@ mod tests {
         let mut h = vec![f64::NAN; 60 * 80];
         h[7] = 1.0;
         for form in [Form::Sphere, Form::Cylinder, Form::Polynomial(1)] {
-            let error = fit_form(grid(), &h, form);
+            let error = take_form_off(grid(), &mut h, form);
             assert!(matches!(error, Err(StatsError::TooFewPoints { found: 1, .. })), "{form:?}");
         }
-        assert!(matches!(fit_form(grid(), &h[1..], Form::Sphere), Err(StatsError::Shape { .. })));
+        let error = take_form_off(grid(), &mut h[1..], Form::Sphere);
+        assert!(matches!(error, Err(StatsError::Shape { .. })));
+    }
+
+    #[test]
+    fn forms_read_back_as_they_are_written() {
+        for text in ["plane", "quadratic", "polynomial:0", "polynomial:12", "sphere", "cylinder"] {
+            assert_eq!(text.parse::<Form>().unwrap().to_string(), text);
+        }
+        assert_eq!("polynomial:1".parse::<Form>(), "plane".parse());
+        for text in ["polynomial:13", "polynomial:", "polynomial:-1", "polynomial:2.5", "ball", ""]
+        {
+            assert!(text.parse::<Form>().is_err(), "{text}");
+        }
     }
 }

@@ -105,7 +105,7 @@ pub fn find_outliers(
             requirement: "must be finite and greater than 0",
         });
     }
-    let mut window = Window::new(grid, heights, rule.reach);
+    let mut window = Neighbourhood::new(grid, heights, rule.reach);
     // An odd stride, so that the sample does not run down a few columns.
     let stride = (heights.len() / SAMPLE) | 1;
     let mut sample: Vec<f64> =
@@ -127,7 +127,7 @@ pub fn find_outliers(
 }
 
 /// The neighbours of a point.
-struct Window<'a> {
+struct Neighbourhood<'a> {
     heights: &'a [f64],
     shape: [isize; 2],
     reach: isize,
@@ -136,7 +136,7 @@ struct Window<'a> {
     values: Vec<f64>,
 }
 
-impl<'a> Window<'a> {
+impl<'a> Neighbourhood<'a> {
     fn new(grid: Grid, heights: &'a [f64], reach: usize) -> Self {
         let reach = reach.cast_signed();
         let offsets = (-reach..=reach).flat_map(|y| (-reach..=reach).map(move |x| [y, x]));
@@ -291,7 +291,7 @@ mod tests {
         let rank = |mut values: Vec<f64>, rank: usize| {
             *values.select_nth_unstable_by(rank, f64::total_cmp).1
         };
-        let mut window = Window::new(grid, &heights, 2);
+        let mut window = Neighbourhood::new(grid, &heights, 2);
         for index in (2..88).flat_map(|iy| (2..118).map(move |ix| iy * nx + ix)) {
             let around: Vec<f64> =
                 (0..25).map(|k| heights[index + k / 5 * nx + k % 5 - 2 * nx - 2]).collect();

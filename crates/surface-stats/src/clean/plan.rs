@@ -1,8 +1,8 @@
 //! Several cleaning steps in a row, with a record of what each did.
 
+use super::form::take_form_off;
 use super::{
-    FittedForm, Form, FormParameters, OutlierRule, find_outliers, fit_form, gaussian_filter,
-    row_offsets,
+    Form, FormParameters, OutlierRule, find_outliers, gaussian_filter, row_offsets, short_waves,
 };
 use crate::{Edges, StatsError};
 use contact_types::Grid;
@@ -96,19 +96,15 @@ pub fn apply(
                 Record::Outliers { rule, count, limit, largest }
             }
             Step::Form(form) => {
-                let fitted: FittedForm = fit_form(grid, heights, form)?;
-                fitted.remove_from(heights);
-                Record::Form { parameters: fitted.parameters(), points: fitted.points() }
+                let (parameters, points) = take_form_off(grid, heights, form)?;
+                Record::Form { parameters, points }
             }
             Step::SFilter(nesting_index) => {
                 *heights = gaussian_filter(grid, heights, nesting_index, edges)?;
                 Record::SFilter { nesting_index }
             }
             Step::LFilter(nesting_index) => {
-                let long = gaussian_filter(grid, heights, nesting_index, edges)?;
-                for (h, l) in heights.iter_mut().zip(long) {
-                    *h -= l;
-                }
+                *heights = short_waves(grid, heights, nesting_index, edges)?;
                 Record::LFilter { nesting_index }
             }
         });
@@ -196,7 +192,7 @@ fn way(radius: f64) -> &'static str {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::synthesis::{Scale, SelfAffine};
+    use crate::synthesis::rough;
 
     #[test]
     fn a_radius_has_four_digits() {
@@ -210,16 +206,7 @@ mod tests {
     #[test]
     fn a_rough_ball_comes_out_as_the_rough_flat() {
         let grid = Grid::new([120, 100], [1e-6, 1e-6]).unwrap();
-        let recipe = SelfAffine {
-            grid,
-            hurst: 0.8,
-            rolloff: 20e-6,
-            cutoff: 5e-6,
-            scale: Scale::RmsHeight(20e-9),
-            seed: 8,
-            quantise: None,
-        };
-        let rough = recipe.generate().unwrap().into_heights();
+        let rough = rough(grid, 0.8, [20e-6, 5e-6], 20e-9, 8).into_heights();
         let ball = |i: usize| {
             let (y, x) = ((i / 100) as f64 * 1e-6 - 55e-6, (i % 100) as f64 * 1e-6 - 40e-6);
             ((2e-3f64).powi(2) - y * y - x * x).sqrt()

@@ -168,23 +168,14 @@ fn median(values: &mut [f64]) -> Option<f64> {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::synthesis::{Scale, SelfAffine};
+    use crate::synthesis::rough;
     use approx::assert_abs_diff_eq;
 
     const SHAPE: [usize; 2] = [128, 160];
 
-    fn rough(seed: u64) -> (Grid, Vec<f64>) {
+    fn relief(seed: u64) -> (Grid, Vec<f64>) {
         let grid = Grid::new(SHAPE, [1e-6, 1e-6]).unwrap();
-        let recipe = SelfAffine {
-            grid,
-            hurst: 0.8,
-            rolloff: 40e-6,
-            cutoff: 4e-6,
-            scale: Scale::RmsHeight(20e-9),
-            seed,
-            quantise: None,
-        };
-        (grid, recipe.generate().unwrap().into_heights())
+        (grid, rough(grid, 0.8, [40e-6, 4e-6], 20e-9, seed).into_heights())
     }
 
     /// Numbers between -1 and 1 that do not know of each other.
@@ -196,7 +187,7 @@ mod tests {
     /// Offsets planted row by row come off again, beside missing points and a tilt, which stays.
     #[test]
     fn planted_offsets_come_off() {
-        let (grid, mut heights) = rough(3);
+        let (grid, mut heights) = relief(3);
         let before = row_offsets(grid, &heights).unwrap();
         assert!(!before.rows_jump(), "{:?} {}", before.share, before.roughness);
         before.remove_from(&mut heights); // what the medians see of the relief itself
@@ -238,7 +229,7 @@ mod tests {
     #[test]
     fn surfaces_are_no_scan_lines() {
         for seed in 0..5 {
-            let (grid, relief) = rough(seed);
+            let (grid, relief) = relief(seed);
             let shapes: [fn(f64, f64) -> f64; 6] = [
                 |y, _| 60e-9 * (0.5 * y).sin() + 30e-9 * (0.23 * y).cos(),
                 |_, x| 60e-9 * (0.5 * x).sin(),

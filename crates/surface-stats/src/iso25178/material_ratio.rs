@@ -76,12 +76,12 @@ impl MaterialRatioCurve {
 
     /// Smc: height above the mean (m) that a share `ratio` (0 to 1, clamped) of the surface
     /// exceeds.
-    pub(crate) fn height(&self, ratio: f64) -> f64 {
+    fn height(&self, ratio: f64) -> f64 {
         self.scale * self.scaled_height(ratio)
     }
 
     /// Smr: share of the surface higher than `height` (m above the mean).
-    pub(crate) fn ratio(&self, height: f64) -> f64 {
+    fn ratio(&self, height: f64) -> f64 {
         let (z, last) = (height / self.scale, self.falling.len() - 1);
         let above = self.falling.partition_point(|&h| h > z);
         if above == 0 || above > last {
@@ -98,12 +98,12 @@ impl MaterialRatioCurve {
 
     /// Material above the height of ratio `ratio`, per area (m): the area between the curve and
     /// that height.
-    pub(crate) fn material_volume(&self, ratio: f64) -> f64 {
+    fn material_volume(&self, ratio: f64) -> f64 {
         self.scale * self.area_above(ratio.clamp(0.0, 1.0), self.scaled_height(ratio))
     }
 
     /// Void below the height of ratio `ratio`, per area (m).
-    pub(crate) fn void_volume(&self, ratio: f64) -> f64 {
+    fn void_volume(&self, ratio: f64) -> f64 {
         let (ratio, level) = (ratio.clamp(0.0, 1.0), self.scaled_height(ratio));
         // Whole curve minus the part above, both counted from the level.
         self.scale * (self.area_above(ratio, level) - self.area_above(1.0, level)).max(0.0)

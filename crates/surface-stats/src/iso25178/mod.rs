@@ -10,4 +10,4 @@ mod spatial;
 
 pub use hybrid::Hybrid;
 pub use material_ratio::{CoreRoughness, MaterialRatioCurve, Volumes};
-pub use spatial::{Autocorrelation, Spatial, texture_direction};
+pub use spatial::{Spatial, texture_direction};

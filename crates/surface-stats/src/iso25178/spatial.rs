@@ -17,8 +17,7 @@ const DIRECTIONS: usize = 360;
 /// Periodic maps are correlated as they repeat. Open maps are continued by zeros and each shift
 /// is divided by the area that overlaps, so that no shift is favoured; shifts beyond half the map
 /// are not used.
-#[derive(Debug, Clone, PartialEq)]
-pub struct Autocorrelation {
+struct Autocorrelation {
     grid: Grid,
     values: Vec<f64>,
     reach: [f64; 2],
@@ -37,12 +36,20 @@ pub struct Spatial {
     pub texture_aspect_ratio: Option<f64>,
 }
 
-impl Autocorrelation {
-    /// Correlates a map with itself by FFT. An open map needs four times its memory, twice.
+impl Spatial {
+    /// By the autocorrelation of a map, along rays half a degree apart; both are `None` on a flat map. An
+    /// open map needs four times its memory, twice.
     ///
     /// # Errors
     /// [`StatsError::OutOfRange`]; [`StatsError::Surface`] if the continued map is too large.
     pub fn of(map: &HeightMap, edges: Edges) -> Result<Self, StatsError> {
+        Ok(Autocorrelation::of(map, edges)?.spatial())
+    }
+}
+
+impl Autocorrelation {
+    /// Correlates a map with itself by FFT.
+    fn of(map: &HeightMap, edges: Edges) -> Result<Self, StatsError> {
         scale::check(map)?;
         let ([ny, nx], [dy, dx]) = (map.grid().shape(), map.grid().pixel());
         let open = edges == Edges::Open;
@@ -79,7 +86,7 @@ impl Autocorrelation {
 
     /// Autocorrelation at the shift (y, x) in metres, linear between pixels; `None` beyond half
     /// the map.
-    pub(crate) fn at(&self, y: f64, x: f64) -> Option<f64> {
+    fn at(&self, y: f64, x: f64) -> Option<f64> {
         if y.abs() > self.reach[0] || x.abs() > self.reach[1] {
             return None;
         }
@@ -94,8 +101,8 @@ impl Autocorrelation {
         Some((1.0 - fy) * row(0.0) + fy * row(1.0))
     }
 
-    /// Sal and Str, along rays half a degree apart. `None` for both on a flat map.
-    pub fn spatial(&self) -> Spatial {
+    /// Sal and Str.
+    fn spatial(&self) -> Spatial {
         if self.values[0] <= 0.0 {
             return Spatial { autocorrelation_length: None, texture_aspect_ratio: None };
         }
@@ -158,7 +165,7 @@ pub fn texture_direction(map: &HeightMap) -> Result<Option<f64>, StatsError> {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::synthesis::{Scale, SelfAffine};
+    use crate::synthesis::rough;
     use approx::assert_relative_eq;
     use std::f64::consts::TAU;
 
@@ -170,8 +177,7 @@ mod tests {
         let (ky, kx) = (7.0, 8.6);
         let q = [TAU * ky / 360.0, TAU * kx / 256.0];
         let map = HeightMap::from_fn(grid, |y, x| (q[0] * y + q[1] * x).cos()).unwrap();
-        let correlation = Autocorrelation::of(&map, Edges::Open).unwrap();
-        let s = correlation.spatial();
+        let s = Spatial::of(&map, Edges::Open).unwrap();
         let expected = 0.2f64.acos() / q[0].hypot(q[1]);
         assert_relative_eq!(s.autocorrelation_length.unwrap(), expected, max_relative = 0.003);
         assert_eq!(s.texture_aspect_ratio, None);
@@ -197,20 +203,11 @@ mod tests {
     #[test]
     fn isotropic_and_stretched_surfaces() {
         let aspect = |dy: f64| {
-            let recipe = SelfAffine {
-                grid: Grid::new([512, 512], [1e-6, 1e-6]).unwrap(),
-                hurst: 0.8,
-                rolloff: 20e-6,
-                cutoff: 4e-6,
-                scale: Scale::RmsHeight(1e-7),
-                seed: 9,
-                quantise: None,
-            };
-            let heights = recipe.generate().unwrap().into_heights();
+            let grid = Grid::new([512, 512], [1e-6, 1e-6]).unwrap();
+            let heights = rough(grid, 0.8, [20e-6, 4e-6], 1e-7, 9).into_heights();
             let grid = Grid::new([512, 512], [dy, 1e-6]).unwrap();
             let map = HeightMap::new(grid, heights).unwrap();
-            let correlation = Autocorrelation::of(&map, Edges::Periodic).unwrap();
-            correlation.spatial().texture_aspect_ratio.unwrap()
+            Spatial::of(&map, Edges::Periodic).unwrap().texture_aspect_ratio.unwrap()
         };
         let isotropic = aspect(1e-6);
         assert!(isotropic > 0.85, "{isotropic}");
@@ -221,7 +218,7 @@ mod tests {
     fn a_flat_map_has_no_texture() {
         let map = HeightMap::new(Grid::new([5, 6], [1.0, 1.0]).unwrap(), vec![2.0; 30]).unwrap();
         for edges in [Edges::Open, Edges::Periodic] {
-            let s = Autocorrelation::of(&map, edges).unwrap().spatial();
+            let s = Spatial::of(&map, edges).unwrap();
             assert_eq!((s.autocorrelation_length, s.texture_aspect_ratio), (None, None));
         }
         assert_eq!(texture_direction(&map).unwrap(), None);

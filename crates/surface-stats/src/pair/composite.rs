@@ -1,11 +1,9 @@
 //! The sum of the heights of two maps that face each other.
 
-use super::error::PairError;
 use super::independence::Independence;
-use super::overlay::{Common, Placed, common};
-use super::placing::{Flip, Placing};
-use crate::clean::{Facing, combine, flip, interpolated, resample};
-use crate::spectrum::Axis;
+use super::overlay::{Overlap, Placed, common};
+use super::{Flip, PairError, Placing};
+use crate::clean::{interpolated, resample};
 use crate::{Edges, Level, StatsError, repeats};
 use contact_types::{Grid, HeightMap};
 
@@ -34,18 +32,16 @@ impl Composite {
     /// # Errors
     /// [`PairError`].
     pub fn of(first: &HeightMap, second: &HeightMap, placing: &Placing) -> Result<Self, PairError> {
-        let second = match placing.flip {
-            Flip::Columns => flip(second, Axis::X),
-            Flip::Rows => flip(second, Axis::Y),
-            Flip::None => second.clone(),
-        };
+        let second = turned_over(second, placing.flip)?;
         let grids = [first.grid(), second.grid()];
         let (parts, placed) = if are_one_cell(grids) && repeats(first) && repeats(&second) {
             rolled(first, &second, placing.shift)?
         } else {
             cut(first, &second, placing.shift)?
         };
-        let map = combine(&parts[0], &parts[1], Facing::Mirrored)?;
+        let [a, b] = &parts;
+        let sum = a.heights().iter().zip(b.heights()).map(|(a, b)| a + b).collect();
+        let map = HeightMap::new(a.grid(), sum).map_err(StatsError::from)?;
         Ok(Self { map, parts, placed })
     }
 
@@ -56,6 +52,18 @@ impl Composite {
     pub fn independence(&self, form: Level, edges: Edges) -> Result<Independence, StatsError> {
         Independence::of([&self.parts[0], &self.parts[1]], &self.map, form, edges)
     }
+}
+
+/// The map as it lies once it is turned over.
+fn turned_over(map: &HeightMap, how: Flip) -> Result<HeightMap, StatsError> {
+    let mut heights = map.heights().to_vec();
+    if how == Flip::Rows {
+        heights.reverse();
+    }
+    if how != Flip::None {
+        heights.chunks_exact_mut(map.grid().shape()[1]).for_each(<[f64]>::reverse);
+    }
+    Ok(HeightMap::new(map.grid(), heights)?)
 }
 
 /// Whether both maps cover the same area to half a point of the finer.
@@ -92,7 +100,7 @@ fn cut(first: &HeightMap, second: &HeightMap, shift: [f64; 2]) -> Result<Laid, P
     let grids = [first.grid(), second.grid()];
     let [y, x] =
         [0, 1].map(|k| common(grids.map(|g| g.shape()[k]), grids.map(|g| g.pixel()[k]), shift[k]));
-    let axes: [Common; 2] = [y?, x?];
+    let axes: [Overlap; 2] = [y?, x?];
     let grid = Grid::new(axes.map(|a| a.along[0].count), axes.map(|a| a.pixel))
         .map_err(StatsError::from)?;
     let resampled = [0, 1].map(|which| axes.iter().any(|a| a.between == Some(which)));

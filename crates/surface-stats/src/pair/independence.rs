@@ -29,19 +29,21 @@ impl Independence {
         edges: Edges,
     ) -> Result<Self, StatsError> {
         let form = form.on(sum)?; // the same for all three: they add
-        let (bodies, powers, grid) = {
-            let [a, b] = [level(parts[0], form)?, level(parts[1], form)?];
-            let repeat = repeats(&a) && repeats(&b);
-            let window = if repeat { Window::None } else { Window::Hann };
-            let powers = [power(&a, window)?, power(&b, window)?];
-            ([moments(&a, edges)?, moments(&b, edges)?], powers, a.grid())
+        let [a, b] = [level(parts[0], form)?, level(parts[1], form)?];
+        let window = if repeats(&a) && repeats(&b) { Window::None } else { Window::Hann };
+        let spread = if a.is_flat() || b.is_flat() {
+            [0.0; 3]
+        } else {
+            let powers = [PowerSpectrum::of(&a, window)?, PowerSpectrum::of(&b, window)?];
+            spread(&powers, a.grid().pixel())
         };
+        let bodies = [moments(&a, edges)?, moments(&b, edges)?];
+        drop([a, b]);
         let composite = moments(&level(sum, form)?, edges)?;
         let parts = |m: SpectralMoments| [m.m0, m.m2, m.m4];
         let sums = [0, 1, 2].map(|k| parts(bodies[0])[k] + parts(bodies[1])[k]);
         let share = |k: usize, of: f64| if sums[k] > 0.0 { of / sums[k] } else { 0.0 };
         let excess = [0, 1, 2].map(|k| share(k, parts(composite)[k] - sums[k]));
-        let spread = spread([&powers[0], &powers[1]], grid.pixel());
         let chance = [0, 1, 2].map(|k| share(k, spread[k]));
         Ok(Self { bodies, composite, excess, chance })
     }
@@ -66,30 +68,21 @@ fn moments(map: &HeightMap, edges: Edges) -> Result<SpectralMoments, StatsError>
     Ok(DirectionalMoments::of(map, edges)?.isotropic(rms * rms))
 }
 
-/// A wave: its wave vector (rad/m), how many waves it stands for, the variance of each (m²).
-type Wave = ([f64; 2], f64, f64);
-
-fn power(map: &HeightMap, window: Window) -> Result<Vec<Wave>, StatsError> {
-    let mut waves = Vec::with_capacity(map.grid().len() / 2 + map.grid().shape()[0]);
-    if !map.is_flat() {
-        let spectrum = PowerSpectrum::of(map, window)?;
-        spectrum.for_each(|q, weight, variance| waves.push((q, weight, variance)));
-    }
-    Ok(waves)
-}
-
 /// Standard deviation of m0, m2, m4 of a sum whose two parts have waves of random phase. A wave of
 /// variances `P1` and `P2` adds `2 √(P1 P2) cos φ`, with `φ` uniform, for itself and its mirror image, and
 /// counts in m2 and m4 as forward differences see it.
-fn spread([first, second]: [&[Wave]; 2], [dy, dx]: [f64; 2]) -> [f64; 3] {
-    let mut variances = [0.0; 3];
-    for ((q, weight, a), (_, _, b)) in first.iter().zip(second) {
+fn spread([first, second]: &[PowerSpectrum; 2], [dy, dx]: [f64; 2]) -> [f64; 3] {
+    let mut other = Vec::new();
+    second.for_each(|_, _, variance| other.push(variance));
+    let (mut other, mut variances) = (other.into_iter(), [0.0; 3]);
+    first.for_each(|q, weight, a| {
+        let b = other.next().unwrap_or(0.0);
         let [y, x] = [(q[0], dy), (q[1], dx)].map(|(q, d)| (2.0 * (0.5 * q * d).sin() / d).powi(2));
         let seen = [1.0, f64::midpoint(x, y), f64::midpoint(x * x, y * y)];
         for (variance, seen) in variances.iter_mut().zip(seen) {
             // Products of roots, since squares of small numbers vanish.
             *variance += weight * (2.0 * seen * a.sqrt() * b.sqrt()).powi(2);
         }
-    }
+    });
     variances.map(f64::sqrt)
 }

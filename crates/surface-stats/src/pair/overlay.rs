@@ -1,7 +1,7 @@
 //! Which points of two maps lie on each other.
 
-use super::error::PairError;
-use crate::clean::Along;
+use super::PairError;
+use crate::clean::AxisPoints;
 use contact_types::Grid;
 
 /// How two maps were laid on each other.
@@ -38,13 +38,13 @@ impl Placed {
 
 /// The part of two maps that lies on each other along one axis, in points of each.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub(super) struct Common {
+pub(super) struct Overlap {
     /// Distance of the points (m): that of the finer map.
     pub(super) pixel: f64,
     /// How far the second was moved (m).
     pub(super) shift: f64,
     /// Where the points are in each map.
-    pub(super) along: [Along; 2],
+    pub(super) along: [AxisPoints; 2],
     /// Which map is not taken at its own points.
     pub(super) between: Option<usize>,
 }
@@ -53,7 +53,7 @@ pub(super) struct Common {
 const FEWEST: f64 = 4.0;
 
 /// Along one axis, centres on each other and the second moved by `shift`, in whole points of the finer.
-pub(super) fn common(n: [usize; 2], d: [f64; 2], shift: f64) -> Result<Common, PairError> {
+pub(super) fn common(n: [usize; 2], d: [f64; 2], shift: f64) -> Result<Overlap, PairError> {
     let pixel = d[0].min(d[1]);
     let whole = (shift / pixel).round();
     let shift = whole * pixel;
@@ -65,9 +65,9 @@ pub(super) fn common(n: [usize; 2], d: [f64; 2], shift: f64) -> Result<Common, P
         if high - low < 2.0 {
             return too_little((high - low).max(0.0));
         }
-        let at = |first| Along { first, step: 1.0, count: (high - low) as usize };
+        let at = |first| AxisPoints { first, step: 1.0, count: (high - low) as usize };
         let along = [at(low), at(low - offset)];
-        return Ok(Common { pixel: d[0], shift, along, between: None });
+        return Ok(Overlap { pixel: d[0], shift, along, between: None });
     }
     let (fine, coarse) = if d[0] < d[1] { (0, 1) } else { (1, 0) };
     // The first points, seen from the centre of the first map.
@@ -88,16 +88,16 @@ pub(super) fn common(n: [usize; 2], d: [f64; 2], shift: f64) -> Result<Common, P
         return Err(PairError::TooCoarse { which: coarse, own, pixels: d });
     }
     let at = ((start[fine] + first * pixel - start[coarse]) / d[coarse]).max(0.0);
-    let mut along = [Along { first, step: 1.0, count: count as usize }; 2];
-    along[coarse] = Along { first: at, step, count: count as usize };
-    Ok(Common { pixel, shift, along, between: Some(coarse) })
+    let mut along = [AxisPoints { first, step: 1.0, count: count as usize }; 2];
+    along[coarse] = AxisPoints { first: at, step, count: count as usize };
+    Ok(Overlap { pixel, shift, along, between: Some(coarse) })
 }
 
 #[cfg(test)]
 mod tests {
     use super::*;
 
-    fn along(n: [usize; 2], d: [f64; 2], shift: f64) -> Common {
+    fn along(n: [usize; 2], d: [f64; 2], shift: f64) -> Overlap {
         common(n, d, shift).unwrap()
     }
 

@@ -9,8 +9,6 @@
 //! [`SpectralMoments`](crate::SpectralMoments) (Nayak 1971) if the surface is isotropic, and only
 //! then: no trace can show whether it is.
 
-mod choose;
-mod elements;
 mod moments;
 mod parameters;
 mod roughness;
@@ -20,15 +18,10 @@ mod spectrum;
 mod statistics;
 mod trace;
 
-use choose::choose_setting;
-pub use elements::{Elements, elements};
-use moments::moments_by_spacing;
 pub use moments::{AtSpacing, moments};
-pub use parameters::ProfileParameters;
-use roughness::roughness_profile;
-pub use roughness::{Roughness, roughness};
+pub use roughness::Roughness;
 pub use scatter::MomentScatter;
-pub use setting::{SETTING_CLASSES, Setting, SettingClass, SettingSource};
+pub use setting::{Setting, SettingSource};
 pub use spectrum::TraceSpectrum;
 pub use statistics::{ParameterMean, ProfileOptions, ProfileStatistics};
 pub(crate) use trace::LEAST_POINTS;

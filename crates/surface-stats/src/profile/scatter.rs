@@ -9,8 +9,7 @@
 //! *Between traces.* The scatter of the moments of several traces, over the root of their number.
 
 use super::{Trace, moments};
-use crate::StatsError;
-use crate::spectrum::{Axis, Window, psd_1d};
+use crate::spectrum::psd_1d;
 use contact_types::SpectralMoments;
 use std::f64::consts::TAU;
 
@@ -48,17 +47,14 @@ pub(crate) fn students_t(freedom: f64) -> Option<f64> {
 
 impl MomentScatter {
     /// Of levelled traces.
-    ///
-    /// # Errors
-    /// [`StatsError::OutOfRange`].
-    pub(crate) fn of(traces: &[Trace]) -> Result<Self, StatsError> {
+    pub(crate) fn of(traces: &[Trace]) -> Self {
         let n = traces.len() as f64;
         let mut variance = [0.0; 3];
         let mut freedom = [0.0; 3];
         let mut products = [[0.0; 3]; 3];
         for trace in traces {
             let squares = squares(trace);
-            let by_waves = by_waves(trace)?;
+            let by_waves = by_waves(trace);
             for k in 0..3 {
                 let one = by_waves[k].max(by_squares(&squares[k]));
                 variance[k] += one / (n * n);
@@ -84,7 +80,7 @@ impl MomentScatter {
                 };
             }
         }
-        Ok(Self { relative_variance: variance, correlation, freedom, between })
+        Self { relative_variance: variance, correlation, freedom, between }
     }
 
     /// 95 % interval of a moment over traces like these: 0 for m0, 1 for m2, 2 for m4. `None` where
@@ -134,12 +130,12 @@ fn squares(trace: &Trace) -> [Vec<f64>; 3] {
 
 /// Relative variances of the means if the waves are independent and normal: of a wave with the
 /// observed power P the squared expected power is P²/2 on average.
-fn by_waves(trace: &Trace) -> Result<[f64; 3], StatsError> {
-    let bins = psd_1d(trace.as_map(), Axis::X, Window::Hann)?;
+fn by_waves(trace: &Trace) -> [f64; 3] {
+    let bins = psd_1d(trace.as_map());
     let mut sums = [[0.0; 2]; 3];
     let largest = bins.iter().map(|b| b.psd).fold(0.0, f64::max);
     if largest <= 0.0 {
-        return Ok([0.0; 3]);
+        return [0.0; 3];
     }
     for bin in &bins {
         // The same power in slopes and second differences, as neighbouring points see it.
@@ -151,7 +147,7 @@ fn by_waves(trace: &Trace) -> Result<[f64; 3], StatsError> {
             power *= read;
         }
     }
-    Ok(sums.map(|[sum, squares]| if sum > 0.0 { 0.5 * squares / (sum * sum) } else { 0.0 }))
+    sums.map(|[sum, squares]| if sum > 0.0 { 0.5 * squares / (sum * sum) } else { 0.0 })
 }
 
 /// The same from the longest waves of the squares themselves.
@@ -250,7 +246,7 @@ mod tests {
                 (each.iter().map(|m| (m[k] / truth - 1.0).powi(2)).sum::<f64>() / count).sqrt();
             let (mut held, mut width) = (0.0, 0.0);
             for (trace, m) in all.iter().zip(&each) {
-                let scatter = MomentScatter::of(std::slice::from_ref(trace)).unwrap();
+                let scatter = MomentScatter::of(std::slice::from_ref(trace));
                 let [low, high] = scatter.interval(k, m[k]).unwrap();
                 held += f64::from(u8::from(low <= truth && truth <= high));
                 width += (high / low).ln() / 2.0 / count;
@@ -261,7 +257,7 @@ mod tests {
             let mut held = 0.0;
             for (four, m) in all.chunks(4).zip(each.chunks(4)) {
                 let mean = m.iter().map(|m| m[k]).sum::<f64>() / 4.0;
-                let scatter = MomentScatter::of(four).unwrap();
+                let scatter = MomentScatter::of(four);
                 let [low, high] = scatter.interval(k, mean).unwrap();
                 held += f64::from(u8::from(low <= truth && truth <= high));
             }
@@ -280,7 +276,7 @@ mod tests {
         let amplitude = 1.5 * 2.0 / std::f64::consts::PI;
         let expected = amplitude * amplitude * (1.0 + 1.0 / 9.0) / 4.0 / 6.25;
         assert!((found / expected - 1.0).abs() < 0.01, "{found} {expected}");
-        let scatter = MomentScatter::of(&[trace]).unwrap();
+        let scatter = MomentScatter::of(&[trace]);
         assert!(scatter.relative_variance[0] >= found && scatter.correlation[0][1] > 0.9);
     }
 
@@ -288,7 +284,7 @@ mod tests {
     fn a_single_wave_tells_nothing_of_another_trace() {
         let z = |i: i32| (TAU * f64::from(i) / 400.0).sin();
         let trace = Trace::new(1.0, (0..400).map(z).collect()).unwrap();
-        let scatter = MomentScatter::of(&[trace]).unwrap();
+        let scatter = MomentScatter::of(&[trace]);
         assert!(scatter.interval(0, 1.0).is_none_or(|[low, high]| high / low > 4.0));
     }
 }

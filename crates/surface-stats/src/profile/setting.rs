@@ -1,33 +1,28 @@
 //! Settings of ISO 21920-3: which waves are roughness, and how much of a trace is evaluated.
 
 /// A setting class of ISO 21920-3:2021: what is measured how, by the roughness it is for.
-#[derive(Debug, Clone, Copy, PartialEq)]
-pub struct SettingClass {
+pub(super) struct SettingClass {
     /// Sc1 to Sc5.
-    pub number: u8,
+    pub(super) number: u8,
     /// λc (m): waves longer than this are not roughness. Also the section length.
-    pub cutoff: f64,
-    /// λs (m): waves shorter than this are not roughness.
-    pub short: f64,
+    pub(super) cutoff: f64,
+    /// λs (m): waves shorter than this are not roughness. It acts on points a fifth of it apart at most.
+    short: f64,
     /// Largest Ra it is for (m).
-    pub most_ra: f64,
-    /// Largest spacing of points at which λs acts (m).
-    pub most_spacing: f64,
-    /// Tip radius it is for (m).
-    pub tip_radius: f64,
+    pub(super) most_ra: f64,
 }
 
-const fn class(number: u8, cutoff: f64, short: f64, most_ra: f64, tip_radius: f64) -> SettingClass {
-    SettingClass { number, cutoff, short, most_ra, most_spacing: short / 5.0, tip_radius }
+const fn class(number: u8, cutoff: f64, short: f64, most_ra: f64) -> SettingClass {
+    SettingClass { number, cutoff, short, most_ra }
 }
 
 /// The five classes, from fine to coarse.
-pub const SETTING_CLASSES: [SettingClass; 5] = [
-    class(1, 0.08e-3, 2.5e-6, 0.02e-6, 2e-6),
-    class(2, 0.25e-3, 2.5e-6, 0.1e-6, 2e-6),
-    class(3, 0.8e-3, 2.5e-6, 2e-6, 2e-6),
-    class(4, 2.5e-3, 8e-6, 10e-6, 5e-6),
-    class(5, 8e-3, 25e-6, 80e-6, 10e-6),
+pub(super) const SETTING_CLASSES: [SettingClass; 5] = [
+    class(1, 0.08e-3, 2.5e-6, 0.02e-6),
+    class(2, 0.25e-3, 2.5e-6, 0.1e-6),
+    class(3, 0.8e-3, 2.5e-6, 2e-6),
+    class(4, 2.5e-3, 8e-6, 10e-6),
+    class(5, 8e-3, 25e-6, 80e-6),
 ];
 
 /// Where a setting comes from.
@@ -76,7 +71,7 @@ impl Setting {
 
     /// That of a class on points at this spacing, with λs if one was asked for.
     pub(super) fn of_class(class: &SettingClass, short: Option<f64>, spacing: f64) -> Self {
-        let resolved = spacing <= class.most_spacing * (1.0 + 1e-6);
+        let resolved = spacing <= class.short / 5.0 * (1.0 + 1e-6);
         Self {
             cutoff: class.cutoff,
             short: short.or(resolved.then_some(class.short)),

@@ -2,8 +2,9 @@
 
 use super::Trace;
 use crate::StatsError;
-use crate::fractal::{self, PowerLaw};
-use crate::spectrum::{Axis, ProfileBin, Ring, Window, psd_1d};
+use crate::noise::{NoiseFloor, SIGNAL, is_flat};
+use crate::spectrum::{ProfileBin, Ring, psd_1d};
+use crate::{SpectralScales, fractal};
 use contact_types::{AmplitudeSpectrum, SpectralMoments, Wave};
 use std::f64::consts::{PI, TAU};
 
@@ -12,9 +13,6 @@ const SMOOTHING: f64 = 1.122_462_048_309_373; // 2^(1/6)
 
 /// A one-sided PSD falls as f^-(1 + 2H); flatter than this in the last octave is noise.
 const FLAT_SLOPE: f64 = -0.5;
-
-/// Waves belong to the surface where the smoothed PSD is this many times the floor.
-const SIGNAL: f64 = 3.0;
 
 /// Fewest bins of the last octave of which a noise floor is read.
 const FLOOR_BINS: usize = 8;
@@ -30,53 +28,20 @@ pub struct TraceSpectrum {
     pub traces: usize,
 }
 
-/// White noise at the level where a PSD stops falling.
-#[derive(Debug, Clone, Copy, PartialEq)]
-pub(crate) struct TraceNoise {
-    /// PSD of the floor (m³).
-    pub psd: f64,
-    /// Rms height of white noise with this PSD (m).
-    pub rms: f64,
-    /// Shortest wavelength that stands out of it threefold (m), if one does.
-    pub reliable: Option<f64>,
-}
-
-/// What the spectrum says of the scales of a surface.
-#[derive(Debug, Clone, Copy, PartialEq)]
-pub(crate) struct TraceScales {
-    /// White noise, if the PSD ends flat.
-    pub noise: Option<TraceNoise>,
-    /// 99.9 % of the slope variance that stands out of the noise is at longer wavelengths (m).
-    pub cutoff: Option<f64>,
-    /// Longer waves have a flat spectrum (m); absent if the traces show none.
-    pub rolloff: Option<f64>,
-    /// Power law from cut-off to roll-off, or over the range asked for.
-    pub power_law: Option<PowerLaw>,
-}
-
 impl TraceSpectrum {
-    /// Of levelled traces of the same length and spacing.
-    ///
-    /// # Errors
-    /// [`StatsError::Shape`] if they differ in length, [`StatsError::OutOfRange`].
-    pub(crate) fn of(traces: &[Trace]) -> Result<Self, StatsError> {
-        let Some(first) = traces.first() else {
-            return Err(StatsError::TooFewPoints { what: "a spectrum", needed: 1, found: 0 });
-        };
-        let mut bins = psd_1d(first.as_map(), Axis::X, Window::Hann)?;
+    /// Of levelled traces, one at least, of the same length and spacing.
+    pub(crate) fn of(traces: &[Trace]) -> Self {
+        let first = &traces[0];
+        let mut bins = psd_1d(first.as_map());
         for trace in &traces[1..] {
-            if trace.len() != first.len() {
-                let (expected, found) = (first.len(), trace.len());
-                return Err(StatsError::Shape { what: "traces", expected, found });
-            }
-            for (sum, bin) in bins.iter_mut().zip(psd_1d(trace.as_map(), Axis::X, Window::Hann)?) {
+            for (sum, bin) in bins.iter_mut().zip(psd_1d(trace.as_map())) {
                 sum.psd += bin.psd;
             }
         }
         for bin in &mut bins {
             bin.psd /= traces.len() as f64;
         }
-        Ok(Self { bins, spacing: first.spacing(), traces: traces.len() })
+        Self { bins, spacing: first.spacing(), traces: traces.len() }
     }
 
     /// Distance of neighbouring frequencies (1/m).
@@ -144,33 +109,24 @@ impl TraceSpectrum {
     }
 
     /// Noise, cut-off, roll-off and power law. `rms_height` (m) tells noise from rounding.
-    pub(crate) fn scales(&self, rms_height: f64, range: Option<[f64; 2]>) -> TraceScales {
+    pub(crate) fn scales(&self, rms_height: f64, range: Option<[f64; 2]>) -> SpectralScales {
         let noise = self.noise().filter(|noise| noise.rms > 1e-9 * rms_height);
-        let shortest = noise.and_then(|noise| noise.reliable).unwrap_or(0.0);
-        let rings: Vec<Ring> = self
-            .bins
-            .iter()
-            .filter(|bin| 1.0 >= shortest * bin.frequency)
-            .map(|bin| Ring {
-                wavenumber: TAU * bin.frequency,
-                variance: bin.psd * self.step(),
-                fourth: bin.psd * self.step() * (TAU * bin.frequency).powi(4),
-                psd: bin.psd,
-                waves: 2 * self.traces,
-                width: 0.0,
-            })
-            .collect();
-        let cutoff = fractal::cutoff(&rings, 2.0 * self.spacing);
-        let rolloff = cutoff.and_then(|cutoff| fractal::rolloff(&rings, cutoff));
-        let rolloff = rolloff.map(|found| found.wavelength);
-        let longest = rolloff.unwrap_or(0.5 / self.step());
-        let range = range.or(cutoff.map(|cutoff| [cutoff, longest]));
-        let power_law = range.and_then(|range| fractal::fit_profile(&[&self.bins], range));
-        TraceScales { noise, cutoff, rolloff, power_law }
+        let ring = |bin: &ProfileBin| Ring {
+            wavenumber: TAU * bin.frequency,
+            variance: bin.psd * self.step(),
+            fourth: bin.psd * self.step() * (TAU * bin.frequency).powi(4),
+            psd: bin.psd,
+            waves: 2 * self.traces,
+            width: 0.0,
+        };
+        let rings: Vec<Ring> = self.bins.iter().map(ring).collect();
+        let limits = [2.0 * self.spacing, 0.5 / self.step()];
+        let fit = |range| fractal::fit_profile(&self.bins, range);
+        SpectralScales::of_rings(&rings, noise, limits, range, fit)
     }
 
     /// The floor in the last octave; `None` if the PSD still falls there.
-    fn noise(&self) -> Option<TraceNoise> {
+    fn noise(&self) -> Option<NoiseFloor> {
         let nyquist = 0.5 / self.spacing;
         let last: Vec<f64> =
             self.bins.iter().filter(|b| b.frequency > 0.5 * nyquist).map(|b| b.psd).collect();
@@ -178,11 +134,9 @@ impl TraceSpectrum {
             return None;
         }
         let mean = |values: &[f64]| values.iter().sum::<f64>() / values.len() as f64;
-        // The halves of the octave are centred at 5/8 and 7/8 of its end.
         let (low, high) = last.split_at(last.len() / 2);
         let psd = mean(high);
-        let slope = (psd / mean(low)).ln() / (0.875f64 / 0.625).ln();
-        if psd <= 0.0 || slope.is_nan() || slope < FLAT_SLOPE {
+        if !is_flat([mean(low), psd], FLAT_SLOPE) {
             return None;
         }
         // A running mean; in the octave that was found flat most bins of its band: a line there, as where every second point
@@ -201,7 +155,7 @@ impl TraceSpectrum {
         };
         let shortest = (1..=smoothed.len()).rev().find(is_signal);
         let reliable = shortest.map(|k| 1.0 / smoothed[k - 1].frequency);
-        Some(TraceNoise { psd, rms: (psd * nyquist).sqrt(), reliable })
+        Some(NoiseFloor { rms: (psd * nyquist).sqrt(), reliable })
     }
 }
 
@@ -222,7 +176,7 @@ mod tests {
     fn what_differences_see_of_a_wave() {
         let z = |i: usize| 1e-7 * (TAU * i as f64 / 8.0 + 0.2).cos();
         let trace = Trace::new(1e-6, (0..8000).map(z).collect()).unwrap();
-        let spectrum = TraceSpectrum::of(&[trace]).unwrap();
+        let spectrum = TraceSpectrum::of(&[trace]);
         let [m2, m4] = spectrum.seen().unwrap();
         let share = ((PI / 8.0).sin() / (PI / 8.0)).powi(2);
         assert_relative_eq!(m2, share, max_relative = 1e-3);
@@ -239,7 +193,7 @@ mod tests {
         let noise = 3e-9 * 12f64.sqrt();
         let mut z = |i: usize| 1e-6 * (TAU * i as f64 / 500.0).sin() + noise * uniform(&mut random);
         let trace = Trace::new(1e-6, (0..20_000).map(&mut z).collect()).unwrap();
-        let scales = TraceSpectrum::of(&[trace]).unwrap().scales(0.7e-6, None);
+        let scales = TraceSpectrum::of(&[trace]).scales(0.7e-6, None);
         let found = scales.noise.unwrap();
         assert_relative_eq!(found.rms, 3e-9, max_relative = 0.05);
         let reliable = found.reliable.unwrap();
@@ -256,7 +210,7 @@ mod tests {
             1e-6 * (TAU * i as f64 / 500.0).sin() + noise * uniform(&mut random) + line
         };
         let trace = Trace::new(1e-6, (0..20_000).map(&mut z).collect()).unwrap();
-        let scales = TraceSpectrum::of(&[trace]).unwrap().scales(0.7e-6, None);
+        let scales = TraceSpectrum::of(&[trace]).scales(0.7e-6, None);
         let reliable = scales.noise.unwrap().reliable.unwrap();
         assert!((300e-6..700e-6).contains(&reliable), "{reliable:e}");
     }
@@ -276,7 +230,7 @@ mod tests {
                 Trace::new(1e-6, (0..16_384).map(|_| step()).collect()).unwrap()
             })
             .collect();
-        let spectrum = TraceSpectrum::of(&traces).unwrap();
+        let spectrum = TraceSpectrum::of(&traces);
         let law = spectrum.scales(1e-8, Some([30e-6, 3e-3])).power_law.unwrap();
         let (dimension, _) = law.fractal_of_profile();
         assert_relative_eq!(2.0 - dimension, 0.5, epsilon = 0.05);

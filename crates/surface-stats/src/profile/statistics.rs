@@ -1,18 +1,18 @@
 //! The one call most users of profiles need.
 
-use super::spectrum::TraceScales;
+use super::moments::moments_by_spacing;
+use super::parameters::{ProfileParameters, parameters};
+use super::roughness::{choose_setting, roughness};
 use super::{
-    AtSpacing, LEAST_POINTS, MomentScatter, ProfileParameters, Roughness, Setting, Trace,
-    TraceSpectrum, choose_setting, moments, moments_by_spacing, roughness,
+    AtSpacing, LEAST_POINTS, MomentScatter, Roughness, Setting, Trace, TraceSpectrum, moments,
 };
-use crate::noise::white_noise_moments;
+use crate::noise::NoiseFloor;
 use crate::options::check_range;
-use crate::{HeightStatistics, StatsError, Warning, height_step, scale};
+use crate::{HeightStatistics, SpectralScales, StatsError, Warning, height_step, scale};
 use contact_types::{AsperityStatistics, FractalParameters, SpectralMoments};
 
 /// How statistics of profiles are taken.
 #[derive(Debug, Clone, Copy, PartialEq)]
-#[non_exhaustive]
 pub struct ProfileOptions {
     /// Degree of the polynomial taken off every trace by least squares; 1 is the line.
     pub degree: usize,
@@ -30,38 +30,6 @@ pub struct ProfileOptions {
 impl Default for ProfileOptions {
     fn default() -> Self {
         Self { degree: 1, short: None, cutoff: None, fractal_range: None, height_step: None }
-    }
-}
-
-impl ProfileOptions {
-    /// With this polynomial taken off.
-    #[must_use]
-    pub fn with_degree(self, degree: usize) -> Self {
-        Self { degree, ..self }
-    }
-
-    /// With waves shorter than λs (m) taken off.
-    #[must_use]
-    pub fn with_short(self, short: impl Into<Option<f64>>) -> Self {
-        Self { short: short.into(), ..self }
-    }
-
-    /// With waves longer than λc (m) taken off.
-    #[must_use]
-    pub fn with_cutoff(self, cutoff: impl Into<Option<f64>>) -> Self {
-        Self { cutoff: cutoff.into(), ..self }
-    }
-
-    /// With the Hurst exponent fitted between these wavelengths (m).
-    #[must_use]
-    pub fn with_fractal_range(self, range: impl Into<Option<[f64; 2]>>) -> Self {
-        Self { fractal_range: range.into(), ..self }
-    }
-
-    /// With this height step (m) of the data as measured.
-    #[must_use]
-    pub fn with_height_step(self, step: impl Into<Option<f64>>) -> Self {
-        Self { height_step: step.into(), ..self }
     }
 }
 
@@ -86,9 +54,11 @@ pub struct ParameterMean {
 /// let height = |i: i32| 1e-6 * (TAU * f64::from(i) * 0.5e-6 / 50e-6).sin();
 /// let trace = Trace::new(0.5e-6, (0..=12_000).map(height).collect())?;
 /// let statistics = ProfileStatistics::of(&[trace], &ProfileOptions::default())?;
-/// let roughness = statistics.roughness.unwrap();
+/// let roughness = statistics.roughness.as_ref().unwrap();
 /// assert_eq!((roughness[0].setting.cutoff, roughness[0].sections), (0.8e-3, 5));
-/// assert!((roughness[0].parameters.mean_abs_height / (2e-6 / PI) - 1.0).abs() < 0.01);
+/// let ra = &statistics.roughness_mean().unwrap()[0];
+/// assert_eq!(ra.symbol, "Ra");
+/// assert!((ra.mean.unwrap() / (2e-6 / PI) - 1.0).abs() < 0.01);
 /// # Ok::<(), surface_stats::StatsError>(())
 /// ```
 #[derive(Debug, Clone, PartialEq)]
@@ -104,8 +74,8 @@ pub struct ProfileStatistics {
     pub length: f64,
     /// What was taken off first.
     pub options: ProfileOptions,
-    /// Parameters of the whole traces as they are used, one per trace: of the primary profile.
-    pub primary: Vec<ProfileParameters>,
+    /// Of the primary profile: of the whole traces as they are used, one per trace.
+    pub(super) primary: Vec<ProfileParameters>,
     /// Roughness parameters, one per trace, or why there are none.
     pub roughness: Result<Vec<Roughness>, StatsError>,
     /// m0, m2, m4 by finite differences: means over the traces.
@@ -196,7 +166,7 @@ impl ProfileStatistics {
         }
         let used: Vec<Trace> =
             levelled.into_iter().map(|trace| filtered(trace, options)).collect::<Result<_, _>>()?;
-        let spectrum = TraceSpectrum::of(&used)?;
+        let spectrum = TraceSpectrum::of(&used);
         let statistics = Self::of_used(&used, &spectrum, roughness, step, options)?;
         Ok((statistics, used, spectrum))
     }
@@ -222,7 +192,7 @@ impl ProfileStatistics {
             let shape = sum? / heights.len() as f64 / mean.m0.sqrt().powi(power);
             Some(shape).filter(|s| s.is_finite())
         };
-        let TraceScales { noise, cutoff, rolloff, power_law } =
+        let SpectralScales { noise, cutoff, rolloff, power_law, .. } =
             spectrum.scales(mean.m0.sqrt(), options.fractal_range);
         let fractal = power_law.map(|law| law.fractal_of_profile());
         let mut statistics = Self {
@@ -231,13 +201,10 @@ impl ProfileStatistics {
             spacing: first.spacing(),
             length: first.length(),
             options: *options,
-            primary: used
-                .iter()
-                .map(|trace| ProfileParameters::of(trace, 1))
-                .collect::<Result<_, _>>()?,
+            primary: used.iter().map(|trace| parameters(trace, 1)).collect::<Result<_, _>>()?,
             roughness,
             moments: mean,
-            scatter: MomentScatter::of(used)?,
+            scatter: MomentScatter::of(used),
             by_spacing: moments_by_spacing(first),
             spectral: spectrum.moments(),
             seen: spectrum.seen(),
@@ -256,7 +223,7 @@ impl ProfileStatistics {
             each,
             warnings: Vec::new(),
         };
-        statistics.warnings = statistics.judge();
+        statistics.warnings = statistics.judge(noise);
         Ok(statistics)
     }
 
@@ -279,44 +246,17 @@ impl ProfileStatistics {
     }
 
     /// Warnings, by the limits of those of maps.
-    fn judge(&self) -> Vec<Warning> {
+    fn judge(&self, noise: Option<NoiseFloor>) -> Vec<Warning> {
         let mut warnings = Vec::new();
         if self.moments.m0 <= 0.0 {
             return vec![Warning::Flat];
         }
-        let share = |rms: f64| {
-            let noise = white_noise_moments(rms, [self.spacing; 2]);
-            [(noise.m2 / self.moments.m2).min(1.0), (noise.m4 / self.moments.m4).min(1.0)]
-        };
-        let matters = |[m2, m4]: [f64; 2]| m2 > 1.0 / 12.0 || m4 > 0.25;
-        let rounding = self.height_step.map_or(0.0, |step| step / 12f64.sqrt());
-        let rms = self.noise_rms.unwrap_or(0.0);
         // A filter that took the steps' waves away took their noise too.
-        let stepped = self.options.short.is_none() && matters(share(rounding));
-        if stepped && rms < 2.0 * rounding {
-            let [m2_share, m4_share] = share(rounding);
-            let step = self.height_step.unwrap_or(0.0);
-            warnings.push(Warning::Stepped { step, m2_share, m4_share });
-        } else if matters(share(rms)) {
-            let ([m2_share, m4_share], reliable) = (share(rms), self.reliable_wavelength);
-            warnings.push(Warning::Noisy { rms, m2_share, m4_share, reliable });
-        }
-        if let Some([m2, _]) = self.seen
-            && m2.sqrt() < 0.94
-        {
-            warnings.push(Warning::Unresolved { ratio: m2.sqrt() });
-        }
-        if let (Some(skewness), Some(kurtosis)) = (self.skewness, self.kurtosis)
-            && (skewness.abs() > 0.2 || (kurtosis - 3.0).abs() > 0.3)
-        {
-            warnings.push(Warning::NotGaussian { skewness, kurtosis });
-        }
-        if let Some(bandwidth) = self.bandwidth.filter(|b| *b < 1.5) {
-            warnings.push(Warning::NarrowBand { bandwidth });
-        }
-        if let Some(hurst) = self.hurst.filter(|h| !(0.0..=1.0).contains(h)) {
-            warnings.push(Warning::NotSelfAffine { hurst });
-        }
+        let step = self.height_step.filter(|_| self.options.short.is_none());
+        warnings.extend(Warning::of_noise(self.moments, [self.spacing; 2], step, noise));
+        warnings.extend(self.seen.and_then(|[m2, _]| Warning::of_resolution(m2.sqrt())));
+        warnings.extend(Warning::of_distribution(self.skewness, self.kurtosis, self.bandwidth));
+        warnings.extend(Warning::of_hurst(self.hurst));
         warnings
     }
 }
@@ -334,24 +274,23 @@ fn filtered(trace: Trace, options: &ProfileOptions) -> Result<Trace, StatsError>
 }
 
 fn mean_of(all: &[ProfileParameters], letter: char) -> Vec<ParameterMean> {
-    let named: Vec<_> = all.iter().map(|p| p.named(letter)).collect();
     let n = all.len() as f64;
     let one = |k: usize| {
-        let values: Option<Vec<f64>> = named.iter().map(|p| p[k].1).collect();
+        let values: Option<Vec<f64>> = all.iter().map(|p| p[k].1).collect();
         let mean = values.as_ref().map(|v| v.iter().sum::<f64>() / n);
         let deviation = values.zip(mean).filter(|_| all.len() > 1).map(|(values, mean)| {
             let squares = values.iter().map(|v| (v - mean) * (v - mean)).sum::<f64>();
             (squares / (n - 1.0)).sqrt()
         });
-        ParameterMean { symbol: named[0][k].0.clone(), mean, deviation }
+        ParameterMean { symbol: format!("{letter}{}", all[0][k].0), mean, deviation }
     };
-    (0..named.first().map_or(0, Vec::len)).map(one).collect()
+    (0..all.first().map_or(0, |p| p.len())).map(one).collect()
 }
 
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::synthesis::{Scale, SelfAffine};
+    use crate::synthesis::rough;
     use crate::{Edges, StatsOptions, SurfaceStatistics};
     use approx::assert_relative_eq;
     use contact_types::Grid;
@@ -360,17 +299,9 @@ mod tests {
     /// statistics give, within their scatter.
     #[test]
     fn rows_of_an_isotropic_map_have_its_moments() {
-        let recipe = SelfAffine {
-            grid: Grid::new([256, 2048], [1e-6, 1e-6]).unwrap(),
-            hurst: 0.7,
-            rolloff: 128e-6,
-            cutoff: 8e-6,
-            scale: Scale::RmsHeight(0.4e-6),
-            seed: 11,
-            quantise: None,
-        };
-        let map = recipe.generate().unwrap();
-        let options = StatsOptions::default().with_edges(Edges::Periodic);
+        let grid = Grid::new([256, 2048], [1e-6, 1e-6]).unwrap();
+        let map = rough(grid, 0.7, [128e-6, 8e-6], 0.4e-6, 11);
+        let options = StatsOptions { edges: Edges::Periodic, ..StatsOptions::default() };
         let surface = SurfaceStatistics::of(&map, &options).unwrap();
         let traces: Vec<Trace> = map
             .heights()
@@ -386,7 +317,8 @@ mod tests {
         assert_relative_eq!(of_lines.rolloff.unwrap(), 128e-6, max_relative = 0.5);
         assert_relative_eq!(of_lines.cutoff.unwrap(), 8e-6, max_relative = 0.1);
         // The profile PSD bends near both ends (the book says how much): fit between them.
-        let inner = ProfileOptions::default().with_fractal_range([20e-6, 80e-6]);
+        let fractal_range = Some([20e-6, 80e-6]);
+        let inner = ProfileOptions { fractal_range, ..ProfileOptions::default() };
         let hurst = ProfileStatistics::of(&traces, &inner).unwrap().hurst.unwrap();
         assert!((0.5..1.0).contains(&hurst), "{hurst}");
     }
@@ -395,7 +327,7 @@ mod tests {
     #[test]
     fn a_cut_off_that_was_asked_for_must_fit() {
         let trace = Trace::new(1e-6, (0..100).map(|i| f64::from(i % 7) * 1e-8).collect()).unwrap();
-        let asked = ProfileOptions::default().with_cutoff(0.8e-3);
+        let asked = ProfileOptions { cutoff: Some(0.8e-3), ..ProfileOptions::default() };
         let refused = ProfileStatistics::of(std::slice::from_ref(&trace), &asked);
         assert!(matches!(refused, Err(StatsError::ShortTrace { .. })));
         let statistics = ProfileStatistics::of(&[trace], &ProfileOptions::default()).unwrap();

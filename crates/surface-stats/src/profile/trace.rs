@@ -1,7 +1,7 @@
 //! One line of evenly spaced heights.
 
-use crate::clean::gaussian_filter;
-use crate::polynomial::Polynomial;
+use crate::clean::{gaussian_filter, short_waves};
+use crate::level::without_form;
 use crate::{Edges, StatsError};
 use contact_types::{Grid, HeightMap};
 
@@ -68,10 +68,7 @@ impl Trace {
     /// # Errors
     /// [`StatsError::BadSetting`] above degree 12, [`StatsError::OutOfRange`].
     pub(crate) fn levelled(&self, degree: usize) -> Result<Self, StatsError> {
-        let form = Polynomial::fit(self.0.grid(), self.heights(), degree)?;
-        let mut heights = self.heights().to_vec();
-        form.remove_from(&mut heights);
-        Self::new(self.spacing(), heights)
+        Ok(Self(without_form(&self.0, degree)?))
     }
 
     /// Without the waves shorter than `nesting_index` (m): the Gaussian filter of ISO 16610-21,
@@ -90,11 +87,7 @@ impl Trace {
     /// # Errors
     /// As [`gaussian_filter`].
     pub(crate) fn without_long_waves(&self, nesting_index: f64) -> Result<Self, StatsError> {
-        let mut heights =
-            gaussian_filter(self.0.grid(), self.heights(), nesting_index, Edges::Open)?;
-        for (long, z) in heights.iter_mut().zip(self.heights()) {
-            *long = z - *long;
-        }
+        let heights = short_waves(self.0.grid(), self.heights(), nesting_index, Edges::Open)?;
         Self::new(self.spacing(), heights)
     }
 

@@ -14,8 +14,7 @@ mod profile;
 mod radial;
 mod window;
 
-pub use contact_types::Axis;
-pub(crate) use profile::amplitudes_of_levelled;
-pub use profile::{ProfileBin, amplitudes, psd_1d};
+pub(crate) use profile::psd_1d;
+pub use profile::{ProfileBin, amplitudes};
 pub use radial::{PowerSpectrum, Ring, radial, radial_psd};
 pub use window::Window;

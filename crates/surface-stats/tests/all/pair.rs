@@ -1,9 +1,7 @@
 //! Two bodies as one: what must be exact is exact, what adds in the mean adds within its scatter.
 
 use contact_types::{Grid, HeightMap, Named, SpectralMoments};
-use surface_stats::clean::flip;
 use surface_stats::pair::{Composite, Flip, PairError, Placing};
-use surface_stats::spectrum::Axis;
 use surface_stats::synthesis::{Scale, SelfAffine};
 use surface_stats::{Edges, Level};
 
@@ -32,11 +30,13 @@ fn at(flip: Flip, shift: [f64; 2]) -> Placing {
 }
 
 fn mirrored(map: &HeightMap, how: Flip) -> HeightMap {
-    match how {
-        Flip::Columns => flip(map, Axis::X),
-        Flip::Rows => flip(map, Axis::Y),
-        Flip::None => map.clone(),
-    }
+    let [ny, nx] = map.grid().shape();
+    let height = |i: usize| match how {
+        Flip::Columns => map.at(i / nx, nx - 1 - i % nx),
+        Flip::Rows => map.at(ny - 1 - i / nx, i % nx),
+        Flip::None => map.heights()[i],
+    };
+    HeightMap::new(map.grid(), (0..ny * nx).map(height).collect()).unwrap()
 }
 
 #[test]

@@ -22,7 +22,7 @@ fn recipe(n: usize) -> SelfAffine {
 }
 
 fn statistics(map: &HeightMap) -> SurfaceStatistics {
-    let options = StatsOptions::default().with_edges(Edges::Periodic);
+    let options = StatsOptions { edges: Edges::Periodic, ..StatsOptions::default() };
     SurfaceStatistics::of(map, &options).unwrap()
 }
 

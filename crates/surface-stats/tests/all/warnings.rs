@@ -25,7 +25,7 @@ fn changed(map: &HeightMap, height: impl Fn(f64, f64, f64) -> f64) -> HeightMap 
 }
 
 fn warnings(map: &HeightMap, edges: Edges) -> Vec<Warning> {
-    let options = StatsOptions::default().with_level(Level::Mean).with_edges(edges);
+    let options = StatsOptions { level: Level::Mean, edges, ..StatsOptions::default() };
     SurfaceStatistics::of(map, &options).unwrap().warnings
 }
 
@@ -45,7 +45,7 @@ fn a_sound_surface_has_none() {
 fn a_tilt_is_named_until_it_is_taken_off() {
     let map = changed(&recipe().generate().unwrap(), |h, y, x| h + 0.002 * x - 0.003 * y);
     assert!(kinds(&map, Edges::Open).contains(&"tilted"));
-    let options = StatsOptions::default().with_level(Level::Plane);
+    let options = StatsOptions { level: Level::Plane, ..StatsOptions::default() };
     assert_eq!(SurfaceStatistics::of(&map, &options).unwrap().warnings, []);
 }
 

@@ -3,7 +3,7 @@
 
 use contact_types::{Grid, HeightMap};
 use std::f64::consts::{PI, TAU};
-use surface_stats::spectrum::{Axis, PowerSpectrum, Window, amplitudes};
+use surface_stats::spectrum::{PowerSpectrum, Window, amplitudes};
 use surface_stats::{
     DirectionalMoments, Edges, HeightStatistics, Level, StatsOptions, SurfaceStatistics,
 };
@@ -38,7 +38,7 @@ fn map(shape: [usize; 2], pixel: [f64; 2], height: impl Fn(usize, usize) -> f64)
 }
 
 fn statistics(map: &HeightMap) -> SurfaceStatistics {
-    let options = StatsOptions::default().with_edges(Edges::Periodic);
+    let options = StatsOptions { edges: Edges::Periodic, ..StatsOptions::default() };
     SurfaceStatistics::of(map, &options).expect("the map is within range")
 }
 
@@ -52,14 +52,14 @@ fn worst(pairs: &[(f64, f64)]) -> f64 {
 }
 
 /// One plane wave `amplitude cos(qy y + qx x)` with `turns` periods along each side.
-struct Wave {
+struct PlaneWave {
     shape: [usize; 2],
     pixel: [f64; 2],
     turns: [usize; 2],
     amplitude: f64,
 }
 
-impl Wave {
+impl PlaneWave {
     fn map(&self) -> HeightMap {
         let ([ny, nx], [ky, kx]) = (self.shape, self.turns);
         // Whole turns are left out in integers, so that the angle has all its digits.
@@ -113,9 +113,9 @@ const SPECTRUM: &str = "closed form with q";
 fn waves() -> Vec<Case> {
     let mut cases = Vec::new();
     // Amplitude over pixel; the steepest point has about this slope.
-    let family = |pixels: &[[f64; 2]], steepness: &[f64], shape, turns| -> Vec<Wave> {
+    let family = |pixels: &[[f64; 2]], steepness: &[f64], shape, turns| -> Vec<PlaneWave> {
         let each = |&pixel: &[f64; 2]| {
-            steepness.iter().map(move |s| Wave {
+            steepness.iter().map(move |s| PlaneWave {
                 shape,
                 pixel,
                 turns,
@@ -125,7 +125,7 @@ fn waves() -> Vec<Case> {
         pixels.iter().flat_map(each).collect()
     };
     let (square, few) = ([24, 31], [3, 5]);
-    let groups: Vec<(&str, Vec<Wave>)> = vec![
+    let groups: Vec<(&str, Vec<PlaneWave>)> = vec![
         ("slope 1e−12", family(&[[1e-6, 1.5e-6]], &[1e-12], square, few)),
         ("slope 1000", family(&[[1e-6, 1.5e-6]], &[1e3], square, few)),
         ("pixels of 1e−15 m", family(&[[1e-15, 2e-15]], &[1e-12, 1.0, 1e3], square, few)),
@@ -160,7 +160,7 @@ fn waves() -> Vec<Case> {
 
 /// Relief of nanometres far from zero, where a double has few digits left for it.
 fn offsets() -> Vec<Case> {
-    let wave = Wave { shape: [61, 64], pixel: [1e-6, 1e-6], turns: [4, 5], amplitude: 1e-9 };
+    let wave = PlaneWave { shape: [61, 64], pixel: [1e-6, 1e-6], turns: [4, 5], amplitude: 1e-9 };
     let relief = wave.map();
     let mut cases = Vec::new();
     for (offset, place) in [(0.076, "76 mm"), (1e6, "1e6 m")] {
@@ -216,10 +216,10 @@ fn offsets() -> Vec<Case> {
 
 /// Lines, and the smallest map.
 fn thin_maps() -> Vec<Case> {
-    let wave = Wave { shape: [1, 97], pixel: [1e-6, 1e-6], turns: [0, 5], amplitude: 3e-8 };
+    let wave = PlaneWave { shape: [1, 97], pixel: [1e-6, 1e-6], turns: [0, 5], amplitude: 3e-8 };
     let line = wave.map();
     let heights = HeightStatistics::of(&line);
-    let rows = amplitudes(&line, Axis::X).expect("a row of 97 points");
+    let rows = amplitudes(&line).expect("a row of 97 points");
     let power = PowerSpectrum::of(&line, Window::None).expect("a row of 97 points");
     let q = 2.0 * wave.half_angles()[1] / wave.pixel[1];
     let (spectral, _) = power.moments();
@@ -324,7 +324,8 @@ fn spike(height: f64) -> f64 {
 fn stairs(offset: f64) -> f64 {
     let (levels, step, d) = (25.0_f64, 1e-8, 1e-6);
     let map = map([8, 50], [d, d], |_, ix| offset + step * (ix % 25) as f64);
-    let options = StatsOptions::default().with_edges(Edges::Periodic).with_level(Level::Mean);
+    let options =
+        StatsOptions { edges: Edges::Periodic, level: Level::Mean, ..StatsOptions::default() };
     let s = SurfaceStatistics::of(&map, &options).expect("within range");
     let squares = levels * levels;
     worst(&[

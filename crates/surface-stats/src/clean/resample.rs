@@ -1,90 +1,10 @@
-//! Turning, resampling and adding maps.
+//! The same area on another number of points.
 
 use super::gaussian::gaussian_filter;
 use crate::{Edges, StatsError};
-use contact_types::{ContactModulus, Elastic, Grid, HeightMap};
+use contact_types::{Grid, HeightMap};
 use grid_fft::GridFft;
 use std::cmp::Ordering;
-
-use crate::spectrum::Axis;
-
-/// Relative difference of pixel sides below which two maps lie on each other.
-const SAME_PIXEL: f64 = 1e-6;
-
-/// Mirrors a map along one axis: along x, the first column becomes the last.
-#[expect(clippy::missing_panics_doc, reason = "moving finite heights leaves them finite")]
-pub fn flip(map: &HeightMap, axis: Axis) -> HeightMap {
-    let nx = map.grid().shape()[1];
-    let mut heights = map.heights().to_vec();
-    match axis {
-        Axis::X => heights.chunks_exact_mut(nx).for_each(<[f64]>::reverse),
-        Axis::Y => {
-            heights.reverse();
-            heights.chunks_exact_mut(nx).for_each(<[f64]>::reverse);
-        }
-    }
-    HeightMap::new(map.grid(), heights).expect("the same finite heights on the same grid")
-}
-
-/// How the second map was measured.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
-#[cfg_attr(
-    feature = "serde",
-    derive(serde::Serialize, serde::Deserialize),
-    serde(rename_all = "kebab-case")
-)]
-pub enum Facing {
-    /// From its own outside, as instruments do: it is mirrored along x when it is turned over and
-    /// laid on the first.
-    AsMeasured,
-    /// Already as seen through the first body.
-    Mirrored,
-}
-
-/// Roughness of the rigid surface that touches a smooth flat as the two touch each other: the sum
-/// of both heights at each place. m0, m2, m4 and the PSD of independent surfaces add.
-///
-/// # Errors
-/// [`StatsError::GridMismatch`] unless shapes are equal and pixels agree to 10⁻⁶.
-pub fn combine(
-    first: &HeightMap,
-    second: &HeightMap,
-    facing: Facing,
-) -> Result<HeightMap, StatsError> {
-    let (a, b) = (first.grid(), second.grid());
-    let close = a.pixel().iter().zip(b.pixel()).all(|(p, q)| (p / q - 1.0).abs() <= SAME_PIXEL);
-    if a.shape() != b.shape() || !close {
-        return Err(StatsError::GridMismatch { first: a, second: b });
-    }
-    let nx = a.shape()[1];
-    let mut sum = first.heights().to_vec();
-    for (row, other) in sum.chunks_exact_mut(nx).zip(second.heights().chunks_exact(nx)) {
-        match facing {
-            Facing::AsMeasured => {
-                row.iter_mut().zip(other.iter().rev()).for_each(|(h, o)| *h += o);
-            }
-            Facing::Mirrored => row.iter_mut().zip(other).for_each(|(h, o)| *h += o),
-        }
-    }
-    Ok(HeightMap::new(a, sum)?)
-}
-
-/// Two rough elastic bodies as one rough rigid surface on a smooth half-space: combined heights
-/// and contact modulus.
-///
-/// # Errors
-/// As [`combine`]; [`StatsError::Surface`] for impossible moduli.
-///
-/// # Source
-/// Johnson (1985), *Contact Mechanics*, §4.1 and §13.4; doi:10.1017/CBO9781139171731.
-pub fn equivalent(
-    first: (&HeightMap, Elastic),
-    second: (&HeightMap, Elastic),
-    facing: Facing,
-) -> Result<(HeightMap, ContactModulus), StatsError> {
-    let map = combine(first.0, second.0, facing)?;
-    Ok((map, ContactModulus::of_pair(first.1, second.1)?))
-}
 
 /// The same area on another number of points.
 ///
@@ -167,21 +87,25 @@ fn cubic(map: &HeightMap, shape: [usize; 2]) -> Result<HeightMap, StatsError> {
         .transpose()?;
     let heights = smoothed.as_deref().unwrap_or(map.heights());
 
-    let along = |axis: usize| Along { first: 0.0, step: step[axis], count: shape[axis] };
+    let along = |axis: usize| AxisPoints { first: 0.0, step: step[axis], count: shape[axis] };
     let resampled = interpolated([ny, nx], heights, [along(0), along(1)]);
     Ok(HeightMap::new(grid, resampled)?)
 }
 
 /// Points along one axis, in units of the points of a map: `first`, `first + step`, … .
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub(crate) struct Along {
+pub(crate) struct AxisPoints {
     pub(crate) first: f64,
     pub(crate) step: f64,
     pub(crate) count: usize,
 }
 
 /// Heights at points inside a map of at least 4 x 4 points; those at its own points are its own.
-pub(crate) fn interpolated([ny, nx]: [usize; 2], heights: &[f64], along: [Along; 2]) -> Vec<f64> {
+pub(crate) fn interpolated(
+    [ny, nx]: [usize; 2],
+    heights: &[f64],
+    along: [AxisPoints; 2],
+) -> Vec<f64> {
     let (rows, columns) = (stencils(ny, along[0]), stencils(nx, along[1]));
     let mut new = Vec::with_capacity(rows.len() * columns.len());
     for (y, wy) in &rows {
@@ -198,7 +122,7 @@ pub(crate) fn interpolated([ny, nx]: [usize; 2], heights: &[f64], along: [Along;
 
 /// First of four neighbours and their weights for every new point along one axis. Next to an edge
 /// the stencil is shifted inwards and the cubic through its four points is used.
-fn stencils(n: usize, Along { first, step, count }: Along) -> Vec<(usize, [f64; 4])> {
+fn stencils(n: usize, AxisPoints { first, step, count }: AxisPoints) -> Vec<(usize, [f64; 4])> {
     let stencil = |i: usize| {
         let position = first + i as f64 * step;
         let cell = (position.floor() as usize).min(n - 2);
@@ -233,63 +157,9 @@ fn lagrange(t: f64) -> [f64; 4] {
 mod tests {
     use super::*;
     use crate::DirectionalMoments;
-    use crate::spectrum::{PowerSpectrum, Window};
-    use crate::synthesis::{Scale, SelfAffine};
     use approx::{assert_abs_diff_eq, assert_relative_eq};
     use proptest::prelude::*;
     use std::f64::consts::TAU;
-
-    fn rough(seed: u64) -> HeightMap {
-        let recipe = SelfAffine {
-            grid: Grid::new([64, 81], [1e-6, 1.2e-6]).unwrap(),
-            hurst: 0.8,
-            rolloff: 20e-6,
-            cutoff: 5e-6,
-            scale: Scale::RmsHeight(1e-7),
-            seed,
-            quantise: None,
-        };
-        recipe.generate().unwrap()
-    }
-
-    #[test]
-    fn flips_by_hand() {
-        let map = HeightMap::new(
-            Grid::new([2, 3], [1.0, 2.0]).unwrap(),
-            vec![1.0, 2.0, 3.0, 4.0, 5.0, 6.0],
-        )
-        .unwrap();
-        assert_eq!(flip(&map, Axis::X).heights(), [3.0, 2.0, 1.0, 6.0, 5.0, 4.0]);
-        assert_eq!(flip(&map, Axis::Y).heights(), [4.0, 5.0, 6.0, 1.0, 2.0, 3.0]);
-        assert_eq!(flip(&flip(&map, Axis::X), Axis::X), map);
-        let sum = combine(&map, &map, Facing::AsMeasured).unwrap();
-        assert_eq!(sum.heights(), [4.0, 4.0, 4.0, 10.0, 10.0, 10.0]);
-    }
-
-    /// Moments of independent surfaces add: exactly with the cross terms of the two, which vanish
-    /// in the mean (checked to three standard deviations of 100 independent waves).
-    #[test]
-    fn moments_of_two_surfaces_add() {
-        let (a, b) = (rough(1), rough(2));
-        let steel = Elastic::new(210e9, 0.3).unwrap();
-        let (sum, modulus) = equivalent((&a, steel), (&b, steel), Facing::AsMeasured).unwrap();
-        assert_relative_eq!(modulus.pascals(), 210e9 / 1.82, max_relative = 1e-14);
-        let moments = |m: &HeightMap| PowerSpectrum::of(m, Window::None).unwrap().moments().0;
-        let (a, b, sum) = (moments(&a), moments(&b), moments(&sum));
-        assert_relative_eq!(sum.m0, a.m0 + b.m0, max_relative = 0.3);
-        assert_relative_eq!(sum.m2, a.m2 + b.m2, max_relative = 0.2);
-    }
-
-    #[test]
-    fn maps_that_do_not_match_are_refused() {
-        let a = rough(1);
-        for (shape, pixel) in [([64, 80], [1e-6, 1.2e-6]), ([64, 81], [1e-6, 1.3e-6])] {
-            let grid = Grid::new(shape, pixel).unwrap();
-            let b = HeightMap::new(grid, vec![0.0; grid.len()]).unwrap();
-            let error = combine(&a, &b, Facing::Mirrored);
-            assert!(matches!(error, Err(StatsError::GridMismatch { .. })));
-        }
-    }
 
     proptest! {
         /// A sum of waves that both grids hold is the same function on either.
