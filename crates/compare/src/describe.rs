@@ -58,8 +58,8 @@ pub(crate) fn model_inputs(
 pub(crate) fn spectral(power: &PowerSpectrum, statistics: &SurfaceStatistics) -> Spectral {
     let windowed = statistics.edges == Edges::Open;
     Spectral {
-        moments: power.moments().0,
-        resolved: power.resolved_gradient().unwrap_or(1.0),
+        moments: power.moments(),
+        resolved: power.resolved_gradient(),
         windowed,
         psd: thinned(&power.rings()),
     }

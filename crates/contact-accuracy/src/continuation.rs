@@ -2,8 +2,8 @@
 //! another number of points, which depends on it.
 
 use contact_types::HeightMap;
+use surface_stats::StatsError;
 use surface_stats::clean::{resample, resample_mirrored};
-use surface_stats::{Edges, StatsError};
 
 /// The map on `shape` points: by its waves if it repeats, by its cosines otherwise, so that the jump
 /// at its edges does not ring.
@@ -11,5 +11,5 @@ use surface_stats::{Edges, StatsError};
 /// # Errors
 /// [`StatsError`].
 pub fn regrid(map: &HeightMap, shape: [usize; 2], repeats: bool) -> Result<HeightMap, StatsError> {
-    if repeats { resample(map, shape, Edges::Periodic) } else { resample_mirrored(map, shape) }
+    if repeats { resample(map, shape) } else { resample_mirrored(map, shape) }
 }

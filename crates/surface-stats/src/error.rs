@@ -45,23 +45,17 @@ pub enum StatsError {
         /// What it must be.
         requirement: &'static str,
     },
-    /// A range of wavelengths holds no, or too few, waves of the map.
+    /// A range of wavelengths holds no waves of the map.
     #[error(
-        "{found} {what} between {:e} m and {:e} m, at least {needed} are needed: the map resolves \
-         wavelengths from {:e} m to {:e} m",
+        "0 waves between {:e} m and {:e} m, at least 1 are needed: the map resolves wavelengths from \
+         {:e} m to {:e} m",
         range[0], range[1], resolved[0], resolved[1]
     )]
     EmptyBand {
-        /// What was counted.
-        what: &'static str,
         /// The wavelengths asked for (m).
         range: [f64; 2],
         /// The wavelengths the map has (m).
         resolved: [f64; 2],
-        /// How many there are.
-        found: usize,
-        /// How many there must be.
-        needed: usize,
     },
     /// Two fields that belong together differ in size, or a field does not fit its grid.
     #[error("{what}: expected {expected} values, found {found}")]
@@ -111,6 +105,28 @@ pub enum StatsError {
     /// The surface itself cannot be built.
     #[error(transparent)]
     Surface(#[from] SurfaceError),
+}
+
+impl StatsError {
+    /// Refuses a setting that does not hold.
+    pub(crate) fn require(
+        setting: &'static str,
+        value: f64,
+        holds: bool,
+        requirement: &'static str,
+    ) -> Result<(), Self> {
+        if holds { Ok(()) } else { Err(Self::BadSetting { setting, value, requirement }) }
+    }
+
+    /// Refuses a map with fewer rows or columns than needed.
+    pub(crate) fn require_shape(
+        what: &'static str,
+        shape: [usize; 2],
+        needed: [usize; 2],
+    ) -> Result<(), Self> {
+        let is_large_enough = shape[0] >= needed[0] && shape[1] >= needed[1];
+        if is_large_enough { Ok(()) } else { Err(Self::TooSmall { what, shape, needed }) }
+    }
 }
 
 /// Four digits at most, as people write millimetres.

@@ -77,9 +77,7 @@ impl PowerLaw {
     ///      \qquad D = 2 - H
     /// ```
     ///
-    /// for `C = C0 q^(-2-2H)` at all wavelengths. The PSD of a measured profile bends near
-    /// roll-off and cut-off, because the integral ends there; read off directly it would give a D
-    /// too small by 0.1 and more, and a G wrong by powers of ten.
+    /// for `C = C0 q^(-2-2H)` at all wavelengths.
     pub(crate) fn fractal_of_surface(&self) -> (f64, Option<FractalParameters>) {
         let exponent = -1.0 - 2.0 * self.hurst();
         // Trapezoidal rule: exact to rounding for this integrand (analytic, decaying both ways).

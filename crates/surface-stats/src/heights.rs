@@ -45,8 +45,7 @@ impl HeightStatistics {
         // In units of the largest deviation, so that fourth powers stay in range; row by row, so
         // that a long sum loses no digits.
         let nx = map.grid().shape()[1];
-        let mut sums = [0.0; 4];
-        let mut residue = 0.0;
+        let mut sums = [0.0; 5];
         for row in map.heights().chunks_exact(nx) {
             let mut row_sums = [0.0; 5];
             for h in row {
@@ -61,11 +60,10 @@ impl HeightStatistics {
             for (sum, row_sum) in sums.iter_mut().zip(row_sums) {
                 *sum += row_sum;
             }
-            residue += row_sums[4];
         }
         let n = map.heights().len() as f64;
-        let [square, abs, cube, fourth] = sums.map(|s| s / n);
-        let residue = residue / n; // what rounding left of the mean
+        // The last is what rounding left of the mean.
+        let [square, abs, cube, fourth, residue] = sums.map(|s| s / n);
         let variance = (square - residue * residue).max(0.0);
         let rms = variance.sqrt();
         Self {
@@ -84,18 +82,13 @@ mod tests {
     use approx::assert_relative_eq;
     use contact_types::Grid;
 
-    fn map(heights: Vec<f64>) -> HeightMap {
-        HeightMap::new(Grid::new([1, heights.len()], [1.0, 1.0]).unwrap(), heights).unwrap()
-    }
-
     /// 0, 0, 0, 4: mean 1, variance 3, mean absolute deviation 3/2, third moment 6, fourth 21.
     #[test]
     fn four_points_by_hand_at_any_scale_and_offset() {
         for (scale, offset) in [(1.0, 0.0), (1e-55, 0.0), (1e55, 0.0), (1.0, 1048576.0)] {
-            let s = HeightStatistics::of(&map([0.0, 0.0, 0.0, 4.0]
-                .iter()
-                .map(|h| offset + scale * h)
-                .collect()));
+            let heights = [0.0, 0.0, 0.0, 4.0].map(|h| offset + scale * h).to_vec();
+            let map = HeightMap::new(Grid::new([1, 4], [1.0, 1.0]).unwrap(), heights).unwrap();
+            let s = HeightStatistics::of(&map);
             assert_relative_eq!(s.rms_height, scale * 3f64.sqrt(), max_relative = 1e-15);
             assert_relative_eq!(s.mean_abs_height, scale * 1.5, max_relative = 1e-15);
             let skewness = 6.0 / 3f64.powf(1.5);
@@ -103,11 +96,5 @@ mod tests {
             assert_relative_eq!(s.kurtosis.unwrap(), 21.0 / 9.0, max_relative = 1e-15);
             assert_relative_eq!(s.peak_height + s.pit_depth, 4.0 * scale, max_relative = 1e-15);
         }
-    }
-
-    #[test]
-    fn a_flat_map_has_no_shape() {
-        let s = HeightStatistics::of(&map(vec![1e6; 7]));
-        assert_eq!((s.rms_height, s.skewness, s.kurtosis), (0.0, None, None));
     }
 }

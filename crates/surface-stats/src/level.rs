@@ -95,17 +95,6 @@ impl std::fmt::Display for Level {
 ///
 /// # Errors
 /// [`StatsError::OutOfRange`] for heights or pixels beyond what can be squared.
-///
-/// ```
-/// use contact_types::{Grid, HeightMap};
-/// use surface_stats::{Level, level};
-///
-/// let grid = Grid::new([4, 5], [2e-6, 1e-6])?;
-/// let tilted = HeightMap::from_fn(grid, |y, x| 76e-3 + 0.01 * x - 0.02 * y)?;
-/// let flat = level(&tilted, Level::Plane)?;
-/// assert!(flat.heights().iter().all(|h| h.abs() < 1e-16));
-/// # Ok::<(), Box<dyn std::error::Error>>(())
-/// ```
 pub fn level(map: &HeightMap, level: Level) -> Result<HeightMap, StatsError> {
     let Some(degree) = level.on(map)?.degree() else {
         return Ok(map.clone());
@@ -114,9 +103,6 @@ pub fn level(map: &HeightMap, level: Level) -> Result<HeightMap, StatsError> {
 }
 
 /// The map without its least-squares polynomial of this total degree.
-///
-/// # Errors
-/// [`StatsError::OutOfRange`]; [`StatsError::BadSetting`] above degree 12.
 pub(crate) fn without_form(map: &HeightMap, degree: usize) -> Result<HeightMap, StatsError> {
     let form = Polynomial::fit(map.grid(), map.heights(), degree)?;
     let mut heights = map.heights().to_vec();

@@ -59,23 +59,9 @@ pub fn significant(value: f64, digits: i32) -> String {
 
 /// "10⁻⁶".
 pub fn power_of_ten(exponent: i32) -> String {
-    let digits: String = exponent
-        .unsigned_abs()
-        .to_string()
-        .chars()
-        .map(|c| match c {
-            '0' => '⁰',
-            '1' => '¹',
-            '2' => '²',
-            '3' => '³',
-            '4' => '⁴',
-            '5' => '⁵',
-            '6' => '⁶',
-            '7' => '⁷',
-            '8' => '⁸',
-            _ => '⁹',
-        })
-        .collect();
+    const DIGITS: [char; 10] = ['⁰', '¹', '²', '³', '⁴', '⁵', '⁶', '⁷', '⁸', '⁹'];
+    let text = exponent.unsigned_abs().to_string();
+    let digits: String = text.bytes().map(|digit| DIGITS[usize::from(digit - b'0')]).collect();
     format!("10{}{digits}", if exponent < 0 { "⁻" } else { "" })
 }
 

@@ -35,13 +35,8 @@ impl StatsOptions {
 pub(crate) fn check_range(range: Option<[f64; 2]>) -> Result<(), StatsError> {
     let Some([short, long]) = range else { return Ok(()) };
     let requirement = "wavelengths must be finite and greater than 0, the shorter one first";
-    for (setting, value, holds) in [
-        ("shortest wavelength of the fractal fit", short, short.is_finite() && short > 0.0),
-        ("longest wavelength of the fractal fit", long, long.is_finite() && long > short),
-    ] {
-        if !holds {
-            return Err(StatsError::BadSetting { setting, value, requirement });
-        }
-    }
-    Ok(())
+    let positive = short.is_finite() && short > 0.0;
+    StatsError::require("shortest wavelength of the fractal fit", short, positive, requirement)?;
+    let longer = long.is_finite() && long > short;
+    StatsError::require("longest wavelength of the fractal fit", long, longer, requirement)
 }

@@ -24,19 +24,9 @@ impl Polynomial {
     /// Fits all terms up to total degree `degree` (0 mean, 1 plane, 2 quadratic, ...) to the
     /// points of `heights` (m, row-major) that are not NaN. Combinations of terms that these
     /// points cannot determine (a tilt across a single row) are left at zero.
-    ///
-    /// # Errors
-    /// [`StatsError::BadSetting`] above degree 12, [`StatsError::Shape`], [`StatsError::Surface`] for
-    /// infinite heights, [`StatsError::OutOfRange`], or
-    /// [`StatsError::TooFewPoints`] without a valid point.
     pub(crate) fn fit(grid: Grid, heights: &[f64], degree: usize) -> Result<Self, StatsError> {
-        if degree > MAX_DEGREE {
-            return Err(StatsError::BadSetting {
-                setting: "degree of the polynomial",
-                value: degree as f64,
-                requirement: "must be at most 12",
-            });
-        }
+        let (setting, holds) = ("degree of the polynomial", degree <= MAX_DEGREE);
+        StatsError::require(setting, degree as f64, holds, "must be at most 12")?;
         scale::check_measured(grid, heights)?;
         let Some(origin) = heights.iter().copied().find(|h| !h.is_nan()) else {
             return Err(StatsError::TooFewPoints { what: "a fit", needed: 1, found: 0 });

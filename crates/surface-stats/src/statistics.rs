@@ -160,7 +160,7 @@ impl SurfaceStatistics {
                 let waves = || {
                     let start = Clock::now();
                     let power = PowerSpectrum::of_field(grid, surface.heights());
-                    let (spectral, _) = power.moments();
+                    let spectral = power.moments();
                     (power, spectral, seconds(start))
                 };
                 join(lines, waves)
@@ -230,7 +230,7 @@ impl SurfaceStatistics {
         let directional = differences.anisotropy();
         let noisy = Warning::of_noise(moments, grid.pixel(), height_step, scales.noise);
         statistics.warnings = statistics.judge(
-            [noisy, tilted, Warning::of_resolution(resolved.unwrap_or(1.0))],
+            [noisy, tilted, Warning::of_resolution(resolved)],
             spacing,
             edge_jump,
             directional,

@@ -37,25 +37,6 @@ pub enum Scale {
 /// map is then scaled to have exactly the rms height or gradient asked for. The same recipe
 /// gives the same map with every version and on every machine up to the last digits of `sin`,
 /// `cos` and `ln`.
-///
-/// ```
-/// use contact_types::Grid;
-/// use surface_stats::synthesis::{Scale, SelfAffine};
-///
-/// let recipe = SelfAffine {
-///     grid: Grid::new([128, 128], [1e-6, 1e-6])?,
-///     hurst: 0.8,
-///     rolloff: 32e-6,
-///     cutoff: 4e-6,
-///     scale: Scale::RmsHeight(0.5e-6),
-///     seed: 1,
-///     quantise: None,
-/// };
-/// let map = recipe.generate()?;
-/// let rms = (map.heights().iter().map(|h| h * h).sum::<f64>() / 128f64.powi(2)).sqrt();
-/// assert!((rms / 0.5e-6 - 1.0).abs() < 1e-12);
-/// # Ok::<(), Box<dyn std::error::Error>>(())
-/// ```
 #[derive(Debug, Clone, Copy, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub struct SelfAffine {
@@ -101,33 +82,26 @@ impl SelfAffine {
         let mut fft = GridFft::new(self.grid.shape());
         let mut waves = fft.new_spectrum();
         fft.forward(&heights, &mut waves);
-        let nq = fft.spectrum_shape()[1];
-        let [_, nx] = self.grid.shape();
-        let mut kept = 0;
+        let mut has_waves = false;
         let mut expected = 0.0; // sum of filter² q² over the full plane
-        for (i, wave) in waves.iter_mut().enumerate() {
-            let q = self.grid.wavenumber(i / nq, i % nq);
+        for (wave, (q, weight)) in waves.iter_mut().zip(self.half_plane()) {
             let filter = self.filter(q);
             *wave *= filter;
-            kept += usize::from(filter > 0.0);
-            let twice = if i % nq == 0 || 2 * (i % nq) == nx { 1.0 } else { 2.0 };
-            expected += twice * (filter * q).powi(2);
+            has_waves |= filter > 0.0;
+            expected += weight * (filter * q).powi(2);
         }
-        if kept == 0 {
+        if !has_waves {
             let [dy, dx] = self.grid.pixel();
             let [ly, lx] = self.grid.size();
             return Err(StatsError::EmptyBand {
-                what: "waves",
                 range: [self.cutoff, f64::INFINITY],
                 resolved: [2.0 * dy.min(dx), ly.max(lx)],
-                found: 0,
-                needed: 1,
             });
         }
         fft.inverse(&mut waves, &mut heights);
         drop(waves);
 
-        let (moments, _) = PowerSpectrum::of_field(self.grid, &heights).moments();
+        let moments = PowerSpectrum::of_field(self.grid, &heights).moments();
         let factor = match self.scale {
             Scale::RmsHeight(rms) => rms / moments.rms_height(),
             Scale::RmsGradient(gradient) => gradient / moments.rms_gradient(),
@@ -166,15 +140,9 @@ impl SelfAffine {
         let mut fft = GridFft::new(self.grid.shape());
         let mut waves = fft.new_spectrum();
         fft.forward(&self.white_noise(), &mut waves);
-        let (nq, nx) = (fft.spectrum_shape()[1], self.grid.shape()[1]);
-        let noise: Vec<[f64; 2]> = waves
-            .iter()
-            .enumerate()
-            .map(|(i, wave)| {
-                let twice = if i % nq == 0 || 2 * (i % nq) == nx { 1.0 } else { 2.0 };
-                [self.grid.wavenumber(i / nq, i % nq), twice * wave.norm_sqr()]
-            })
-            .collect();
+        let noise = waves.iter().zip(self.half_plane());
+        let noise: Vec<[f64; 2]> =
+            noise.map(|(wave, (q, weight))| [q, weight * wave.norm_sqr()]).collect();
         // How many times too steep, as a logarithm: it rises with a shorter roll-off.
         let excess = |ln_rolloff: f64| {
             let trial = Self { rolloff: ln_rolloff.exp(), ..self };
@@ -211,6 +179,16 @@ impl SelfAffine {
             was_low = Some(is_low);
         }
         Ok(Self { rolloff: middle.exp(), ..self })
+    }
+
+    /// |q| (rad/m) of each wave of a half spectrum, and how many waves of the full plane it stands for.
+    fn half_plane(&self) -> impl Iterator<Item = (f64, f64)> {
+        let [ny, nx] = self.grid.shape();
+        let waves = (0..ny).flat_map(move |iy| (0..=nx / 2).map(move |ix| (iy, ix)));
+        waves.map(move |(iy, ix)| {
+            let weight = if ix == 0 || 2 * ix == nx { 1.0 } else { 2.0 };
+            (self.grid.wavenumber(iy, ix), weight)
+        })
     }
 
     /// Square root of the PSD, 1 on its plateau.
@@ -250,43 +228,25 @@ impl SelfAffine {
                 ("rms gradient", gradient)
             }
         };
+        let Self { hurst, rolloff, cutoff, .. } = *self;
+        let step = self.quantise.unwrap_or(1.0);
         let positive = "must be finite and greater than 0";
+        let resolved = "must be at least two pixels along both axes: take smaller pixels or a longer \
+                        cut-off";
+        let ordered = "must not be shorter than the cut-off wavelength";
         let usable = |x: f64| x.is_normal() && x > 0.0;
         let rules = [
-            (
-                "Hurst exponent",
-                self.hurst,
-                (0.0..=1.0).contains(&self.hurst),
-                "must lie between 0 and 1",
-            ),
-            ("roll-off wavelength", self.rolloff, usable(self.rolloff), positive),
-            ("cut-off wavelength", self.cutoff, usable(self.cutoff), positive),
-            (
-                "cut-off wavelength",
-                self.cutoff,
-                self.cutoff >= 2.0 * dy.max(dx) * (1.0 - 1e-12),
-                "must be at least two pixels along both axes: take smaller pixels or a longer \
-                 cut-off",
-            ),
-            (
-                "roll-off wavelength",
-                self.rolloff,
-                self.rolloff >= self.cutoff,
-                "must not be shorter than the cut-off wavelength",
-            ),
+            ("Hurst exponent", hurst, (0.0..=1.0).contains(&hurst), "must lie between 0 and 1"),
+            ("roll-off wavelength", rolloff, usable(rolloff), positive),
+            ("cut-off wavelength", cutoff, usable(cutoff), positive),
+            ("cut-off wavelength", cutoff, cutoff >= 2.0 * dy.max(dx) * (1.0 - 1e-12), resolved),
+            ("roll-off wavelength", rolloff, rolloff >= cutoff, ordered),
             (scale, value, usable(value), positive),
-            (
-                "height step",
-                self.quantise.unwrap_or(1.0),
-                self.quantise.is_none_or(usable),
-                positive,
-            ),
+            ("height step", step, usable(step), positive),
         ];
-        match rules.into_iter().find(|(_, _, holds, _)| !holds) {
-            Some((setting, value, _, requirement)) => {
-                Err(StatsError::BadSetting { setting, value, requirement })
-            }
-            None => Ok(()),
-        }
+        let require = |(setting, value, holds, requirement)| {
+            StatsError::require(setting, value, holds, requirement)
+        };
+        rules.into_iter().try_for_each(require)
     }
 }

@@ -30,13 +30,11 @@ pub fn profile_findings(
         }
         Ok(all) => {
             let setting = all[0].setting;
-            if let SettingSource::Longest(_) = setting.source {
-                let ra = all.iter().map(|r| r.parameters.mean_abs_height).sum::<f64>();
-                let fact = ProfileFact::CoarserClass {
-                    cutoff: setting.cutoff,
-                    ra: ra / all.len() as f64,
-                    length: statistics.length,
-                };
+            // The first parameter is Ra.
+            let ra = statistics.roughness_mean().and_then(|means| means[0].mean);
+            if let (SettingSource::Longest(_), Some(ra)) = (setting.source, ra) {
+                let (cutoff, length) = (setting.cutoff, statistics.length);
+                let fact = ProfileFact::CoarserClass { cutoff, ra, length };
                 found.push(of(Weight::Note, fact));
             }
             if let Some(short) = setting.short_unresolved {

@@ -60,7 +60,7 @@ fn deterministic_slope_is_the_published_one() {
     }
     .generate()
     .unwrap();
-    let (moments, _) = PowerSpectrum::of(&map, Window::None).unwrap().moments();
+    let moments = PowerSpectrum::of(&map, Window::None).unwrap().moments();
     assert!((5.0..9.0).contains(&moments.bandwidth()), "{}", moments.bandwidth());
     let modulus = ContactModulus::from_pascals(1e11).unwrap();
     let mut solver = Solver::builder().tolerance(1e-5).build(grid, modulus).unwrap();

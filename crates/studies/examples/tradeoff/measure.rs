@@ -130,7 +130,7 @@ fn surface(plan: &Plan, surface: Surface, take: &mut dyn FnMut(TradeoffRow)) -> 
         ..blank.clone()
     });
 
-    let finer = |times: usize| resample(&map, map.grid().shape().map(|n| times * n), PERIODIC);
+    let finer = |times: usize| resample(&map, map.grid().shape().map(|n| times * n));
     let (half_way, finest) = (finer(plan.refine / 2)?, finer(plan.refine)?);
     for &load in plan.loads {
         let pressure = load * MODULUS * inputs.rms_gradient();
@@ -152,8 +152,6 @@ fn surface(plan: &Plan, surface: Surface, take: &mut dyn FnMut(TradeoffRow)) -> 
     }
     Ok(())
 }
-
-const PERIODIC: Edges = Edges::Periodic;
 
 /// Points per side of a coarser or finer grid; even when coarser, as transforms like it.
 fn scaled(points: usize, scale: f64) -> usize {
@@ -183,7 +181,7 @@ fn as_compared(surface: Surface) -> Outcome<(HeightMap, Inputs)> {
 /// Seconds for everything a model may need of a map.
 fn statistics_seconds(map: &HeightMap) -> Outcome<f64> {
     let options =
-        StatsOptions { level: Level::None, edges: PERIODIC, ..StatsOptions::default() };
+        StatsOptions { level: Level::None, edges: Edges::Periodic, ..StatsOptions::default() };
     let mut best = f64::INFINITY;
     for _ in 0..REPEATS {
         let clock = Instant::now();
@@ -348,7 +346,7 @@ impl Job<'_> {
         let map = if self.map.grid().shape() == [self.points; 2] {
             self.map
         } else {
-            coarse = resample(self.map, [self.points; 2], PERIODIC)?;
+            coarse = resample(self.map, [self.points; 2])?;
             &coarse
         };
         let builder = Solver::builder().method(method).precision(precision).tolerance(tolerance);

@@ -120,11 +120,6 @@ pub enum FormParameters {
 /// Fits `form` by least squares of the vertical distances to the points of `heights` (m, row-major)
 /// that are not NaN, and replaces their heights by their distances above it. What was found, and the
 /// number of points fitted.
-///
-/// # Errors
-/// [`StatsError::Shape`], [`StatsError::Surface`] for infinite heights, [`StatsError::OutOfRange`],
-/// [`StatsError::TooFewPoints`], [`StatsError::BadSetting`] for a degree above 12,
-/// [`StatsError::NotConverged`] if no sphere or cylinder comes near the points.
 pub(super) fn take_form_off(
     grid: Grid,
     heights: &mut [f64],

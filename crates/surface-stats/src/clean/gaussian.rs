@@ -25,11 +25,6 @@ const REACH: f64 = 1.5;
 ///
 /// Missing points stay missing.
 ///
-/// # Errors
-/// [`StatsError::BadSetting`] for a cut-off that is not finite or shorter than two pixels,
-/// [`StatsError::Shape`], [`StatsError::OutOfRange`], [`StatsError::Surface`] for infinite heights
-/// and for missing points in a periodic map.
-///
 /// # Source
 /// ISO 16610-61:2015 (areal Gaussian filter).
 pub(crate) fn gaussian_filter(
@@ -39,13 +34,9 @@ pub(crate) fn gaussian_filter(
     edges: Edges,
 ) -> Result<Vec<f64>, StatsError> {
     let [dy, dx] = grid.pixel();
-    if !(cutoff.is_finite() && cutoff >= 2.0 * dy.max(dx)) {
-        return Err(StatsError::BadSetting {
-            setting: "cut-off wavelength of the filter",
-            value: cutoff,
-            requirement: "must be finite and at least two pixels",
-        });
-    }
+    let resolved = cutoff.is_finite() && cutoff >= 2.0 * dy.max(dx);
+    let requirement = "must be finite and at least two pixels";
+    StatsError::require("cut-off wavelength of the filter", cutoff, resolved, requirement)?;
     scale::check_measured(grid, heights)?;
     match edges {
         Edges::Periodic => Ok(periodic(HeightMap::new(grid, heights.to_vec())?, cutoff)),
@@ -54,9 +45,6 @@ pub(crate) fn gaussian_filter(
 }
 
 /// The short waves of `heights`: what [`gaussian_filter`] takes off, and the mean with the long ones.
-///
-/// # Errors
-/// As [`gaussian_filter`].
 pub(crate) fn short_waves(
     grid: Grid,
     heights: &[f64],

@@ -5,7 +5,6 @@
 
 mod form;
 mod gaussian;
-mod mirror;
 mod outliers;
 mod plan;
 mod resample;
@@ -13,9 +12,7 @@ mod rows;
 
 pub use form::{Form, FormNameError, FormParameters};
 pub(crate) use gaussian::{gaussian_filter, short_waves};
-pub use mirror::{mirrored, resample_mirrored};
 pub use outliers::{OutlierRule, Outliers, find_outliers};
 pub use plan::{Record, Step, apply};
-pub use resample::resample;
-pub(crate) use resample::{AxisPoints, interpolated};
+pub use resample::{mirrored, resample, resample_mirrored};
 pub use rows::{RowOffsets, row_offsets};

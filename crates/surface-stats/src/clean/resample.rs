@@ -1,30 +1,17 @@
-//! The same area on another number of points.
+//! The same area on another number of points, and maps continued by their mirror images.
 
-use super::gaussian::gaussian_filter;
-use crate::{Edges, StatsError};
+use crate::StatsError;
 use contact_types::{Grid, HeightMap};
-use grid_fft::GridFft;
+use grid_fft::{Complex, GridFft};
 use std::cmp::Ordering;
+use std::f64::consts::PI;
 
-/// The same area on another number of points.
-///
-/// - Periodic: the cell `ny dy` by `nx dx` is kept. Waves that both grids hold are kept exactly,
-///   others are dropped; nothing is smoothed.
-/// - Open: first and last points stay where they are. Cubic convolution (Keys, a = -1/2), exact
-///   for quadratics inside. If a new pixel is larger than the old one, waves shorter than two new
-///   pixels are taken off first by a Gaussian filter.
+/// The same area, `ny dy` by `nx dx`, on another number of points, for a map that repeats. Waves that both
+/// grids hold are kept exactly, others are dropped; nothing is smoothed.
 ///
 /// # Errors
-/// [`StatsError::TooSmall`] below 4 x 4 pixels before or 2 x 2 after on an open map;
 /// [`StatsError::Surface`] for an empty or too large shape.
-pub fn resample(map: &HeightMap, shape: [usize; 2], edges: Edges) -> Result<HeightMap, StatsError> {
-    match edges {
-        Edges::Periodic => fourier(map, shape),
-        Edges::Open => cubic(map, shape),
-    }
-}
-
-fn fourier(map: &HeightMap, shape: [usize; 2]) -> Result<HeightMap, StatsError> {
+pub fn resample(map: &HeightMap, shape: [usize; 2]) -> Result<HeightMap, StatsError> {
     let [ly, lx] = map.grid().size();
     let grid = Grid::new(shape, [ly / shape[0].max(1) as f64, lx / shape[1].max(1) as f64])?;
     let [ny, nx] = map.grid().shape();
@@ -67,99 +54,129 @@ fn kept(n: usize, m: usize, k: usize) -> f64 {
     }
 }
 
-fn cubic(map: &HeightMap, shape: [usize; 2]) -> Result<HeightMap, StatsError> {
-    let ([ny, nx], [dy, dx]) = (map.grid().shape(), map.grid().pixel());
-    if ny < 4 || nx < 4 {
-        let what = "cubic interpolation";
-        return Err(StatsError::TooSmall { what, shape: [ny, nx], needed: [4, 4] });
+/// The same area on another number of points, for a map that does not repeat.
+///
+/// The pixels stay inside the area: point i stands for the pixel from `i dx` to `(i + 1) dx`. The
+/// map is continued by its mirror images, which have no jump, so that no wave of the seam rings
+/// into the map as it does with [`resample`] of a periodic one. Cosines that both
+/// grids hold are kept exactly, shorter ones are dropped.
+///
+/// # Errors
+/// [`StatsError::Surface`] for an empty or too large shape.
+pub fn resample_mirrored(map: &HeightMap, shape: [usize; 2]) -> Result<HeightMap, StatsError> {
+    let [ly, lx] = map.grid().size();
+    let grid = Grid::new(shape, [ly / shape[0].max(1) as f64, lx / shape[1].max(1) as f64])?;
+    let [ny, nx] = map.grid().shape();
+    let mean = map.mean();
+    let field: Vec<f64> = map.heights().iter().map(|h| h - mean).collect();
+    let wide = transpose(&along_rows(&field, nx, shape[1]), ny, shape[1]);
+    let mut heights = transpose(&along_rows(&wide, ny, shape[0]), shape[1], shape[0]);
+    for h in &mut heights {
+        *h += mean;
     }
-    if shape[0] < 2 || shape[1] < 2 {
-        let what = "a map that keeps its first and last points";
-        return Err(StatsError::TooSmall { what, shape, needed: [2, 2] });
-    }
-    // New points in units of old pixels.
-    let step = [0, 1].map(|k| [ny - 1, nx - 1][k] as f64 / (shape[k] - 1) as f64);
-    let grid = Grid::new(shape, [dy * step[0], dx * step[1]])?;
-    let shortest = 2.0 * grid.pixel()[0].max(grid.pixel()[1]);
-    let smooth = step[0] > 1.0 || step[1] > 1.0;
-    let smoothed = smooth
-        .then(|| gaussian_filter(map.grid(), map.heights(), shortest, Edges::Open))
-        .transpose()?;
-    let heights = smoothed.as_deref().unwrap_or(map.heights());
-
-    let along = |axis: usize| AxisPoints { first: 0.0, step: step[axis], count: shape[axis] };
-    let resampled = interpolated([ny, nx], heights, [along(0), along(1)]);
-    Ok(HeightMap::new(grid, resampled)?)
+    Ok(HeightMap::new(grid, heights)?)
 }
 
-/// Points along one axis, in units of the points of a map: `first`, `first + step`, … .
-#[derive(Debug, Clone, Copy, PartialEq)]
-pub(crate) struct AxisPoints {
-    pub(crate) first: f64,
-    pub(crate) step: f64,
-    pub(crate) count: usize,
-}
-
-/// Heights at points inside a map of at least 4 x 4 points; those at its own points are its own.
-pub(crate) fn interpolated(
-    [ny, nx]: [usize; 2],
-    heights: &[f64],
-    along: [AxisPoints; 2],
-) -> Vec<f64> {
-    let (rows, columns) = (stencils(ny, along[0]), stencils(nx, along[1]));
-    let mut new = Vec::with_capacity(rows.len() * columns.len());
-    for (y, wy) in &rows {
-        for (x, wx) in &columns {
-            let along = |row: usize| {
-                let z = &heights[row * nx + x..row * nx + x + 4];
-                (0..4).map(|k| wx[k] * z[k]).sum::<f64>()
-            };
-            new.push((0..4).map(|k| wy[k] * along(y + k)).sum());
-        }
+/// The map and its mirror images, `[2 ny, 2 nx]` points: a map that repeats without a jump at its
+/// edges, only with a kink. The given map is its first quarter.
+///
+/// # Errors
+/// [`StatsError::Surface`] if that are too many points.
+pub fn mirrored(map: &HeightMap) -> Result<HeightMap, StatsError> {
+    let [ny, nx] = map.grid().shape();
+    let grid = Grid::new([2 * ny, 2 * nx], map.grid().pixel())?;
+    let mut heights = Vec::with_capacity(grid.len());
+    let rows = map.heights().chunks_exact(nx);
+    for row in rows.clone().chain(rows.rev()) {
+        heights.extend_from_slice(row);
+        heights.extend(row.iter().rev());
     }
-    new
+    Ok(HeightMap::new(grid, heights)?)
 }
 
-/// First of four neighbours and their weights for every new point along one axis. Next to an edge
-/// the stencil is shifted inwards and the cubic through its four points is used.
-fn stencils(n: usize, AxisPoints { first, step, count }: AxisPoints) -> Vec<(usize, [f64; 4])> {
-    let stencil = |i: usize| {
-        let position = first + i as f64 * step;
-        let cell = (position.floor() as usize).min(n - 2);
-        let t = position - cell as f64;
-        if cell > 0 && cell + 2 < n {
-            return (cell - 1, keys(t));
-        }
-        let start = if cell == 0 { 0 } else { n - 4 };
-        (start, lagrange(position - start as f64))
+/// Every row of `n` points on `m` points. With `x` continued by its mirror image to 2n points, wave
+/// k is `2 exp(iπk/2n)` times the cosine coefficient `Σ x_j cos(πk(j + ½)/n)`.
+fn along_rows(field: &[f64], n: usize, m: usize) -> Vec<f64> {
+    let (mut from, mut to) = (GridFft::new([1, 2 * n]), GridFft::new([1, 2 * m]));
+    let (mut old, mut new) = (from.new_spectrum(), to.new_spectrum());
+    let (mut doubled, mut regridded) = (vec![0.0; 2 * n], vec![0.0; 2 * m]);
+    let scale = m as f64 / n as f64;
+    let shift = |k: usize| {
+        let angle = 0.5 * PI * k as f64 * (1.0 / m as f64 - 1.0 / n as f64);
+        Complex::new(scale * angle.cos(), scale * angle.sin())
     };
-    (0..count).map(stencil).collect()
+    let shifts: Vec<Complex<f64>> = (0..n.min(m)).map(shift).collect();
+    let mut result = Vec::with_capacity(field.len() / n * m);
+    for row in field.chunks_exact(n) {
+        doubled[..n].copy_from_slice(row);
+        doubled[n..].iter_mut().zip(row.iter().rev()).for_each(|(to, from)| *to = *from);
+        from.forward(&doubled, &mut old);
+        new.fill(Complex::new(0.0, 0.0));
+        for (k, shift) in shifts.iter().enumerate() {
+            new[k] = old[k] * shift;
+        }
+        to.inverse(&mut new, &mut regridded);
+        result.extend_from_slice(&regridded[..m]);
+    }
+    result
 }
 
-/// Weights of the points -1, 0, 1, 2 at t in 0..1 (Keys 1981, doi:10.1109/TASSP.1981.1163711).
-fn keys(t: f64) -> [f64; 4] {
-    let (t2, t3) = (t * t, t * t * t);
-    [
-        -0.5 * t3 + t2 - 0.5 * t,
-        1.5 * t3 - 2.5 * t2 + 1.0,
-        -1.5 * t3 + 2.0 * t2 + 0.5 * t,
-        0.5 * t3 - 0.5 * t2,
-    ]
-}
-
-/// Weights of the points 0, 1, 2, 3 at t: the cubic through all four.
-fn lagrange(t: f64) -> [f64; 4] {
-    let (a, b, c) = (t - 1.0, t - 2.0, t - 3.0);
-    [-a * b * c / 6.0, t * b * c / 2.0, -t * a * c / 2.0, t * a * b / 6.0]
+fn transpose(field: &[f64], ny: usize, nx: usize) -> Vec<f64> {
+    (0..ny * nx).map(|i| field[(i % ny) * nx + i / ny]).collect()
 }
 
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::DirectionalMoments;
-    use approx::{assert_abs_diff_eq, assert_relative_eq};
+    use approx::assert_abs_diff_eq;
     use proptest::prelude::*;
     use std::f64::consts::TAU;
+
+    fn cosines(shape: [usize; 2]) -> HeightMap {
+        let grid = Grid::new(shape, [3.0 / shape[0] as f64, 2.0 / shape[1] as f64]).unwrap();
+        let place = |i: usize, n: usize| PI * (i as f64 + 0.5) / n as f64;
+        let wave = |i: usize| {
+            let (y, x) = (place(i / shape[1], shape[0]), place(i % shape[1], shape[1]));
+            5.0 + (3.0 * x).cos() + 0.7 * (4.0 * x).cos() * (2.0 * y).cos() - (5.0 * y).cos()
+        };
+        HeightMap::new(grid, (0..grid.len()).map(wave).collect()).unwrap()
+    }
+
+    #[test]
+    fn mirror_images_meet_at_every_edge() {
+        let grid = Grid::new([2, 3], [1.0, 2.0]).unwrap();
+        let map = HeightMap::new(grid, vec![1.0, 2.0, 3.0, 4.0, 5.0, 6.0]).unwrap();
+        let whole = mirrored(&map).unwrap();
+        assert_eq!((whole.grid().shape(), whole.grid().pixel()), ([4, 6], [1.0, 2.0]));
+        let row = |y: usize| (0..6).map(|x| whole.at(y, x)).collect::<Vec<_>>();
+        assert_eq!(row(0), [1.0, 2.0, 3.0, 3.0, 2.0, 1.0]);
+        assert_eq!(row(1), [4.0, 5.0, 6.0, 6.0, 5.0, 4.0]);
+        assert_eq!((row(0), row(1)), (row(3), row(2)));
+    }
+
+    #[test]
+    fn cosines_that_both_grids_hold_are_kept() {
+        for (from, to) in [([8, 7], [16, 21]), ([12, 10], [6, 5]), ([9, 9], [9, 9])] {
+            let found = resample_mirrored(&cosines(from), to).unwrap();
+            let expected = cosines(to);
+            assert_eq!(found.grid(), expected.grid());
+            for (a, b) in found.heights().iter().zip(expected.heights()) {
+                assert_abs_diff_eq!(a, b, epsilon = 1e-13);
+            }
+        }
+    }
+
+    /// A ramp does not repeat: mirrored it stays between its ends but for the kink there, while its
+    /// periodic interpolation swings out by a tenth of the range.
+    #[test]
+    fn a_ramp_keeps_its_range() {
+        let grid = Grid::new([4, 64], [1.0, 1.0]).unwrap();
+        let ramp = HeightMap::from_fn(grid, |_, x| x).unwrap();
+        let (low, high) = resample_mirrored(&ramp, [4, 256]).unwrap().range();
+        assert!(low > -0.6 && high < 63.6, "{low} {high}");
+        let periodic = resample(&ramp, [4, 256]).unwrap();
+        assert!(periodic.range().1 > 66.0);
+    }
 
     proptest! {
         /// A sum of waves that both grids hold is the same function on either.
@@ -177,7 +194,7 @@ mod tests {
             };
             let map = HeightMap::from_fn(grid([ny, nx]), wave).unwrap();
             let expected = HeightMap::from_fn(grid([my, mx]), wave).unwrap();
-            let found = resample(&map, [my, mx], Edges::Periodic).unwrap();
+            let found = resample(&map, [my, mx]).unwrap();
             for (a, b) in found.heights().iter().zip(expected.heights()) {
                 prop_assert!((a - b).abs() < 1e-13);
             }
@@ -191,50 +208,12 @@ mod tests {
             let grid = Grid::new(shape, [1.0, 1.0]).unwrap();
             let heights = (0..grid.len()).map(|i| (1.7 * (i * i) as f64).sin()).collect();
             let map = HeightMap::new(grid, heights).unwrap();
-            let fine = resample(&map, [3 * shape[0], 2 * shape[1]], Edges::Periodic).unwrap();
+            let fine = resample(&map, [3 * shape[0], 2 * shape[1]]).unwrap();
             for iy in 0..shape[0] {
                 for ix in 0..shape[1] {
                     assert_abs_diff_eq!(fine.at(3 * iy, 2 * ix), map.at(iy, ix), epsilon = 1e-14);
                 }
             }
         }
-    }
-
-    /// Open: quadratics exactly, also at the edges; first and last points stay.
-    #[test]
-    fn cubic_resampling_of_a_quadratic() {
-        let grid = Grid::new([9, 12], [2.0, 1.0]).unwrap();
-        let z =
-            |y: f64, x: f64| 1.0 + 0.2 * x - 0.1 * y + 0.05 * x * x - 0.02 * x * y + 0.01 * y * y;
-        let map = HeightMap::from_fn(grid, z).unwrap();
-        let fine = resample(&map, [33, 40], Edges::Open).unwrap();
-        let [dy, dx] = fine.grid().pixel();
-        assert_relative_eq!(32.0 * dy, 16.0, max_relative = 1e-14);
-        assert_relative_eq!(39.0 * dx, 11.0, max_relative = 1e-14);
-        for iy in 0..33 {
-            for ix in 0..40 {
-                let expected = z(dy * iy as f64, dx * ix as f64);
-                assert_abs_diff_eq!(fine.at(iy, ix), expected, epsilon = 1e-13);
-            }
-        }
-        let same = resample(&map, [9, 12], Edges::Open).unwrap();
-        for (a, b) in same.heights().iter().zip(map.heights()) {
-            assert_abs_diff_eq!(a, b, epsilon = 1e-14);
-        }
-    }
-
-    /// Coarsening an open map does not fold short waves into long ones.
-    #[test]
-    fn coarsening_does_not_alias() {
-        let grid = Grid::new([120, 120], [1.0, 1.0]).unwrap();
-        let map = HeightMap::from_fn(grid, |y, x| (TAU * (x / 3.1 + y / 2.9)).cos()).unwrap();
-        let coarse = resample(&map, [30, 30], Edges::Open).unwrap();
-        let m = DirectionalMoments::of(&coarse, Edges::Open).unwrap();
-        assert!(m.m2_x + m.m2_y < 1e-3, "{m:?}");
-        for shape in [[1, 5], [5, 1]] {
-            let error = resample(&map, shape, Edges::Open);
-            assert!(matches!(error, Err(StatsError::TooSmall { .. })));
-        }
-        assert!(resample(&map, [0, 5], Edges::Periodic).is_err());
     }
 }

@@ -52,22 +52,21 @@ const FEWEST: usize = 32;
 pub fn row_offsets(grid: Grid, heights: &[f64]) -> Result<RowOffsets, StatsError> {
     scale::check_measured(grid, heights)?;
     let [ny, nx] = grid.shape();
-    let rows = jumps(ny, nx, |line, i| heights[line * nx + i]);
-    let columns = jumps(nx, ny, |line, i| heights[i * nx + line]);
+    let (jumps_of_rows, share) = jumps(ny, nx, |line, i| heights[line * nx + i]);
+    let (_, share_of_columns) = jumps(nx, ny, |line, i| heights[i * nx + line]);
     let mut offsets = vec![0.0; ny];
     for i in 1..ny {
-        offsets[i] = offsets[i - 1] + rows.jumps[i - 1];
+        offsets[i] = offsets[i - 1] + jumps_of_rows[i - 1];
     }
     take_line_off(&mut offsets);
-    let change: f64 = rows.jumps.windows(2).map(|j| (j[1] - j[0]).powi(2)).sum();
-    let square: f64 = rows.jumps.iter().map(|j| j * j).sum();
-    let count = rows.jumps.len();
+    let change: f64 = jumps_of_rows.windows(2).map(|j| (j[1] - j[0]).powi(2)).sum();
+    let square: f64 = jumps_of_rows.iter().map(|j| j * j).sum();
     Ok(RowOffsets {
-        jumping: how_many(&rows.jumps),
+        jumping: how_many(&jumps_of_rows),
         offsets,
-        jump: (square / count.max(1) as f64).sqrt(),
-        share: rows.share,
-        share_of_columns: columns.share,
+        jump: (square / jumps_of_rows.len().max(1) as f64).sqrt(),
+        share,
+        share_of_columns,
         roughness: if square > 0.0 { change / square } else { 0.0 },
     })
 }
@@ -126,14 +125,9 @@ fn take_line_off(values: &mut [f64]) {
     }
 }
 
-/// Jumps between `lines` lines of `points` points.
-struct Jumps {
-    /// Median difference of each line to the one before, less the median of these.
-    jumps: Vec<f64>,
-    share: f64,
-}
-
-fn jumps(lines: usize, points: usize, at: impl Fn(usize, usize) -> f64) -> Jumps {
+/// Median difference of each of `lines` lines of `points` points to the one before, less the median of
+/// these, and the share of the mean square difference that such jumps make.
+fn jumps(lines: usize, points: usize, at: impl Fn(usize, usize) -> f64) -> (Vec<f64>, f64) {
     let mut differences = Vec::with_capacity(points);
     let mut medians = Vec::with_capacity(lines);
     let (mut sums, mut count) = ([0.0; 2], 0.0);
@@ -156,7 +150,7 @@ fn jumps(lines: usize, points: usize, at: impl Fn(usize, usize) -> f64) -> Jumps
     let all =
         if count > 0.0 { sums[1] / count - tilt * (2.0 * sums[0] / count - tilt) } else { 0.0 };
     let share = if all > 0.0 && points >= FEWEST { (square / all).min(1.0) } else { 0.0 };
-    Jumps { jumps, share }
+    (jumps, share)
 }
 
 /// The median, the lower one of two; the order is lost.

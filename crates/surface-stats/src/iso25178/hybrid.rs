@@ -26,10 +26,7 @@ impl Hybrid {
     /// [`StatsError::TooSmall`] below 2 x 2 pixels.
     pub fn of(map: &HeightMap) -> Result<Self, StatsError> {
         let ([ny, nx], [dy, dx]) = (map.grid().shape(), map.grid().pixel());
-        if ny < 2 || nx < 2 {
-            let what = "a developed area";
-            return Err(StatsError::TooSmall { what, shape: [ny, nx], needed: [2, 2] });
-        }
+        StatsError::require_shape("a developed area", [ny, nx], [2, 2])?;
         let (mut slope_x, mut slope_y, mut excess) = (0.0, 0.0, 0.0);
         for iy in 0..ny {
             let row = &map.heights()[iy * nx..(iy + 1) * nx];
@@ -68,20 +65,22 @@ fn cell_excess([z00, z01, z10, z11]: [f64; 4], [dy, dx]: [f64; 2]) -> f64 {
         + triangle(bottom, right))
 }
 
+/// Slope in the middle of seven heights at distances of 1, with an error of the sixth order.
+pub(crate) fn seven_point_slope(at: impl Fn(usize) -> f64) -> f64 {
+    (45.0 * (at(4) - at(2)) - 9.0 * (at(5) - at(1)) + (at(6) - at(0))) / 60.0
+}
+
 fn seven_point(map: &HeightMap) -> Option<f64> {
     let ([ny, nx], [dy, dx]) = (map.grid().shape(), map.grid().pixel());
     if ny < 7 || nx < 7 {
         return None;
     }
-    let slope = |at: &dyn Fn(usize) -> f64| {
-        (45.0 * (at(4) - at(2)) - 9.0 * (at(5) - at(1)) + (at(6) - at(0))) / 60.0
-    };
     let mut sum = 0.0;
     for iy in 3..ny - 3 {
         let mut row_sum = 0.0;
         for ix in 3..nx - 3 {
-            let along_x = slope(&|k| map.at(iy, ix + k - 3)) / dx;
-            let along_y = slope(&|k| map.at(iy + k - 3, ix)) / dy;
+            let along_x = seven_point_slope(|k| map.at(iy, ix + k - 3)) / dx;
+            let along_y = seven_point_slope(|k| map.at(iy + k - 3, ix)) / dy;
             row_sum += along_x * along_x + along_y * along_y;
         }
         sum += row_sum;
@@ -122,12 +121,9 @@ mod tests {
             let grid = Grid::new([n, n], [1.0 / n as f64; 2]).unwrap();
             let q = std::f64::consts::TAU;
             let map = HeightMap::from_fn(grid, |_, x| (q * x).sin()).unwrap();
-            let slope = |i: usize| {
-                let z = |k: usize| map.at(8, i + k - 3);
-                45.0 * (z(4) - z(2)) - 9.0 * (z(5) - z(1)) + (z(6) - z(0))
-            };
             let i = n / 2;
-            (slope(i) * n as f64 / 60.0 - q * (q * i as f64 / n as f64).cos()).abs()
+            let slope = seven_point_slope(|k| map.at(8, i + k - 3));
+            (slope * n as f64 - q * (q * i as f64 / n as f64).cos()).abs()
         };
         let order = (error(32) / error(64)).log2();
         assert_relative_eq!(order, 6.0, epsilon = 0.1);

@@ -9,5 +9,6 @@ mod material_ratio;
 mod spatial;
 
 pub use hybrid::Hybrid;
+pub(crate) use hybrid::seven_point_slope;
 pub use material_ratio::{CoreRoughness, MaterialRatioCurve, Volumes};
 pub use spatial::{Spatial, texture_direction};

@@ -213,14 +213,4 @@ mod tests {
         assert!(isotropic > 0.85, "{isotropic}");
         assert_relative_eq!(aspect(4e-6), 0.25, max_relative = 0.15);
     }
-
-    #[test]
-    fn a_flat_map_has_no_texture() {
-        let map = HeightMap::new(Grid::new([5, 6], [1.0, 1.0]).unwrap(), vec![2.0; 30]).unwrap();
-        for edges in [Edges::Open, Edges::Periodic] {
-            let s = Spatial::of(&map, edges).unwrap();
-            assert_eq!((s.autocorrelation_length, s.texture_aspect_ratio), (None, None));
-        }
-        assert_eq!(texture_direction(&map).unwrap(), None);
-    }
 }

@@ -1,9 +1,9 @@
 //! The sum of the heights of two maps that face each other.
 
 use super::independence::Independence;
-use super::overlay::{Overlap, Placed, common};
+use super::overlay::{Overlap, Placed, common, interpolated};
 use super::{Flip, PairError, Placing};
-use crate::clean::{interpolated, resample};
+use crate::clean::resample;
 use crate::{Edges, Level, StatsError, repeats};
 use contact_types::{Grid, HeightMap};
 
@@ -78,7 +78,7 @@ fn rolled(first: &HeightMap, second: &HeightMap, shift: [f64; 2]) -> Result<Laid
     let shape = [0, 1].map(|k| grids[0].shape()[k].max(grids[1].shape()[k]));
     let resampled = grids.map(|grid| grid.shape() != shape);
     let on_grid = |map: &HeightMap, is_new: bool| {
-        if is_new { resample(map, shape, Edges::Periodic) } else { Ok(map.clone()) }
+        if is_new { resample(map, shape) } else { Ok(map.clone()) }
     };
     let (a, b) = (on_grid(first, resampled[0])?, on_grid(second, resampled[1])?);
     let common = a.grid();
@@ -108,16 +108,13 @@ fn cut(first: &HeightMap, second: &HeightMap, shift: [f64; 2]) -> Result<Laid, P
         let along = axes.map(|a| a.along[which]);
         let [ny, nx] = map.grid().shape();
         let heights = if resampled[which] {
-            if ny < 4 || nx < 4 {
-                let what = "cubic interpolation";
-                return Err(StatsError::TooSmall { what, shape: [ny, nx], needed: [4, 4] });
-            }
+            StatsError::require_shape("cubic interpolation", [ny, nx], [4, 4])?;
             interpolated([ny, nx], map.heights(), along)
         } else {
             let [y, x] = along.map(|a| a.first as usize..a.first as usize + a.count);
             y.flat_map(|iy| map.heights()[iy * nx..][x.clone()].iter().copied()).collect()
         };
-        Ok(HeightMap::new(grid, heights)?)
+        HeightMap::new(grid, heights).map_err(StatsError::from)
     };
     let parts = [part(0, first)?, part(1, second)?];
     let shift = axes.map(|a| a.shift);

@@ -1,7 +1,6 @@
 //! Which points of two maps lie on each other.
 
 use super::PairError;
-use crate::clean::AxisPoints;
 use contact_types::Grid;
 
 /// How two maps were laid on each other.
@@ -93,9 +92,86 @@ pub(super) fn common(n: [usize; 2], d: [f64; 2], shift: f64) -> Result<Overlap, 
     Ok(Overlap { pixel, shift, along, between: Some(coarse) })
 }
 
+/// Points along one axis, in units of the points of a map: `first`, `first + step`, … .
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub(super) struct AxisPoints {
+    pub(super) first: f64,
+    pub(super) step: f64,
+    pub(super) count: usize,
+}
+
+/// Heights at points inside a map of at least 4 x 4 points; those at its own points are its own.
+pub(super) fn interpolated(
+    [ny, nx]: [usize; 2],
+    heights: &[f64],
+    along: [AxisPoints; 2],
+) -> Vec<f64> {
+    let (rows, columns) = (stencils(ny, along[0]), stencils(nx, along[1]));
+    let mut new = Vec::with_capacity(rows.len() * columns.len());
+    for (y, wy) in &rows {
+        for (x, wx) in &columns {
+            let along = |row: usize| {
+                let z = &heights[row * nx + x..row * nx + x + 4];
+                (0..4).map(|k| wx[k] * z[k]).sum::<f64>()
+            };
+            new.push((0..4).map(|k| wy[k] * along(y + k)).sum());
+        }
+    }
+    new
+}
+
+/// First of four neighbours and their weights for every new point along one axis. Next to an edge
+/// the stencil is shifted inwards and the cubic through its four points is used.
+fn stencils(n: usize, AxisPoints { first, step, count }: AxisPoints) -> Vec<(usize, [f64; 4])> {
+    let stencil = |i: usize| {
+        let position = first + i as f64 * step;
+        let cell = (position.floor() as usize).min(n - 2);
+        let t = position - cell as f64;
+        if cell > 0 && cell + 2 < n {
+            return (cell - 1, keys(t));
+        }
+        let start = if cell == 0 { 0 } else { n - 4 };
+        (start, lagrange(position - start as f64))
+    };
+    (0..count).map(stencil).collect()
+}
+
+/// Weights of the points -1, 0, 1, 2 at t in 0..1 (Keys 1981, doi:10.1109/TASSP.1981.1163711).
+fn keys(t: f64) -> [f64; 4] {
+    let (t2, t3) = (t * t, t * t * t);
+    [
+        -0.5 * t3 + t2 - 0.5 * t,
+        1.5 * t3 - 2.5 * t2 + 1.0,
+        -1.5 * t3 + 2.0 * t2 + 0.5 * t,
+        0.5 * t3 - 0.5 * t2,
+    ]
+}
+
+/// Weights of the points 0, 1, 2, 3 at t: the cubic through all four.
+fn lagrange(t: f64) -> [f64; 4] {
+    let (a, b, c) = (t - 1.0, t - 2.0, t - 3.0);
+    [-a * b * c / 6.0, t * b * c / 2.0, -t * a * c / 2.0, t * a * b / 6.0]
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;
+
+    /// Quadratics exactly, also at the edges, and the map itself at its own points.
+    #[test]
+    fn cubic_interpolation_of_a_quadratic() {
+        let z =
+            |y: f64, x: f64| 1.0 + 0.2 * x - 0.1 * y + 0.05 * x * x - 0.02 * x * y + 0.01 * y * y;
+        let heights: Vec<f64> = (0..108).map(|i| z(f64::from(i / 12), f64::from(i % 12))).collect();
+        for (step, [ny, nx]) in [(0.25, [33, 45]), (1.0, [9, 12])] {
+            let axis = |count| AxisPoints { first: 0.0, step, count };
+            let found = interpolated([9, 12], &heights, [axis(ny), axis(nx)]);
+            for (i, height) in found.iter().enumerate() {
+                let expected = z(step * (i / nx) as f64, step * (i % nx) as f64);
+                assert!((height - expected).abs() < 1e-13, "{height} {expected}");
+            }
+        }
+    }
 
     fn along(n: [usize; 2], d: [f64; 2], shift: f64) -> Overlap {
         common(n, d, shift).unwrap()

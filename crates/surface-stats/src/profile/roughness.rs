@@ -23,26 +23,16 @@ pub struct Roughness {
 /// The roughness profile of a levelled trace: waves shorter than λs and longer than λc taken off by
 /// the Gaussian filter of ISO 16610-21. Half a cut-off is left out at both ends, where the weights
 /// that fall beyond the trace are made up by the others.
-///
-/// # Errors
-/// [`StatsError::ShortTrace`] below two cut-offs; what the filter refuses.
 fn roughness_profile(trace: &Trace, setting: &Setting) -> Result<Trace, StatsError> {
     let (length, needed) = (trace.length(), setting.least_length());
     if length < needed * (1.0 - 1e-9) {
         return Err(StatsError::ShortTrace { length, cutoff: setting.cutoff, needed });
     }
-    let primary = match setting.short {
-        Some(short) => &trace.without_short_waves(short)?,
-        None => trace,
-    };
-    primary.without_long_waves(setting.cutoff)?.without_ends(0.5 * setting.cutoff)
+    trace.filtered(setting.short, Some(setting.cutoff))
 }
 
 /// Roughness parameters of a levelled trace: of its middle five section lengths, or of as many whole
 /// ones as fit between the ends.
-///
-/// # Errors
-/// [`StatsError::ShortTrace`] below two cut-offs; what the filter refuses.
 pub(super) fn roughness(trace: &Trace, setting: &Setting) -> Result<Roughness, StatsError> {
     let profile = roughness_profile(trace, setting)?;
     let spacing = profile.spacing();
@@ -61,10 +51,6 @@ pub(super) fn roughness(trace: &Trace, setting: &Setting) -> Result<Roughness, S
 /// The setting for levelled traces by the rule of ISO 21920-3: the finest class whose limit of Ra
 /// is not exceeded by the mean Ra measured with it. If the traces are too short for that class,
 /// the coarsest one they are long enough for. `short` is λs, if one was asked for.
-///
-/// # Errors
-/// [`StatsError::ShortTrace`] if the traces are too short for the finest class; what the filter
-/// refuses.
 pub(super) fn choose_setting(traces: &[Trace], short: Option<f64>) -> Result<Setting, StatsError> {
     let length = traces.iter().map(Trace::length).fold(f64::INFINITY, f64::min);
     let spacing = traces.iter().map(Trace::spacing).fold(0.0, f64::max);

@@ -164,8 +164,9 @@ impl ProfileStatistics {
         {
             return Err(refused); // what was asked for must be possible
         }
-        let used: Vec<Trace> =
-            levelled.into_iter().map(|trace| filtered(trace, options)).collect::<Result<_, _>>()?;
+        // The profile whose moments count is filtered if that was asked for.
+        let used = levelled.iter().map(|trace| trace.filtered(options.short, options.cutoff));
+        let used: Vec<Trace> = used.collect::<Result<_, _>>()?;
         let spectrum = TraceSpectrum::of(&used);
         let statistics = Self::of_used(&used, &spectrum, roughness, step, options)?;
         Ok((statistics, used, spectrum))
@@ -258,18 +259,6 @@ impl ProfileStatistics {
         warnings.extend(Warning::of_distribution(self.skewness, self.kurtosis, self.bandwidth));
         warnings.extend(Warning::of_hurst(self.hurst));
         warnings
-    }
-}
-
-/// The profile whose moments count: filtered if that was asked for.
-fn filtered(trace: Trace, options: &ProfileOptions) -> Result<Trace, StatsError> {
-    let trace = match options.short {
-        Some(short) => trace.without_short_waves(short)?,
-        None => trace,
-    };
-    match options.cutoff {
-        Some(cutoff) => trace.without_long_waves(cutoff)?.without_ends(0.5 * cutoff),
-        None => Ok(trace),
     }
 }
 

@@ -10,14 +10,6 @@ pub(crate) const LEAST_POINTS: usize = 32;
 
 /// One line of evenly spaced heights: a height map of one row, so that everything that is defined
 /// for rows of maps holds here too.
-///
-/// ```
-/// use surface_stats::profile::Trace;
-///
-/// let trace = Trace::new(0.5e-6, vec![0.0; 8001])?;
-/// assert_eq!((trace.len(), trace.length()), (8001, 8000.0 * 0.5e-6));
-/// # Ok::<(), surface_stats::StatsError>(())
-/// ```
 #[derive(Debug, Clone, PartialEq)]
 pub struct Trace(HeightMap);
 
@@ -64,47 +56,46 @@ impl Trace {
     }
 
     /// Without the least-squares polynomial of this degree: 0 the mean, 1 the line.
-    ///
-    /// # Errors
-    /// [`StatsError::BadSetting`] above degree 12, [`StatsError::OutOfRange`].
-    pub(crate) fn levelled(&self, degree: usize) -> Result<Self, StatsError> {
+    pub(super) fn levelled(&self, degree: usize) -> Result<Self, StatsError> {
         Ok(Self(without_form(&self.0, degree)?))
     }
 
     /// Without the waves shorter than `nesting_index` (m): the Gaussian filter of ISO 16610-21,
     /// of which half an amplitude passes at the nesting index.
-    ///
-    /// # Errors
-    /// As [`gaussian_filter`].
-    pub(crate) fn without_short_waves(&self, nesting_index: f64) -> Result<Self, StatsError> {
+    fn without_short_waves(&self, nesting_index: f64) -> Result<Self, StatsError> {
         let heights = gaussian_filter(self.0.grid(), self.heights(), nesting_index, Edges::Open)?;
         Self::new(self.spacing(), heights)
     }
 
     /// Without the waves longer than `nesting_index` (m), as
     /// [`without_short_waves`](Self::without_short_waves) leaves them.
-    ///
-    /// # Errors
-    /// As [`gaussian_filter`].
-    pub(crate) fn without_long_waves(&self, nesting_index: f64) -> Result<Self, StatsError> {
+    fn without_long_waves(&self, nesting_index: f64) -> Result<Self, StatsError> {
         let heights = short_waves(self.0.grid(), self.heights(), nesting_index, Edges::Open)?;
         Self::new(self.spacing(), heights)
     }
 
+    /// Without the waves shorter than `short` and those longer than `long` (m), where given. `long` also
+    /// takes half of itself off both ends, where the filter has seen only one side.
+    pub(super) fn filtered(
+        &self,
+        short: Option<f64>,
+        long: Option<f64>,
+    ) -> Result<Self, StatsError> {
+        let trace = short.map_or_else(|| Ok(self.clone()), |s| self.without_short_waves(s))?;
+        match long {
+            Some(long) => trace.without_long_waves(long)?.without_ends(0.5 * long),
+            None => Ok(trace),
+        }
+    }
+
     /// Points `start` to `end` (exclusive).
-    ///
-    /// # Errors
-    /// [`StatsError::TooFewPoints`], which names the fewest.
     pub(crate) fn part(&self, start: usize, end: usize) -> Result<Self, StatsError> {
         let end = end.min(self.len());
         Self::new(self.spacing(), self.heights()[start.min(end)..end].to_vec())
     }
 
-    /// Without `distance` (m) at both ends, where a filter has seen only one side.
-    ///
-    /// # Errors
-    /// [`StatsError::TooFewPoints`] if fewer than [`LEAST_POINTS`] are left.
-    pub(crate) fn without_ends(&self, distance: f64) -> Result<Self, StatsError> {
+    /// Without `distance` (m) at both ends.
+    fn without_ends(&self, distance: f64) -> Result<Self, StatsError> {
         let cut = (distance / self.spacing() - 1e-9).ceil().max(0.0) as usize;
         self.part(cut, self.len().saturating_sub(cut))
     }

@@ -57,10 +57,7 @@ fn for_each_row(map: &HeightMap, window: Window, mut visit: impl FnMut(&[Complex
 pub fn amplitudes(map: &HeightMap) -> Result<AmplitudeSpectrum, StatsError> {
     let (shape, [_, length]) = (map.grid().shape(), map.grid().size());
     let [rows, n] = shape;
-    if n < 2 {
-        let what = "a profile spectrum";
-        return Err(StatsError::TooSmall { what, shape, needed: [1, 2] });
-    }
+    StatsError::require_shape("a profile spectrum", shape, [1, 2])?;
     let mut moduli = vec![0.0; n / 2 + 1];
     for_each_row(map, Window::None, |spectrum| {
         for (sum, wave) in moduli.iter_mut().zip(spectrum) {

@@ -22,8 +22,6 @@ pub struct Ring {
     pub wavenumber: f64,
     /// Variance of all its waves (m²).
     pub variance: f64,
-    /// ½ Σ S (q_x⁴ + q_y⁴) of its waves, their part of m4 (m⁻²).
-    pub fourth: f64,
     /// Mean of the PSD C(q) over its waves (m⁴).
     pub psd: f64,
     /// How many waves of the full plane it holds; q and -q both count.
@@ -74,26 +72,23 @@ impl PowerSpectrum {
     }
 
     /// Moments by the spectrum, as by differences the means of profiles along both axes: `m0 = Σ S`,
-    /// `m2 = ½ Σ S (qx² + qy²)`, `m4 = ½ Σ S (qx⁴ + qy⁴)`, and the parts of m2 along the axes, `[Σ S qx², Σ S qy²]`.
+    /// `m2 = ½ Σ S (qx² + qy²)`, `m4 = ½ Σ S (qx⁴ + qy⁴)`.
     /// Of an isotropic surface `m4 = ⅜ Σ S q⁴`; of a lay or a pattern m4 depends on how it lies on the axes.
-    pub fn moments(&self) -> (SpectralMoments, [f64; 2]) {
+    pub fn moments(&self) -> SpectralMoments {
         let mut m = SpectralMoments { m0: 0.0, m2: 0.0, m4: 0.0 };
-        let mut along = [0.0; 2];
         self.for_each(|[qy, qx], weight, variance| {
             let (s, qx2, qy2) = (weight * variance, qx * qx, qy * qy);
             let q2 = qx2 + qy2;
             m.m0 += s;
             m.m2 += 0.5 * s * q2;
             m.m4 += 0.5 * s * (qx2 * qx2 + qy2 * qy2);
-            along[0] += s * qx2;
-            along[1] += s * qy2;
         });
-        (m, along)
+        m
     }
 
     /// Rms gradient that forward differences see of these waves over the one they have: 1 if all
-    /// waves are long, 2/π if all are two pixels short. `None` without a wave.
-    pub fn resolved_gradient(&self) -> Option<f64> {
+    /// waves are long, and without a wave; 2/π if all are two pixels short.
+    pub fn resolved_gradient(&self) -> f64 {
         let [dy, dx] = self.grid.pixel();
         let (mut seen, mut all) = (0.0, 0.0);
         self.for_each(|[qy, qx], weight, variance| {
@@ -101,7 +96,7 @@ impl PowerSpectrum {
             seen += weight * variance * (ty * ty + tx * tx);
             all += weight * variance * (qy * qy + qx * qx);
         });
-        (all > 0.0).then(|| (seen / all).sqrt())
+        if all > 0.0 { (seen / all).sqrt() } else { 1.0 }
     }
 
     /// Waves gathered into rings of strictly rising wavenumber, as wide as the finer of the two wavenumber steps of the map
@@ -112,24 +107,23 @@ impl PowerSpectrum {
         let [dy, dx] = self.grid.pixel();
         let longest = (PI / dy).hypot(PI / dx) / (8 * (ny + nx)) as f64;
         let (cell, width) = (TAU / ly * (TAU / lx), (TAU / ly.max(lx)).max(longest));
-        let mut sums: Vec<[f64; 5]> = Vec::new(); // waves, S, S q², q², ½ S (q_x⁴ + q_y⁴)
+        let mut sums: Vec<[f64; 4]> = Vec::new(); // waves, S, S q², q²
         self.for_each(|[qy, qx], weight, variance| {
             let q2 = qy * qy + qx * qx;
             let ring = (q2.sqrt() / width).round() as usize;
             if ring >= sums.len() {
-                sums.resize(ring + 1, [0.0; 5]);
+                sums.resize(ring + 1, [0.0; 4]);
             }
             let sum = &mut sums[ring];
             let s = weight * variance;
-            let fourth = 0.5 * s * (qx.powi(4) + qy.powi(4));
-            for (total, part) in sum.iter_mut().zip([weight, s, s * q2, weight * q2, fourth]) {
+            for (total, part) in sum.iter_mut().zip([weight, s, s * q2, weight * q2]) {
                 *total += part;
             }
         });
         let mut last = 0.0f64;
         sums.iter()
             .filter(|[waves, ..]| *waves > 0.0)
-            .map(|&[waves, variance, weighted, plain, fourth]| {
+            .map(|&[waves, variance, weighted, plain]| {
                 let q2 = if variance > 0.0 { weighted / variance } else { plain / waves };
                 // Rounding must not put two rings that meet on one wavenumber.
                 let wavenumber = q2.sqrt().max(last.next_up());
@@ -137,7 +131,6 @@ impl PowerSpectrum {
                 Ring {
                     wavenumber,
                     variance,
-                    fourth,
                     psd: variance / waves / cell,
                     waves: waves as usize,
                     width,
@@ -215,7 +208,7 @@ mod tests {
             [|x, y| x.cos() * y.cos(), |x, y| 0.5 * (x.cos() + y.cos())];
         for (pattern, bandwidth) in patterns.into_iter().zip([1.0, 2.0]) {
             let map = HeightMap::from_fn(grid, |y, x| 1e-7 * pattern(q * x, q * y)).unwrap();
-            let (m, _) = PowerSpectrum::of(&map, Window::None).unwrap().moments();
+            let m = PowerSpectrum::of(&map, Window::None).unwrap().moments();
             let seen = DirectionalMoments::of(&map, Edges::Periodic).unwrap().isotropic(m.m0);
             let half = 0.5 * q * 1e-6;
             let share = (half.sin() / half).powi(2);
@@ -235,7 +228,7 @@ mod tests {
             let heights = (0..grid.len()).map(|i| (1.3 * (i * i) as f64).sin()).collect();
             let map = HeightMap::new(grid, heights).unwrap();
             let power = PowerSpectrum::of(&map, Window::None).unwrap();
-            let (exact, found) = (power.moments().0, radial(&map).unwrap());
+            let (exact, found) = (power.moments(), radial(&map).unwrap());
             assert!(found.shells().len() <= 8 * (shape[0] + shape[1]) + 1);
             assert_relative_eq!(found.moments().m0, exact.m0, max_relative = 1e-12);
             assert_relative_eq!(found.moments().m2, exact.m2, max_relative = 1e-12);

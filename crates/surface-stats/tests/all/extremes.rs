@@ -7,7 +7,7 @@ use proptest::prelude::*;
 use std::fmt::Debug;
 use surface_stats::clean::{Form, OutlierRule, Step, apply};
 use surface_stats::iso25178::{Hybrid, MaterialRatioCurve, Spatial, texture_direction};
-use surface_stats::{Edges, Level, StatsError, StatsOptions, SurfaceStatistics, Warning};
+use surface_stats::{Edges, Level, StatsError, StatsOptions, Summits, SurfaceStatistics, Warning};
 
 /// Every line of the table in the book, each with its limit.
 #[test]
@@ -54,10 +54,28 @@ fn all_finite(m: &HeightMap) -> SurfaceStatistics {
 fn flat_surfaces_are_answered() {
     for height in [0.0, 76e-3, -1e6, 1e300] {
         for shape in [[3, 3], [3, 40], [17, 16]] {
-            let s = all_finite(&map(shape, [1e-6, 2e-6], |_, _| height));
+            let m = map(shape, [1e-6, 2e-6], |_, _| height);
+            let s = all_finite(&m);
             assert_eq!((s.rms_height, s.m2, s.m4, s.bandwidth), (0.0, 0.0, 0.0, None));
+            assert_eq!((s.skewness, s.kurtosis), (None, None));
             assert_eq!(s.warnings, [Warning::Flat]);
             assert!(s.asperities.is_none() && s.hurst.is_none() && s.cutoff.is_none());
+            for edges in [Edges::Open, Edges::Periodic] {
+                let found = Summits::of(&m, edges).unwrap();
+                assert_eq!((found.count, found.plateaus), (0, 0));
+                assert_eq!((found.height_mean, found.curvature_mean), (None, None));
+                let Spatial { autocorrelation_length, texture_aspect_ratio, .. } =
+                    Spatial::of(&m, edges).unwrap();
+                assert_eq!((autocorrelation_length, texture_aspect_ratio), (None, None));
+            }
+            assert_eq!(texture_direction(&m).unwrap(), None);
+            if let Ok(curve) = MaterialRatioCurve::of(&m) {
+                let core = curve.core();
+                assert_eq!([core.core_height, curve.peak_extreme_height()], [0.0; 2]);
+                assert_eq!([core.reduced_peak_height, core.reduced_valley_depth], [0.0; 2]);
+                assert!(core.peak_ratio.is_finite() && core.valley_ratio.is_finite());
+                assert!(curve.volumes().core_void.abs() <= 0.0);
+            }
         }
     }
 }

@@ -17,7 +17,7 @@ fn names_are_those_of_the_command() {
         is(&level, &format!("\"{level}\""));
     }
     for edges in Edges::all() {
-        is(&edges, &format!("\"{edges}\""));
+        is(&edges, &format!("\"{}\"", edges.name()));
     }
     is(&Form::Polynomial(1), "\"plane\"");
     is(&Form::Polynomial(4), "\"polynomial:4\"");

@@ -41,7 +41,7 @@ proptest! {
             SelfAffine { grid, hurst, rolloff: 9e-6, cutoff, scale, seed, quantise: None };
         let map = surface.generate().unwrap();
         let power = PowerSpectrum::of(&map, Window::None).unwrap();
-        let (moments, _) = power.moments();
+        let moments = power.moments();
         match scale {
             Scale::RmsHeight(rms) => prop_assert!((moments.rms_height() / rms - 1.0).abs() < 1e-12),
             Scale::RmsGradient(g) => prop_assert!((moments.rms_gradient() / g - 1.0).abs() < 1e-12),
@@ -73,7 +73,7 @@ fn an_expected_gradient_is_the_mean_over_seeds() {
             quantise: None,
         };
         let power = PowerSpectrum::of(&recipe.generate().unwrap(), Window::None).unwrap();
-        (power.moments().0.rms_gradient() / 0.05).powi(2)
+        (power.moments().rms_gradient() / 0.05).powi(2)
     };
     let squares: Vec<f64> = (0..48).map(square).collect();
     let mean = squares.iter().sum::<f64>() / 48.0;
@@ -212,7 +212,7 @@ fn impossible_recipes_are_refused() {
         assert!(matches!(recipe.generate(), Err(StatsError::BadSetting { .. })), "{recipe:?}");
     }
     let empty = SelfAffine { cutoff: 65e-6, rolloff: 70e-6, ..good };
-    assert!(matches!(empty.generate(), Err(StatsError::EmptyBand { found: 0, .. })));
+    assert!(matches!(empty.generate(), Err(StatsError::EmptyBand { .. })));
     let one = SelfAffine { grid: Grid::new([1, 1], [1e-6, 1e-6]).unwrap(), ..good };
     assert!(matches!(one.generate(), Err(StatsError::EmptyBand { .. })));
 }
@@ -232,7 +232,7 @@ fn a_map_with_rms_height_and_gradient_both() {
     for gradient in [0.12, 0.2] {
         let recipe = recipe.with_gradient(gradient).unwrap();
         let map = recipe.generate().unwrap();
-        let found = PowerSpectrum::of(&map, Window::None).unwrap().moments().0;
+        let found = PowerSpectrum::of(&map, Window::None).unwrap().moments();
         assert!((found.rms_height() / 0.6e-6 - 1.0).abs() < 1e-12);
         assert!((found.rms_gradient() / gradient - 1.0).abs() < 1e-10, "{found:?}");
         assert!((8e-6..128e-6).contains(&recipe.rolloff));

@@ -24,11 +24,22 @@ pub(crate) struct Case {
 
 /// All lines.
 pub(crate) fn cases() -> Vec<Case> {
-    let mut all = waves();
-    all.extend(offsets());
-    all.extend(thin_maps());
-    all.extend(few_levels());
-    all
+    [waves(), offsets(), thin_maps(), few_levels()].into_iter().flatten().collect()
+}
+
+fn case(
+    what: &'static str,
+    extreme: &str,
+    compared_with: &'static str,
+    error: f64,
+    limit: f64,
+) -> Case {
+    Case { what, extreme: extreme.to_owned(), compared_with, error, limit }
+}
+
+/// What is absent where it should be a number.
+fn given(value: Option<f64>) -> f64 {
+    value.unwrap_or(f64::NAN)
 }
 
 fn map(shape: [usize; 2], pixel: [f64; 2], height: impl Fn(usize, usize) -> f64) -> HeightMap {
@@ -91,7 +102,7 @@ impl PlaneWave {
             (found.m4_x, m4_x),
             (found.m4_y, m4_y),
             (found.rms_gradient, (2.0 * m2).sqrt()),
-            (found.bandwidth.unwrap_or(f64::NAN), m0 * m4 / (m2 * m2)),
+            (given(found.bandwidth), m0 * m4 / (m2 * m2)),
         ])
     }
 
@@ -106,9 +117,6 @@ impl PlaneWave {
         ])
     }
 }
-
-const DIFFERENCES: &str = "closed form with 2 sin(q d/2)";
-const SPECTRUM: &str = "closed form with q";
 
 fn waves() -> Vec<Case> {
     let mut cases = Vec::new();
@@ -149,11 +157,10 @@ fn waves() -> Vec<Case> {
             errors[0] = errors[0].max(wave.by_differences(&found));
             errors[1] = errors[1].max(wave.by_spectrum(&found));
         }
-        let what = ["one cosine: m0, m2, m4 by differences", "one cosine: m0, m2, m4 by spectrum"];
-        for (i, compared_with) in [DIFFERENCES, SPECTRUM].into_iter().enumerate() {
-            let (what, error) = (what[i], errors[i]);
-            cases.push(Case { what, extreme: extreme.into(), compared_with, error, limit: 1e-12 });
-        }
+        let with = "closed form with 2 sin(q d/2)";
+        cases.push(case("one cosine: m0, m2, m4 by differences", extreme, with, errors[0], 1e-12));
+        let with = "closed form with q";
+        cases.push(case("one cosine: m0, m2, m4 by spectrum", extreme, with, errors[1], 1e-12));
     }
     cases
 }
@@ -170,22 +177,17 @@ fn offsets() -> Vec<Case> {
         let high = HeightMap::new(relief.grid(), heights).expect("the heights are finite");
         let low = HeightMap::new(relief.grid(), back).expect("the heights are finite");
         let (found, moved) = (statistics(&high), statistics(&low));
-        let same = |value: fn(&SurfaceStatistics) -> f64| (value(&found), value(&moved));
         let extreme = format!("heights of 1 nm on {place}");
-        cases.push(Case {
-            what: "one cosine: m0, m2, m4, both ways",
-            extreme: extreme.clone(),
-            compared_with: "the same heights moved back to 0, exactly",
-            error: worst(&[
-                same(|s| s.m0),
-                same(|s| s.m2),
-                same(|s| s.m4),
-                same(|s| s.m0_spectral),
-                same(|s| s.m2_spectral),
-                same(|s| s.m4_spectral),
-            ]),
-            limit: 1e-12,
-        });
+        let error = worst(&[
+            (found.m0, moved.m0),
+            (found.m2, moved.m2),
+            (found.m4, moved.m4),
+            (found.m0_spectral, moved.m0_spectral),
+            (found.m2_spectral, moved.m2_spectral),
+            (found.m4_spectral, moved.m4_spectral),
+        ]);
+        let with = "the same heights moved back to 0, exactly";
+        cases.push(case("one cosine: m0, m2, m4, both ways", &extreme, with, error, 1e-12));
         // Each height is off by half a spacing at most, which moves the root mean square of the
         // heights by no more, of first differences by twice, of second by four times as much.
         let half_spacing = 0.5 * (offset.next_up() - offset);
@@ -203,13 +205,9 @@ fn offsets() -> Vec<Case> {
             share(found.m4_y, d[0], 2, 0),
             share(found.m4_x, d[1], 2, 1),
         ];
-        cases.push(Case {
-            what: "one cosine: m0, m2, m4 by differences",
-            extreme,
-            compared_with: "closed form; as a share of what rounding of the heights allows",
-            error: shares.into_iter().fold(0.0, f64::max),
-            limit: 1.0,
-        });
+        let error = shares.into_iter().fold(0.0, f64::max);
+        let with = "closed form; as a share of what rounding of the heights allows";
+        cases.push(case("one cosine: m0, m2, m4 by differences", &extreme, with, error, 1.0));
     }
     cases
 }
@@ -222,11 +220,11 @@ fn thin_maps() -> Vec<Case> {
     let rows = amplitudes(&line).expect("a row of 97 points");
     let power = PowerSpectrum::of(&line, Window::None).expect("a row of 97 points");
     let q = 2.0 * wave.half_angles()[1] / wave.pixel[1];
-    let (spectral, _) = power.moments();
+    let spectral = power.moments();
     let profile = worst(&[
         (heights.rms_height, wave.m0().sqrt()),
-        (heights.skewness.unwrap_or(f64::NAN), 0.0),
-        (heights.kurtosis.unwrap_or(f64::NAN), 1.5),
+        (given(heights.skewness), 0.0),
+        (given(heights.kurtosis), 1.5),
         (rows.max_amplitude_ratio(), wave.amplitude * q / TAU),
         (spectral.m0, wave.m0()),
         (spectral.m2, 0.5 * wave.m0() * q * q),
@@ -238,24 +236,18 @@ fn thin_maps() -> Vec<Case> {
         (four.mean, 1.0),
         (four.rms_height, 3f64.sqrt()),
         (four.mean_abs_height, 1.5),
-        (four.skewness.unwrap_or(f64::NAN), 6.0 / 27f64.sqrt()),
-        (four.kurtosis.unwrap_or(f64::NAN), 21.0 / 9.0),
+        (given(four.skewness), 6.0 / 27f64.sqrt()),
+        (given(four.kurtosis), 21.0 / 9.0),
     ]);
     vec![
-        Case {
-            what: "one cosine: Sq, Ssk, Sku, B_max, m0, m2, m4 by spectrum",
-            extreme: "1 × 97".into(),
-            compared_with: "closed form",
-            error: profile,
-            limit: 1e-12,
-        },
-        Case {
-            what: "mean, Sq, Sa, Ssk, Sku of 0, 0, 0, 4",
-            extreme: "2 × 2".into(),
-            compared_with: "by hand",
-            error: by_hand,
-            limit: 1e-14,
-        },
+        case(
+            "one cosine: Sq, Ssk, Sku, B_max, m0, m2, m4 by spectrum",
+            "1 × 97",
+            "closed form",
+            profile,
+            1e-12,
+        ),
+        case("mean, Sq, Sa, Ssk, Sku of 0, 0, 0, 4", "2 × 2", "by hand", by_hand, 1e-14),
     ]
 }
 
@@ -263,8 +255,7 @@ fn thin_maps() -> Vec<Case> {
 fn few_levels() -> Vec<Case> {
     let mut cases = Vec::new();
     let mut push = |what, extreme: &str, error, limit| {
-        let compared_with = "closed form";
-        cases.push(Case { what, extreme: extreme.into(), compared_with, error, limit });
+        cases.push(case(what, extreme, "closed form", error, limit));
     };
     let flat = |height: f64| {
         let s = statistics(&map([17, 16], [1e-6, 1e-6], |_, _| height));
@@ -285,8 +276,8 @@ fn few_levels() -> Vec<Case> {
         let error = worst(&[
             (s.rms_height, a),
             (s.mean_abs_height, a),
-            (s.skewness.unwrap_or(f64::NAN), 0.0),
-            (s.kurtosis.unwrap_or(f64::NAN), 1.0),
+            (given(s.skewness), 0.0),
+            (given(s.kurtosis), 1.0),
             (s.m2, (2.0 * a / d).powi(2)),
             (s.m4, (4.0 * a / (d * d)).powi(2)),
         ]);
@@ -311,8 +302,8 @@ fn spike(height: f64) -> f64 {
     let squared = height * height / n;
     worst(&[
         (heights.rms_height, height * spread.sqrt()),
-        (heights.skewness.unwrap_or(f64::NAN), (1.0 - 2.0 * p) / spread.sqrt()),
-        (heights.kurtosis.unwrap_or(f64::NAN), 1.0 / spread - 3.0),
+        (given(heights.skewness), (1.0 - 2.0 * p) / spread.sqrt()),
+        (given(heights.kurtosis), 1.0 / spread - 3.0),
         (differences.m2_x, 2.0 * squared / (d * d)),
         (differences.m2_y, 2.0 * squared / (d * d)),
         (differences.m4_x, 6.0 * squared / (d * d) / (d * d)),
@@ -329,9 +320,9 @@ fn stairs(offset: f64) -> f64 {
     let s = SurfaceStatistics::of(&map, &options).expect("within range");
     let squares = levels * levels;
     worst(&[
-        (s.height_step.unwrap_or(f64::NAN), step),
+        (given(s.height_step), step),
         (s.rms_height, step * ((squares - 1.0) / 12.0).sqrt()),
-        (s.kurtosis.unwrap_or(f64::NAN), 0.6 * (3.0 * squares - 7.0) / (squares - 1.0)),
+        (given(s.kurtosis), 0.6 * (3.0 * squares - 7.0) / (squares - 1.0)),
         // L - 1 rises of one step and one fall of L - 1.
         (s.m2_x, (levels - 1.0) * (step / d).powi(2)),
         // The fall bends the line by L steps on each side.
