@@ -11,8 +11,8 @@ const FLAT_SLOPE: f64 = -1.0;
 /// Waves belong to the surface where the PSD is this many times the floor.
 pub(crate) const SIGNAL: f64 = 3.0;
 
-/// What white noise of rms `s` (m) adds to m2 and m4 by finite differences on pixels `[dy, dx]` (m):
-/// `s² (1/dx² + 1/dy²)` and `3 s² (1/dx⁴ + 1/dy⁴)`.
+/// What white noise of rms `s` (m) adds to m2 and m4 by finite differences on pixels `[dy, dx]`
+/// (m): `s² (1/dx² + 1/dy²)` and `3 s² (1/dx⁴ + 1/dy⁴)`.
 fn white_noise_moments(s: f64, [dy, dx]: [f64; 2]) -> [f64; 2] {
     let m2 = (s / dx).powi(2) + (s / dy).powi(2);
     [m2, 3.0 * ((s / dx / dx).powi(2) + (s / dy / dy).powi(2))]
@@ -37,9 +37,9 @@ pub(crate) fn is_flat([lower, upper]: [f64; 2], flat: f64) -> bool {
 }
 
 impl Warning {
-    /// Whether slopes and curvatures are those of the instrument: of the height step (m) if it explains the
-    /// noise, else of the noise. Rounding to steps of height Q is white noise of rms Q/√12, if the relief
-    /// changes by a step or more from pixel to pixel.
+    /// Whether slopes and curvatures are those of the instrument: of the height step (m) if it
+    /// explains the noise, else of the noise. Rounding to steps of height Q is white noise of rms
+    /// Q/√12, if the relief changes by a step or more from pixel to pixel.
     pub(crate) fn of_noise(
         moments: SpectralMoments,
         pixel: [f64; 2],
@@ -140,8 +140,9 @@ mod tests {
         assert_relative_eq!(m.m4, m4, max_relative = 0.1);
     }
 
-    /// Noise of 2 nm under a surface that ends at 8 um: level and end of the reliable band; also with every
-    /// second column off by as much as the noise, a line at the shortest wave, which is no surface.
+    /// Noise of 2 nm under a surface that ends at 8 um: level and end of the reliable band; also
+    /// with every second column off by as much as the noise, a line at the shortest wave, which is
+    /// no surface.
     #[test]
     fn finds_the_floor_and_where_it_begins() {
         let (clean, noise) = (surface(8e-6, 200e-9, 1), surface(2.4e-6, 2e-9, 2));

@@ -63,8 +63,8 @@ impl SpectralScales {
         Self::of_rings(rings, noise, limits, fractal_range, |r| fractal::fit_radial(rings, r))
     }
 
-    /// From a PSD with this noise. `limits` are the shortest cut-off and, without a roll-off, the longest
-    /// wavelength of the power law (m).
+    /// From a PSD with this noise. `limits` are the shortest cut-off and, without a roll-off, the
+    /// longest wavelength of the power law (m).
     pub(crate) fn of_rings(
         rings: &[Ring],
         noise: Option<NoiseFloor>,
@@ -83,7 +83,8 @@ impl SpectralScales {
         Self { noise, cutoff, rolloff, power_law, fractal_range: power_law.and(range) }
     }
 
-    /// D and G of the profiles of an isotropic surface with this radial PSD; G is absent unless 1 < D < 2.
+    /// D and G of the profiles of an isotropic surface with this radial PSD; G is absent unless 1 <
+    /// D < 2.
     pub fn fractal_of_surface(&self) -> (Option<f64>, Option<FractalParameters>) {
         let fractal = self.power_law.map(|law| law.fractal_of_surface());
         (fractal.map(|(dimension, _)| dimension), fractal.and_then(|(_, found)| found))

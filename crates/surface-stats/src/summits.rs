@@ -2,6 +2,7 @@
 
 use crate::{Edges, StatsError};
 use contact_types::HeightMap;
+use std::cmp::Ordering;
 
 /// Summits found pixel by pixel.
 ///
@@ -46,14 +47,14 @@ impl Summits {
         for iy in rows {
             for ix in columns.clone() {
                 match around.standing(iy, ix) {
-                    Standing::Highest => {
+                    Ordering::Greater => {
                         let [z, left, right, up, down] = around.cross(iy, ix);
                         let zxx = (right - z - (z - left)) / (dx * dx);
                         let zyy = (down - z - (z - up)) / (dy * dy);
                         found.push((z, -0.5 * (zxx + zyy)));
                     }
-                    Standing::Level => flat.push(iy * nx + ix),
-                    Standing::Lower => {}
+                    Ordering::Equal => flat.push(iy * nx + ix),
+                    Ordering::Less => {}
                 }
             }
         }
@@ -72,15 +73,6 @@ impl Summits {
             plateaus: around.count_plateaus(&flat),
         })
     }
-}
-
-enum Standing {
-    /// Higher than all eight neighbours.
-    Highest,
-    /// None is higher, at least one is equal.
-    Level,
-    /// At least one is higher.
-    Lower,
 }
 
 struct Neighbours<'a> {
@@ -105,17 +97,18 @@ impl Neighbours<'_> {
             .filter_map(move |k| Some(step(iy, k / 3, ny)? * nx + step(ix, k % 3, nx)?))
     }
 
-    fn standing(&self, iy: usize, ix: usize) -> Standing {
+    /// How the pixel stands to the highest of those around it.
+    fn standing(&self, iy: usize, ix: usize) -> Ordering {
         let z = self.map.at(iy, ix);
         let mut equal = false;
         for other in self.around(iy, ix) {
             let h = self.map.heights()[other];
             if h > z {
-                return Standing::Lower;
+                return Ordering::Less;
             }
             equal |= h >= z;
         }
-        if equal { Standing::Level } else { Standing::Highest }
+        if equal { Ordering::Equal } else { Ordering::Greater }
     }
 
     /// Heights of the pixel and of its left, right, upper and lower neighbours.

@@ -181,7 +181,8 @@ impl SelfAffine {
         Ok(Self { rolloff: middle.exp(), ..self })
     }
 
-    /// |q| (rad/m) of each wave of a half spectrum, and how many waves of the full plane it stands for.
+    /// |q| (rad/m) of each wave of a half spectrum, and how many waves of the full plane it stands
+    /// for.
     fn half_plane(&self) -> impl Iterator<Item = (f64, f64)> {
         let [ny, nx] = self.grid.shape();
         let waves = (0..ny).flat_map(move |iy| (0..=nx / 2).map(move |ix| (iy, ix)));

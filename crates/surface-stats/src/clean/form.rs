@@ -118,8 +118,8 @@ pub enum FormParameters {
 }
 
 /// Fits `form` by least squares of the vertical distances to the points of `heights` (m, row-major)
-/// that are not NaN, and replaces their heights by their distances above it. What was found, and the
-/// number of points fitted.
+/// that are not NaN, and replaces their heights by their distances above it. What was found, and
+/// the number of points fitted.
 pub(super) fn take_form_off(
     grid: Grid,
     heights: &mut [f64],

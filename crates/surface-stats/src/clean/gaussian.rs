@@ -44,7 +44,7 @@ pub(crate) fn gaussian_filter(
     }
 }
 
-/// The short waves of `heights`: what [`gaussian_filter`] takes off, and the mean with the long ones.
+/// What [`gaussian_filter`] takes off `heights`: the short waves.
 pub(crate) fn short_waves(
     grid: Grid,
     heights: &[f64],

@@ -134,24 +134,23 @@ impl fmt::Display for Record {
                 1e6 * jump,
                 1e6 * largest
             ),
-            Self::Outliers { rule, count: 0, limit, .. } => write!(
-                f,
-                "no spikes: no point is more than {:.4} µm off its neighbours ({} robust standard \
-                 deviations, {w} × {w} pixels)",
-                1e6 * limit,
-                rule.threshold,
-                w = 2 * rule.reach + 1
-            ),
-            Self::Outliers { rule, count, limit, largest } => write!(
-                f,
-                "{count} {} removed: more than {:.4} µm off the neighbours ({} robust standard \
-                 deviations, {w} × {w} pixels), the farthest by {:.4} µm",
-                if count == 1 { "spike" } else { "spikes" },
-                1e6 * limit,
-                rule.threshold,
-                1e6 * largest,
-                w = 2 * rule.reach + 1
-            ),
+            Self::Outliers { rule, count, limit, largest } => {
+                let (limit, largest, width) = (1e6 * limit, 1e6 * largest, 2 * rule.reach + 1);
+                let rule = format!(
+                    "({} robust standard deviations, {width} × {width} pixels)",
+                    rule.threshold
+                );
+                if count == 0 {
+                    let text = "no spikes: no point is more than";
+                    return write!(f, "{text} {limit:.4} µm off its neighbours {rule}");
+                }
+                let ending = if count == 1 { "" } else { "s" };
+                write!(
+                    f,
+                    "{count} spike{ending} removed: more than {limit:.4} µm off the neighbours \
+                     {rule}, the farthest by {largest:.4} µm"
+                )
+            }
             Self::Form { parameters, points } => {
                 match parameters {
                     FormParameters::Polynomial { degree: 1 } => f.write_str("plane")?,

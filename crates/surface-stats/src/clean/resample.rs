@@ -6,8 +6,8 @@ use grid_fft::{Complex, GridFft};
 use std::cmp::Ordering;
 use std::f64::consts::PI;
 
-/// The same area, `ny dy` by `nx dx`, on another number of points, for a map that repeats. Waves that both
-/// grids hold are kept exactly, others are dropped; nothing is smoothed.
+/// The same area, `ny dy` by `nx dx`, on another number of points, for a map that repeats. Waves
+/// that both grids hold are kept exactly, others are dropped; nothing is smoothed.
 ///
 /// # Errors
 /// [`StatsError::Surface`] for an empty or too large shape.

@@ -125,8 +125,8 @@ fn take_line_off(values: &mut [f64]) {
     }
 }
 
-/// Median difference of each of `lines` lines of `points` points to the one before, less the median of
-/// these, and the share of the mean square difference that such jumps make.
+/// Median difference of each of `lines` lines of `points` points to the one before, less the median
+/// of these, and the share of the mean square difference that such jumps make.
 fn jumps(lines: usize, points: usize, at: impl Fn(usize, usize) -> f64) -> (Vec<f64>, f64) {
     let mut differences = Vec::with_capacity(points);
     let mut medians = Vec::with_capacity(lines);

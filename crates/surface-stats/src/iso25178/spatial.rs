@@ -37,8 +37,8 @@ pub struct Spatial {
 }
 
 impl Spatial {
-    /// By the autocorrelation of a map, along rays half a degree apart; both are `None` on a flat map. An
-    /// open map needs four times its memory, twice.
+    /// By the autocorrelation of a map, along rays half a degree apart; both are `None` on a flat
+    /// map. An open map needs four times its memory, twice.
     ///
     /// # Errors
     /// [`StatsError::OutOfRange`]; [`StatsError::Surface`] if the continued map is too large.

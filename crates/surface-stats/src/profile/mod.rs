@@ -13,15 +13,13 @@ mod moments;
 mod parameters;
 mod roughness;
 mod scatter;
-mod setting;
 mod spectrum;
 mod statistics;
 mod trace;
 
 pub use moments::{AtSpacing, moments};
-pub use roughness::Roughness;
+pub use roughness::{Roughness, Setting, SettingSource};
 pub use scatter::MomentScatter;
-pub use setting::{Setting, SettingSource};
 pub use spectrum::TraceSpectrum;
 pub use statistics::{ParameterMean, ProfileOptions, ProfileStatistics};
 pub(crate) use trace::LEAST_POINTS;

@@ -14,9 +14,9 @@ pub(super) type ProfileParameters = [(&'static str, Option<f64>); 15];
 /// Parameters of a profile that is `sections` section lengths long (ISO 21920-2:2021).
 ///
 /// Ra, Rq, Rsk, Rku, Rt, Rdq, RSm and the Rk family are of the evaluation length; Rp, Rv and Rz are
-/// means over its section lengths. Heights are ordinates of the profile, counted from its mean line: what
-/// the filter λc leaves at 0, for P the form that was taken off. The mean over the evaluation length is not
-/// subtracted.
+/// means over its section lengths. Heights are ordinates of the profile, counted from its mean
+/// line: what the filter λc leaves at 0, for P the form that was taken off. The mean over the
+/// evaluation length is not subtracted.
 pub(super) fn parameters(
     profile: &Trace,
     sections: usize,
@@ -58,8 +58,8 @@ pub(super) fn parameters(
     ])
 }
 
-/// Rms of the seven-point slope over the points that are three or more from both ends (ISO 21920-2:2021,
-/// annex).
+/// Rms of the seven-point slope over the points that are three or more from both ends (ISO
+/// 21920-2:2021, annex).
 fn rms_slope(profile: &Trace) -> f64 {
     let windows = profile.heights().windows(7);
     let count = windows.len() as f64;

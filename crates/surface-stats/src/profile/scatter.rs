@@ -33,7 +33,7 @@ pub struct MomentScatter {
 
 /// Two-sided 95 % quantile of Student's t for `freedom` degrees of freedom, by its expansion about
 /// the normal one (Abramowitz & Stegun 26.7.5); `None` below 2, where it means nothing.
-pub(crate) fn students_t(freedom: f64) -> Option<f64> {
+fn students_t(freedom: f64) -> Option<f64> {
     const Z: f64 = 1.959_963_984_540_054;
     if freedom.is_nan() || freedom < 2.0 {
         return None;
@@ -69,17 +69,13 @@ impl MomentScatter {
                 freedom[k] += n - 1.0;
             }
         }
-        let mut correlation = [[0.0; 3]; 3];
-        for (i, row) in correlation.iter_mut().enumerate() {
-            for (j, r) in row.iter_mut().enumerate() {
+        let correlation = [0, 1, 2].map(|i| {
+            [0, 1, 2].map(|j: usize| {
                 let norm = (products[i][i] * products[j][j]).sqrt();
-                *r = match (i == j, norm > 0.0) {
-                    (true, _) => 1.0,
-                    (false, true) => products[i][j] / norm,
-                    (false, false) => 0.0,
-                };
-            }
-        }
+                let together = if norm > 0.0 { products[i][j] / norm } else { 0.0 };
+                if i == j { 1.0 } else { together }
+            })
+        });
         Self { relative_variance: variance, correlation, freedom, between }
     }
 

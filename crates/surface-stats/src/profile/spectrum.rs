@@ -185,8 +185,9 @@ mod tests {
         assert_relative_eq!(spectrum.moments().m2, 0.5e-14 * q * q, max_relative = 1e-3);
     }
 
-    /// White noise of rms 3 nm under a wave of 1 µm: its rms, and the wave stands out; also where every second
-    /// point is off by as much as the noise, a line at the shortest wave, which is no surface.
+    /// White noise of rms 3 nm under a wave of 1 µm: its rms, and the wave stands out; also where
+    /// every second point is off by as much as the noise, a line at the shortest wave, which is no
+    /// surface.
     #[test]
     fn a_floor_of_white_noise_is_found() {
         for line in [0.0, 3e-9] {

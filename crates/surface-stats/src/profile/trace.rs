@@ -74,8 +74,8 @@ impl Trace {
         Self::new(self.spacing(), heights)
     }
 
-    /// Without the waves shorter than `short` and those longer than `long` (m), where given. `long` also
-    /// takes half of itself off both ends, where the filter has seen only one side.
+    /// Without the waves shorter than `short` and those longer than `long` (m), where given. `long`
+    /// also takes half of itself off both ends, where the filter has seen only one side.
     pub(super) fn filtered(
         &self,
         short: Option<f64>,

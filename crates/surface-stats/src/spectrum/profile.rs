@@ -38,7 +38,8 @@ fn for_each_row(map: &HeightMap, window: Window, mut visit: impl FnMut(&[Complex
     }
 }
 
-/// Amplitude of the sinusoids of the rows, averaged over rows: input of the stacked multiscale models.
+/// Amplitude of the sinusoids of the rows, averaged over rows: input of the stacked multiscale
+/// models.
 ///
 /// ```math
 /// \Delta_k = \frac{2}{N} \langle |H_k| \rangle, \qquad f_k = \frac{k}{L}, \qquad
