@@ -1,11 +1,11 @@
 //! The statistics at the ends of their inputs: each case with its largest relative error.
 #![allow(clippy::print_stdout, reason = "the lines are the purpose")]
 
-#[path = "../tests/common/mod.rs"]
-mod common;
+#[path = "../tests/common/extremes.rs"]
+mod cases;
 
 fn main() {
-    for case in common::extremes::cases() {
+    for case in cases::cases() {
         println!(
             "{}, {}, against {}: {:.1e}",
             case.what, case.extreme, case.compared_with, case.error

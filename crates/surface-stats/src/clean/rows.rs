@@ -15,19 +15,19 @@ use contact_types::Grid;
 pub struct RowOffsets {
     /// Height of each row (m), by the sum of the medians, less the straight line through them: that is
     /// a tilt and stays.
-    pub offsets: Vec<f64>,
+    pub(super) offsets: Vec<f64>,
     /// Rms of the jumps from row to row (m).
     pub jump: f64,
     /// Share of the mean square difference between neighbouring rows that jumps of whole rows make \[-\].
     pub share: f64,
     /// The same between neighbouring columns \[-\].
-    pub share_of_columns: f64,
+    share_of_columns: f64,
     /// How many rows jump: (sum of the squares of the jumps)² over the sum of their fourth powers \[-\]. 1
     /// for a single step edge, a third of the rows for jumps that are normally distributed.
-    pub jumping: f64,
+    jumping: f64,
     /// Mean square change of the jump from row to row over the mean square jump \[-\]: near 0 for
     /// waves of many rows, 2 for jumps that do not know of each other, 3 for rows that do not.
-    pub roughness: f64,
+    roughness: f64,
 }
 
 /// Share of the differences from which rows are said to jump.

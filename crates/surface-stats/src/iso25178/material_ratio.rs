@@ -96,28 +96,19 @@ impl MaterialRatioCurve {
         self.height(0.025) - self.height(0.5)
     }
 
-    /// Material above the height of ratio `ratio`, per area (m): the area between the curve and
-    /// that height.
-    fn material_volume(&self, ratio: f64) -> f64 {
-        self.scale * self.area_above(ratio.clamp(0.0, 1.0), self.scaled_height(ratio))
-    }
-
-    /// Void below the height of ratio `ratio`, per area (m).
-    fn void_volume(&self, ratio: f64) -> f64 {
-        let (ratio, level) = (ratio.clamp(0.0, 1.0), self.scaled_height(ratio));
-        // Whole curve minus the part above, both counted from the level.
-        self.scale * (self.area_above(ratio, level) - self.area_above(1.0, level)).max(0.0)
-    }
-
     /// Vmp, Vmc, Vvc, Vvv at ratios 10 % and 80 %.
     pub fn volumes(&self) -> Volumes {
-        let material = [0.1, 0.8].map(|ratio| self.material_volume(ratio));
-        let void = [0.1, 0.8].map(|ratio| self.void_volume(ratio));
+        // Material above the height of a ratio, and void below it.
+        let [[peak_material, void], [material, valley_void]] = [0.1, 0.8].map(|ratio| {
+            let level = self.scaled_height(ratio);
+            let above = self.area_above(ratio, level);
+            [above, (above - self.area_above(1.0, level)).max(0.0)].map(|area| self.scale * area)
+        });
         Volumes {
-            peak_material: material[0],
-            core_material: material[1] - material[0],
-            core_void: void[0] - void[1],
-            valley_void: void[1],
+            peak_material,
+            core_material: material - peak_material,
+            core_void: void - valley_void,
+            valley_void,
         }
     }
 

@@ -23,9 +23,7 @@ pub fn moments(trace: &Trace) -> SpectralMoments {
 /// Moments of a trace as if its points stood further apart.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct AtSpacing {
-    /// Every how many points the differences are taken.
-    pub every: usize,
-    /// Over this distance (m).
+    /// The distance over which differences are taken (m).
     pub spacing: f64,
     /// m0 of the trace; m2 and m4 by differences over this distance.
     pub moments: SpectralMoments,
@@ -37,7 +35,6 @@ pub(super) fn moments_by_spacing(trace: &Trace) -> Vec<AtSpacing> {
     doubled
         .take_while(|every| *every == 1 || 16 * every <= trace.len())
         .map(|every| AtSpacing {
-            every,
             spacing: every as f64 * trace.spacing(),
             moments: at(trace, every),
         })

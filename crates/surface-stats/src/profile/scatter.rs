@@ -22,11 +22,11 @@ const PIECES: usize = 16;
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct MomentScatter {
     /// Variance of each relative to its square (-), of the mean over all traces.
-    pub relative_variance: [f64; 3],
+    relative_variance: [f64; 3],
     /// How they vary together (-1 to 1).
-    pub correlation: [[f64; 3]; 3],
+    correlation: [[f64; 3]; 3],
     /// Degrees of freedom of each variance.
-    pub freedom: [f64; 3],
+    freedom: [f64; 3],
     /// Relative standard deviation from trace to trace, of two or more.
     pub between: Option<[f64; 3]>,
 }

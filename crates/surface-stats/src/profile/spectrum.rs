@@ -21,11 +21,11 @@ const FLOOR_BINS: usize = 8;
 #[derive(Debug, Clone, PartialEq)]
 pub struct TraceSpectrum {
     /// Frequency (1/m) and PSD (m³), rising.
-    pub bins: Vec<ProfileBin>,
+    bins: Vec<ProfileBin>,
     /// Spacing of the points (m).
-    pub spacing: f64,
+    spacing: f64,
     /// Traces averaged.
-    pub traces: usize,
+    traces: usize,
 }
 
 impl TraceSpectrum {

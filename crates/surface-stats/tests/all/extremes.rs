@@ -1,7 +1,6 @@
 //! No map gives NaN: a typed error or finite values, at every extreme.
 
-use crate::common;
-
+use crate::cases::cases;
 use contact_types::{Grid, HeightMap};
 use proptest::prelude::*;
 use std::fmt::Debug;
@@ -12,7 +11,7 @@ use surface_stats::{Edges, Level, StatsError, StatsOptions, Summits, SurfaceStat
 /// Every line of the table in the book, each with its limit.
 #[test]
 fn closed_forms_at_the_extremes() {
-    let cases = common::extremes::cases();
+    let cases = cases();
     assert!(cases.len() >= 28, "only {} lines", cases.len());
     for case in cases {
         let (error, limit) = (case.error, case.limit);

@@ -2,9 +2,8 @@
 
 #![allow(clippy::unwrap_used, reason = "a check that cannot be made has failed")]
 
-#[path = "../common/mod.rs"]
-mod common;
-
+#[path = "../common/extremes.rs"]
+mod cases;
 mod extremes;
 mod pair;
 mod reference;

@@ -5,9 +5,9 @@ use surface_stats::pair::{Composite, Flip, PairError, Placing};
 use surface_stats::synthesis::{Scale, SelfAffine};
 use surface_stats::{Edges, Level};
 
-fn rough(shape: [usize; 2], pixel: [f64; 2], seed: u64) -> HeightMap {
+fn rough(shape: [usize; 2], seed: u64) -> HeightMap {
     let recipe = SelfAffine {
-        grid: Grid::new(shape, pixel).expect("a grid"),
+        grid: Grid::new(shape, [1e-6; 2]).expect("a grid"),
         hurst: 0.8,
         rolloff: 16e-6,
         cutoff: 6e-6,
@@ -41,7 +41,7 @@ fn mirrored(map: &HeightMap, how: Flip) -> HeightMap {
 
 #[test]
 fn a_flat_body_changes_no_bit() {
-    for map in [rough([48, 64], [1e-6; 2], 1), part(&rough([64, 64], [1e-6; 2], 1), [40, 30])] {
+    for map in [rough([48, 64], 1), part(&rough([64, 64], 1), [40, 30])] {
         let flat = HeightMap::from_fn(map.grid(), |_, _| 0.0).unwrap();
         for how in Flip::all() {
             let pair = Composite::of(&map, &flat, &at(how, [0.0; 2])).unwrap();
@@ -56,7 +56,7 @@ fn a_flat_body_changes_no_bit() {
 /// The bodies change places: the same gap, seen from the other side.
 #[test]
 fn the_order_of_the_bodies_does_not_matter() {
-    let (a, b) = (rough([48, 64], [1e-6; 2], 1), rough([48, 64], [1e-6; 2], 2));
+    let (a, b) = (rough([48, 64], 1), rough([48, 64], 2));
     for (a, b) in [(part(&a, [32, 40]), part(&b, [32, 40])), (a, b)] {
         for how in Flip::all() {
             let shift = [3e-6, 5e-6];
@@ -85,7 +85,7 @@ fn the_order_of_the_bodies_does_not_matter() {
 
 #[test]
 fn a_body_mates_with_its_negative() {
-    let map = part(&rough([64, 64], [1e-6; 2], 1), [40, 30]);
+    let map = part(&rough([64, 64], 1), [40, 30]);
     let negative =
         |m: &HeightMap| HeightMap::new(m.grid(), m.heights().iter().map(|h| -h).collect()).unwrap();
     for how in Flip::all() {
@@ -102,7 +102,7 @@ fn a_body_mates_with_its_negative() {
 
 #[test]
 fn a_shift_by_a_period_is_none() {
-    let (a, b) = (rough([48, 64], [1e-6; 2], 1), rough([48, 64], [1e-6; 2], 2));
+    let (a, b) = (rough([48, 64], 1), rough([48, 64], 2));
     let unmoved = Composite::of(&a, &b, &at(Flip::Columns, [0.0; 2])).unwrap();
     for shift in [[48e-6, 0.0], [0.0, -64e-6], [-96e-6, 640e-6]] {
         let moved = Composite::of(&a, &b, &at(Flip::Columns, shift)).unwrap();
@@ -120,7 +120,7 @@ fn a_shift_by_a_period_is_none() {
 /// Without a period the common part is what is left, and it is where it should be.
 #[test]
 fn open_maps_keep_what_they_have_in_common() {
-    let (a, b) = (rough([64, 64], [1e-6; 2], 1), rough([64, 64], [1e-6; 2], 2));
+    let (a, b) = (rough([64, 64], 1), rough([64, 64], 2));
     let (a, b) = (part(&a, [40, 30]), part(&b, [40, 30]));
     let pair = Composite::of(&a, &b, &at(Flip::None, [10.3e-6, -4e-6])).unwrap();
     assert_eq!(pair.map.grid().shape(), [30, 26]);
@@ -143,7 +143,7 @@ fn moments_of_independent_surfaces_add_within_the_scatter_reported() {
         let mut deviations = [Vec::new(), Vec::new(), Vec::new()];
         for seed in 0..60 {
             let map = |seed| {
-                let map = rough([80, 96], [1e-6; 2], seed);
+                let map = rough([80, 96], seed);
                 if is_open { part(&map, [72, 80]) } else { map }
             };
             let (a, b) = (map(2 * seed), map(2 * seed + 1));
