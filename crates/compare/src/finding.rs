@@ -2,7 +2,7 @@
 
 use crate::EdgesName;
 use crate::adhesion::Adhesion;
-use crate::profile::fact::ProfileFact;
+use crate::profile::Unevenness;
 use contact_accuracy::{EdgeShare, NoUncertainty, Reached};
 use contact_types::Named;
 use serde::Serialize;
@@ -27,108 +27,76 @@ impl Named for Weight {
         &[(Self::Check, "check"), (Self::Note, "note"), (Self::Passed, "passed")];
 }
 
-/// What a finding is about.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize)]
-#[serde(rename_all = "snake_case")]
-pub enum Topic {
-    /// What the solids bear.
-    Material,
-    /// The heights.
-    Surface,
-    /// The point spacing, against what it has to resolve.
-    Grid,
-    /// The deterministic solution.
-    Solution,
-    /// What lies beyond the edges of the map.
-    Edges,
-    /// The choice made for an accuracy asked for.
-    Plan,
-}
-
-impl Named for Topic {
-    const NAMES: &'static [(Self, &'static str)] = &[
-        (Self::Material, "material"),
-        (Self::Surface, "surface"),
-        (Self::Grid, "grid"),
-        (Self::Solution, "solution"),
-        (Self::Edges, "edges"),
-        (Self::Plan, "plan"),
-    ];
-}
-
-/// How the solution of a load ended.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub enum Ended {
-    /// At its tolerance.
-    Converged,
-    /// Where rounding kept it from its tolerance.
-    AtRounding,
-    /// Before that, or not at all.
-    Short,
-    /// Not begun: no contact bears the load, which is said of itself.
-    Refused,
-}
-
 /// One finding.
 #[derive(Debug, Clone, PartialEq, Serialize)]
 #[non_exhaustive]
 pub struct Finding {
     /// How much it matters.
     pub weight: Weight,
+    /// The body of a pair that it was found on; `None` if it is of the whole.
+    pub body: Option<String>,
     /// What was found.
     pub fact: Fact,
 }
 
 impl Finding {
+    /// A fact of this weight.
+    pub(crate) fn of(weight: Weight, fact: Fact) -> Self {
+        Self { weight, body: None, fact }
+    }
+
+    /// A fact that may change a conclusion.
+    pub(crate) fn check(fact: Fact) -> Self {
+        Self::of(Weight::Check, fact)
+    }
+
     /// A fact that is good to know.
-    pub fn note(fact: Fact) -> Self {
-        Self { weight: Weight::Note, fact }
+    pub(crate) fn note(fact: Fact) -> Self {
+        Self::of(Weight::Note, fact)
+    }
+
+    /// A fact that may change a conclusion if it `matters`, and is good to know if not.
+    pub(crate) fn check_if(matters: bool, fact: Fact) -> Self {
+        Self::of(if matters { Weight::Check } else { Weight::Note }, fact)
     }
 
     /// What the statistics warn of.
     pub(crate) fn warned(warning: Warning) -> Self {
-        let weight = match warning {
+        let matters = matches!(
+            warning,
             Warning::Rounding { .. }
-            | Warning::Flat
-            | Warning::Tilted { .. }
-            | Warning::RowsJump { .. }
-            | Warning::Anisotropic { .. }
-            | Warning::NotGaussian { .. }
-            | Warning::NarrowBand { .. }
-            | Warning::Unresolved { .. }
-            | Warning::Stepped { .. }
-            | Warning::Noisy { .. } => Weight::Check,
-            _ => Weight::Note,
-        };
-        Self { weight, fact: Fact::Warned(warning) }
+                | Warning::Flat
+                | Warning::Tilted { .. }
+                | Warning::RowsJump { .. }
+                | Warning::Anisotropic { .. }
+                | Warning::NotGaussian { .. }
+                | Warning::NarrowBand { .. }
+                | Warning::Unresolved { .. }
+                | Warning::Stepped { .. }
+                | Warning::Noisy { .. }
+        );
+        Self::check_if(matters, Fact::Warned(warning))
     }
 
-    /// What it is about.
-    pub fn subject(&self) -> Topic {
+    /// What it is about: `material` (what the solids bear), `surface` (the heights), `grid` (the point spacing, against
+    /// what it has to resolve), `solution`, `edges` (what lies beyond them) or `plan` (the choice for an accuracy).
+    pub fn subject(&self) -> &'static str {
         match &self.fact {
             Fact::Yield(_)
             | Fact::Yielding(_)
             | Fact::OddHardness { .. }
             | Fact::BulkYield { .. }
-            | Fact::Adhesion(_) => Topic::Material,
-            Fact::NotConverged { .. } | Fact::AtRounding { .. } => Topic::Solution,
-            Fact::PlanUnmet(_) => Topic::Plan,
+            | Fact::Adhesion(_) => "material",
+            Fact::NoUncertainty {
+                why: NoUncertainty::NotConverged | NoUncertainty::AtRounding,
+                ..
+            } => "solution",
+            Fact::PlanUnmet(_) => "plan",
             Fact::Interpolation { .. } | Fact::NoUncertainty { .. } | Fact::BelowPoint { .. } => {
-                Topic::Grid
+                "grid"
             }
-            Fact::EdgeJump { .. } => Topic::Edges,
-            Fact::Unit { .. }
-            | Fact::Spikes { .. }
-            | Fact::Steep(_)
-            | Fact::Profile(_)
-            | Fact::Warned(_)
-            | Fact::Filled { .. }
-            | Fact::Cleaned(_)
-            | Fact::Pair { .. }
-            | Fact::PixelsDiffer { .. }
-            | Fact::CommonPart { .. }
-            | Fact::OfBody { .. }
-            | Fact::Passed(_) => Topic::Surface,
+            Fact::EdgeJump { .. } => "edges",
+            _ => "surface",
         }
     }
 }
@@ -167,20 +135,11 @@ pub enum Fact {
     /// Whether the bodies stick, with a work of adhesion that was given.
     Adhesion(Box<Adhesion>),
     /// Slopes that small-slope elasticity does not cover.
-    Steep(Steep),
-    /// Loads without a converged solution.
-    NotConverged {
-        /// How many.
-        loads: usize,
-        /// Of how many.
-        of: usize,
-    },
-    /// Loads whose solution rounding kept from its tolerance.
-    AtRounding {
-        /// How many.
-        loads: usize,
-        /// Of how many.
-        of: usize,
+    Steep {
+        /// Rms gradient \[-\].
+        gradient: f64,
+        /// True if small-slope elasticity has ended, false if it strains.
+        is_over: bool,
     },
     /// An accuracy that was asked for and is not met.
     PlanUnmet(Box<Reached>),
@@ -211,8 +170,43 @@ pub enum Fact {
         /// Of how many.
         of: usize,
     },
-    /// Of profiles: what one direction and a finite length leave open.
-    Profile(ProfileFact),
+    /// Of profiles: one direction was measured, and the models are of isotropic surfaces.
+    OneDirection,
+    /// What the length and number of the traces leave open.
+    Sample {
+        /// How many traces.
+        traces: usize,
+        /// Length of each (m).
+        length: f64,
+        /// Relative 95 % factors of m0, m2, m4: a moment times or divided by it; `None` where the
+        /// traces hold too few waves to tell.
+        factors: [Option<f64>; 3],
+        /// Relative standard deviations from trace to trace, of two or more.
+        between: Option<[f64; 3]>,
+    },
+    /// The points of traces were put at equal distances.
+    Uneven(Unevenness),
+    /// Traces without parameters of roughness.
+    NoRoughness {
+        /// Why not, as the statistics refuse it.
+        why: String,
+    },
+    /// The cut-off that Ra asks for is longer than the traces allow.
+    CoarserClass {
+        /// λc that was used (m).
+        cutoff: f64,
+        /// Ra with it (m).
+        ra: f64,
+        /// Length of the traces (m).
+        length: f64,
+    },
+    /// λs was left out.
+    NoShort {
+        /// λs (m).
+        short: f64,
+        /// Spacing of the points (m).
+        spacing: f64,
+    },
     /// A warning of the statistics.
     Warned(Warning),
     /// Edges that do not match.
@@ -261,20 +255,6 @@ pub enum Fact {
         names: [String; 2],
         /// Their pixels `[dy, dx]` (m).
         pixels: [[f64; 2]; 2],
-    },
-    /// Two bodies of which only parts lie on each other.
-    CommonPart {
-        /// Their names.
-        names: [String; 2],
-        /// Part of each that lies on the other \[-\].
-        shares: [f64; 2],
-    },
-    /// What was found on one body of a pair.
-    OfBody {
-        /// Its name.
-        body: String,
-        /// What was found.
-        fact: Box<Fact>,
     },
     /// What was tested and is fine.
     Passed(Passed),
@@ -331,16 +311,6 @@ pub struct Yielding {
     pub area: f64,
     /// The same of elastic bodies \[-\], if there is a solution.
     pub elastic_area: Option<f64>,
-}
-
-/// Steep slopes.
-#[derive(Debug, Clone, Copy, PartialEq, Serialize)]
-#[non_exhaustive]
-pub struct Steep {
-    /// Rms gradient \[-\].
-    pub gradient: f64,
-    /// True if small-slope elasticity has ended, false if it strains.
-    pub is_over: bool,
 }
 
 /// What the strip along the edges does to the area at the headline.

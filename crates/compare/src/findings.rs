@@ -1,12 +1,12 @@
 //! What may change a conclusion: decided here once, for page, terminal and files alike.
 
 use crate::adhesion::Adhesion;
-use crate::finding::{Ended, Fact, Finding, Passed, Pressed, Seam, Weight, Yielding};
-use crate::result::{DeterministicAnswer, SurfaceComparison};
+use crate::finding::{Fact, Finding, Passed, Pressed, Seam, Weight, Yielding};
+use crate::result::{DeterministicPoint, SurfaceComparison};
 use crate::scene::{Scene, is_steep};
 use crate::yielding::{BULK_YIELD, hardness_of};
 use crate::{Independence, Origin, PairFound, PairOrigin, Spikes};
-use contact_accuracy::{Budget, EdgeShare, INDICATOR_LIMIT, NoUncertainty, Reached};
+use contact_accuracy::{EdgeShare, INDICATOR_LIMIT, NoUncertainty, Reached};
 use surface_stats::clean::Record;
 use surface_stats::{SurfaceStatistics, Warning};
 
@@ -15,54 +15,59 @@ const EDGES_MATTER: f64 = 0.05;
 /// Part of filled points from which they may.
 const FILLED_MATTER: f64 = 0.05;
 
-fn check(fact: Fact) -> Finding {
-    Finding { weight: Weight::Check, fact }
-}
-
 /// The findings of a study on one surface, worst first.
 pub fn findings(surface: &SurfaceComparison) -> Vec<Finding> {
     let points = &surface.deterministic;
-    let ends: Vec<Ended> = points
-        .iter()
-        .map(|p| p.answer.as_ref().map_or(Ended::Short, DeterministicAnswer::ended))
-        .collect();
-    let unsolved = ends.iter().filter(|end| **end != Ended::Converged).count();
-    let mut found = scene(surface).findings();
-    found.extend(hardness(surface));
-    found.extend(surface.adhesion.map(sticking));
-    let share = surface.spikes.share(surface.surface.grid().len(), &surface.pressure);
-    found.extend(spiky(&surface.spikes, share));
-    found.extend(unsolved_loads(&ends));
-    let answers = points.iter().filter_map(|p| p.answer.as_ref());
-    let small =
-        answers.filter(|a| is_below_a_point(a.touching_fraction, a.contact_perimeter)).count();
-    found.extend(below_a_point(small, points.len()));
-    found.extend(surface.plan.as_ref().and_then(unmet));
-    found.extend(uncertainty(surface, unsolved));
-    let answers = points.iter().filter_map(|p| p.answer.as_ref());
-    found.extend(interpolation(
-        answers.map(|a| (a.budget.indicator, a.finer.as_ref().map(|n| n.area))),
-    ));
-    let warnings = surface.statistics.warnings.iter();
-    found.extend(warnings.map(|w| match w {
-        Warning::EdgeJump { ratio } => edge_jump(*ratio, surface),
-        other => Finding::warned(*other),
-    }));
-    if let Origin::File(file) = &surface.origin {
-        let all = surface.surface.grid().len();
-        found.extend(filled(file.missing, all, &file.fill, &file.cleaned));
-    }
-    found.extend(surface.origin.pair().map(of_pair).into_iter().flatten());
-    found.extend(cleaned(surface.origin.cleaned()));
-    found.extend(passed(surface));
-    found.sort_by_key(|f| f.weight);
-    found
+    let answers = || points.iter().filter_map(|p| p.answer.as_ref());
+    let file = match &surface.origin {
+        Origin::File(file) => Some(file),
+        _ => None,
+    };
+    let solved = Solved {
+        scene: scene(surface),
+        spikes: surface.spikes.clone(),
+        spike_share: surface.spikes.share(surface.surface.grid().len(), &surface.pressure),
+        loads: without_uncertainty(surface),
+        indicators: answers()
+            .map(|a| (a.budget.indicator, a.finer.as_ref().map(|n| n.area)))
+            .collect(),
+        plan: surface.plan.as_ref(),
+        small: answers()
+            .filter(|a| is_below_a_point(a.touching_fraction, a.contact_perimeter))
+            .count(),
+        missing: file.map_or(0, |file| file.missing),
+        points: surface.surface.grid().len(),
+        fill: file.map_or("", |file| &file.fill),
+        cleaned: surface.origin.cleaned(),
+        pair: surface.origin.pair(),
+        adhesion: surface.adhesion,
+    };
+    let warned = |warning: &Warning| match *warning {
+        Warning::EdgeJump { ratio } => edge_jump(ratio, surface),
+        other => Finding::warned(other),
+    };
+    let warned = surface.statistics.warnings.iter().map(warned);
+    solved.with(hardness(surface), warned.chain(passed(surface)))
+}
+
+/// Why the area of each load has no uncertainty. Of those that converged it is that of the headline, and none where the
+/// headline has one, the map is flat or another load did not converge.
+fn without_uncertainty(surface: &SurfaceComparison) -> Vec<Option<NoUncertainty>> {
+    let of = |point: &DeterministicPoint| match &point.answer {
+        Some(answer) if answer.converged => answer.budget.area.half_width().err(),
+        Some(answer) if answer.stopped_at_rounding => Some(NoUncertainty::AtRounding),
+        _ => Some(NoUncertainty::NotConverged),
+    };
+    let all: Vec<_> = surface.deterministic.iter().map(of).collect();
+    let is_told = surface.statistics.rms_height > 0.0 && !all.iter().flatten().any(is_unsolved);
+    let headline = all.get(surface.headline).copied().flatten().filter(|_| is_told);
+    let told = |why: NoUncertainty| if is_unsolved(&why) { Some(why) } else { headline };
+    all.into_iter().map(|why| why.and_then(told)).collect()
 }
 
 /// Whether the bodies stick: good to know if that is negligible, a thing to look at if not.
 pub fn sticking(adhesion: Adhesion) -> Finding {
-    let weight = if adhesion.negligible { Weight::Note } else { Weight::Check };
-    Finding { weight, fact: Fact::Adhesion(Box::new(adhesion)) }
+    Finding::check_if(!adhesion.negligible, Fact::Adhesion(Box::new(adhesion)))
 }
 
 /// What the statistics of a map alone say, worst first; `spikes` are its own.
@@ -84,9 +89,8 @@ pub fn measured(s: &SurfaceStatistics, spikes: &Spikes) -> Vec<Finding> {
 fn hardness(surface: &SurfaceComparison) -> Vec<Finding> {
     let Some(given) = hardness_of(surface) else { return Vec::new() };
     let pascals = given.pascals;
-    let mut found = Vec::new();
-    found
-        .extend(given.unusual().map(|usual| check(Fact::OddHardness { hardness: pascals, usual })));
+    let odd = |usual| Finding::check(Fact::OddHardness { hardness: pascals, usual });
+    let mut found: Vec<Finding> = given.unusual().map(odd).into_iter().collect();
     let solved = surface.deterministic.iter().filter(|p| p.answer.is_some());
     let highest = solved.map(|p| p.mean_pressure).fold(0.0, f64::max);
     if highest > BULK_YIELD * pascals {
@@ -140,8 +144,8 @@ pub struct Solved<'a> {
     pub spikes: Spikes,
     /// Largest share of the load that they carry \[-\], if it is known.
     pub spike_share: Option<f64>,
-    /// Of each load: how its solution ended, and why its area has no uncertainty, if it has none.
-    pub loads: Vec<(Ended, Option<NoUncertainty>)>,
+    /// Of each load: why its area has no uncertainty, if it has none.
+    pub loads: Vec<Option<NoUncertainty>>,
     /// Of each load: its indicator, and the area on twice the points if it was solved.
     pub indicators: Vec<(Option<f64>, Option<f64>)>,
     /// The rung that was reached, if an accuracy was asked for.
@@ -165,25 +169,48 @@ pub struct Solved<'a> {
 impl Solved<'_> {
     /// The findings, worst first.
     pub fn findings(&self) -> Vec<Finding> {
+        self.with(Vec::new(), [])
+    }
+
+    /// The same with what a hardness does to the headline, and what the statistics say.
+    fn with(
+        &self,
+        hardness: Vec<Finding>,
+        statistics: impl IntoIterator<Item = Finding>,
+    ) -> Vec<Finding> {
         let of = self.loads.len();
         let mut found = self.scene.findings();
+        found.extend(hardness);
         found.extend(self.adhesion.map(sticking));
         found.extend(spiky(&self.spikes, self.spike_share));
-        found.extend(unsolved_loads(&self.loads.iter().map(|l| l.0).collect::<Vec<_>>()));
-        found.extend(below_a_point(self.small, of));
-        found.extend(self.plan.and_then(unmet));
-        found.extend(interpolation(self.indicators.iter().copied()));
-        let bare: Vec<NoUncertainty> =
-            self.loads.iter().filter(|l| l.0 == Ended::Converged).filter_map(|l| l.1).collect();
-        if let Some(why) = bare.first().copied() {
-            found.push(check(Fact::NoUncertainty { why, loads: bare.len(), of }));
+        for why in [NoUncertainty::NotConverged, NoUncertainty::AtRounding] {
+            let loads = self.loads.iter().filter(|load| **load == Some(why)).count();
+            found.extend(
+                (loads > 0).then(|| Finding::check(Fact::NoUncertainty { why, loads, of })),
+            );
         }
+        if self.small > 0 {
+            found.push(Finding::check(Fact::BelowPoint { loads: self.small, of }));
+        }
+        let unmet = self.plan.filter(|plan| plan.unmet.is_some());
+        found.extend(unmet.map(|plan| Finding::check(Fact::PlanUnmet(Box::new(plan.clone())))));
+        let bare: Vec<_> = self.loads.iter().flatten().filter(|why| !is_unsolved(why)).collect();
+        if let Some(&&why) = bare.first() {
+            found.push(Finding::check(Fact::NoUncertainty { why, loads: bare.len(), of }));
+        }
+        found.extend(interpolation(&self.indicators));
+        found.extend(statistics);
         found.extend(filled(self.missing, self.points, self.fill, self.cleaned));
         found.extend(cleaned(self.cleaned));
         found.extend(self.pair.map(of_pair).into_iter().flatten());
         found.sort_by_key(|f| f.weight);
         found
     }
+}
+
+/// Whether an area has no uncertainty because its load was not solved to the tolerance.
+fn is_unsolved(why: &NoUncertainty) -> bool {
+    matches!(why, NoUncertainty::NotConverged | NoUncertainty::AtRounding)
 }
 
 /// Larger over smaller distance of points from which waves of one body are missing in the sum.
@@ -195,27 +222,18 @@ pub fn of_pair(pair: &PairOrigin) -> Vec<Finding> {
     let names = || pair.names.clone();
     let mut found = Vec::new();
     if !independence.holds() {
-        found.push(check(Fact::Pair { names: names(), moments: *independence }));
+        found.push(Finding::check(Fact::Pair { names: names(), moments: *independence }));
     }
     if placed.resampled.contains(&true) {
         let matters = placed.pixel_ratio() >= PIXELS_MATTER;
-        let weight = if matters { Weight::Check } else { Weight::Note };
         let pixels = placed.grids.map(|grid| grid.pixel());
-        found.push(Finding { weight, fact: Fact::PixelsDiffer { names: names(), pixels } });
-    }
-    let shares = placed.shares();
-    // Less than a point in a thousand is no part.
-    if shares.iter().any(|share| *share < 0.999) {
-        let fact = Fact::CommonPart { names: names(), shares };
-        found.push(Finding { weight: Weight::Note, fact });
+        found.push(Finding::check_if(matters, Fact::PixelsDiffer { names: names(), pixels }));
     }
     for ((body, origin), grid) in pair.names.iter().zip(&*pair.bodies).zip(placed.grids) {
         let Origin::File(file) = origin else { continue };
         let own = filled(file.missing, grid.len(), &file.fill, &file.cleaned);
-        found.extend(own.into_iter().chain(cleaned(&file.cleaned)).map(|f| Finding {
-            weight: f.weight,
-            fact: Fact::OfBody { body: body.clone(), fact: Box::new(f.fact) },
-        }));
+        let own = own.into_iter().chain(cleaned(&file.cleaned));
+        found.extend(own.map(|f| Finding { body: Some(body.clone()), ..f }));
     }
     found
 }
@@ -224,21 +242,10 @@ pub fn of_pair(pair: &PairOrigin) -> Vec<Finding> {
 /// a thousandth.
 pub fn spiky(spikes: &Spikes, share: Option<f64>) -> Option<Finding> {
     let count = spikes.indices.len();
-    let weight = if share.is_some_and(|s| s > 0.05) { Weight::Check } else { Weight::Note };
     let Spikes { points: of, largest, taken, .. } = *spikes;
     let fact = Fact::Spikes { count, of, largest, share, taken };
     let matters = count > 0 && share.is_none_or(|s| s >= 1e-3);
-    matters.then_some(Finding { weight, fact })
-}
-
-/// Loads without a solution to tolerance, by what kept them from it.
-fn unsolved_loads(ends: &[Ended]) -> impl Iterator<Item = Finding> {
-    let of = ends.len();
-    let count = |end| ends.iter().filter(|e| **e == end).count();
-    let (short, rounded) = (count(Ended::Short), count(Ended::AtRounding));
-    let short = (short > 0).then(|| check(Fact::NotConverged { loads: short, of }));
-    let rounded = (rounded > 0).then(|| check(Fact::AtRounding { loads: rounded, of }));
-    short.into_iter().chain(rounded)
+    matters.then(|| Finding::check_if(share.is_some_and(|s| s > 0.05), fact))
 }
 
 /// Whether every touching point stands alone, with four edges of the contact line: the contacts are smaller than a point
@@ -247,41 +254,20 @@ pub fn is_below_a_point(touching: f64, perimeter: f64) -> bool {
     touching > 0.0 && perimeter > 3.999 * touching
 }
 
-fn below_a_point(loads: usize, of: usize) -> Option<Finding> {
-    (loads > 0).then(|| check(Fact::BelowPoint { loads, of }))
-}
-
-fn unmet(plan: &Reached) -> Option<Finding> {
-    plan.unmet.as_ref().map(|_| check(Fact::PlanUnmet(Box::new(plan.clone()))))
-}
-
-/// Whether the areas have an uncertainty.
-fn uncertainty(surface: &SurfaceComparison, unsolved: usize) -> Option<Finding> {
-    if surface.statistics.rms_height <= 0.0 || unsolved > 0 {
-        return None;
-    }
-    let why = |budget: &Budget| budget.area.half_width().err();
-    let budgets = surface.deterministic.iter().filter_map(|p| Some(&p.answer.as_ref()?.budget));
-    let (of, loads) = (surface.deterministic.len(), budgets.filter_map(why).count());
-    let why = why(&surface.headline_answer()?.budget)?;
-    Some(check(Fact::NoUncertainty { why, loads, of }))
-}
-
 /// Whether an answer depends on what lies between the points: of each load its indicator, and its area on twice the
 /// points.
-fn interpolation(loads: impl Iterator<Item = (Option<f64>, Option<f64>)>) -> Option<Finding> {
-    let all: Vec<(f64, Option<f64>)> = loads.map(|(i, finer)| (i.unwrap_or(0.0), finer)).collect();
-    let (indicator, finer) = all.iter().copied().max_by(|a, b| a.0.total_cmp(&b.0))?;
-    let count = all.iter().filter(|(i, _)| *i > INDICATOR_LIMIT).count();
-    let fact = Fact::Interpolation { indicator, finer, loads: count, of: all.len() };
-    (count > 0).then(|| check(fact))
+fn interpolation(all: &[(Option<f64>, Option<f64>)]) -> Option<Finding> {
+    let known = all.iter().filter_map(|(indicator, finer)| Some(((*indicator)?, *finer)));
+    let beyond = known.filter(|(indicator, _)| *indicator > INDICATOR_LIMIT);
+    let (loads, of) = (beyond.clone().count(), all.len());
+    let (indicator, finer) = beyond.max_by(|a, b| a.0.total_cmp(&b.0))?;
+    Some(Finding::check(Fact::Interpolation { indicator, finer, loads, of }))
 }
 
 fn edge_jump(ratio: f64, surface: &SurfaceComparison) -> Finding {
     let seam = seam(surface);
     let matters = seam.is_some_and(|s| s.worst() > EDGES_MATTER);
-    let weight = if matters { Weight::Check } else { Weight::Note };
-    Finding { weight, fact: Fact::EdgeJump { ratio, edges: surface.edges, seam } }
+    Finding::check_if(matters, Fact::EdgeJump { ratio, edges: surface.edges, seam })
 }
 
 /// What the strip along the edges does at the headline; `None` without a solution.
@@ -298,19 +284,18 @@ pub(crate) fn filled(missing: usize, all: usize, how: &str, cleaned: &[Record]) 
     }
     let share = missing as f64 / all as f64;
     let spikes = |r: &Record| matches!(r, Record::Outliers { count, .. } if *count > 0);
-    let weight = if share > FILLED_MATTER { Weight::Check } else { Weight::Note };
     let spikes = cleaned.iter().any(spikes);
-    Some(Finding { weight, fact: Fact::Filled { share, spikes, how: how.to_owned() } })
+    let fact = Fact::Filled { share, spikes, how: how.to_owned() };
+    Some(Finding::check_if(share > FILLED_MATTER, fact))
 }
 
 pub(crate) fn cleaned(records: &[Record]) -> Option<Finding> {
-    let fact = || Fact::Cleaned(records.to_vec());
-    (!records.is_empty()).then(|| Finding { weight: Weight::Note, fact: fact() })
+    (!records.is_empty()).then(|| Finding::note(Fact::Cleaned(records.to_vec())))
 }
 
-/// Whether the rows stand at heights of their own.
-pub(crate) fn rows_jump(s: &SurfaceStatistics) -> bool {
-    s.warnings.iter().any(|w| matches!(w, Warning::RowsJump { .. }))
+/// That rows stand at heights of their own, if they do.
+pub(crate) fn rows_jump(s: &SurfaceStatistics) -> Option<Warning> {
+    s.warnings.iter().find(|w| matches!(w, Warning::RowsJump { .. })).copied()
 }
 
 /// What was tested and is fine.
@@ -324,12 +309,12 @@ fn passed(surface: &SurfaceComparison) -> Option<Finding> {
     let passed = Passed {
         bandwidth: s.bandwidth.filter(|b| *b >= 1.5),
         heights: s.skewness.zip(s.kurtosis).filter(|_| is_normal).map(|(a, b)| [a, b]),
-        anisotropy: s.anisotropy.filter(|a| *a <= 2.0 && !rows_jump(s)),
+        anisotropy: s.anisotropy.filter(|a| *a <= 2.0 && rows_jump(s).is_none()),
         resolved: resolves(surface).then_some(surface.spectral.resolved),
         independence: independence(surface),
     };
     let any = passed != Passed::default();
-    any.then_some(Finding { weight: Weight::Passed, fact: Fact::Passed(passed) })
+    any.then(|| Finding::of(Weight::Passed, Fact::Passed(passed)))
 }
 
 /// Moments of two bodies, if they add.
@@ -372,28 +357,24 @@ mod tests {
 
     #[test]
     fn a_clean_solve_has_no_findings() {
-        let solved =
-            Solved { loads: vec![(Ended::Converged, None); 3], points: 100, ..Solved::default() };
+        let solved = Solved { loads: vec![None; 3], points: 100, ..Solved::default() };
         assert_eq!(facts(&solved), []);
     }
 
     #[test]
     fn the_worst_comes_first_and_counts_its_loads() {
-        let why = NoUncertainty::NoContact;
-        let loads = vec![
-            (Ended::Converged, None),
-            (Ended::Converged, Some(why)),
-            (Ended::Short, Some(why)),
-            (Ended::AtRounding, Some(why)),
-        ];
+        let [bare, short, rounded] =
+            [NoUncertainty::NoContact, NoUncertainty::NotConverged, NoUncertainty::AtRounding];
+        let loads = vec![None, Some(bare), Some(short), Some(rounded)];
         let solved =
             Solved { loads, missing: 2, points: 100, fill: "nearest", ..Solved::default() };
+        let check = |why| (Weight::Check, Fact::NoUncertainty { why, loads: 1, of: 4 });
         assert_eq!(
             facts(&solved),
             [
-                (Weight::Check, Fact::NotConverged { loads: 1, of: 4 }),
-                (Weight::Check, Fact::AtRounding { loads: 1, of: 4 }),
-                (Weight::Check, Fact::NoUncertainty { why, loads: 1, of: 4 }),
+                check(short),
+                check(rounded),
+                check(bare),
                 (
                     Weight::Note,
                     Fact::Filled { share: 0.02, spikes: false, how: "nearest".to_owned() }

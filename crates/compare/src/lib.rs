@@ -60,9 +60,7 @@ pub use distribution::{Distributions, GapDistribution, PressureHistogram, SpotDi
 pub use fft_bem_solver::{
     Iteration, Load, Method, ObserverResult, Precision, Solution, Solver, SolverError, Yielded,
 };
-pub use finding::{
-    Ended, Fact, Finding, Passed, Pressed, Seam, Steep, Topic, Weight, Yield, Yielding,
-};
+pub use finding::{Fact, Finding, Passed, Pressed, Seam, Weight, Yield, Yielding};
 pub use findings::{Solved, findings, is_below_a_point, measured, of_pair, seam, spiky, sticking};
 pub use first_contact::FirstContact;
 pub use gas::{GapGas, Gas};
@@ -75,8 +73,8 @@ pub use materials::{
 pub use needs::{INPUTS, Input, InputFact, InputSet, InputUnit, OfMap};
 pub use pressure_maps::{PressureMap, PressureMaps, pressure_class, pressure_top};
 pub use profile::{
-    ProfileComparison, ProfileFact, ProfileModel, ProfileSurface, Unevenness, area_interval,
-    profile_findings, profile_inputs,
+    ProfileComparison, ProfileModel, ProfileSurface, Unevenness, area_interval, profile_findings,
+    profile_inputs,
 };
 pub use progress::{Listener, Progress, StudyError};
 pub use reason::{Applies, Reason, Verdict};

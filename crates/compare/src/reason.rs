@@ -1,8 +1,9 @@
 //! Whether a theory covers a surface, and why not: as numbers. `report` has the words.
 
-use contact_types::ModelError;
+use crate::finding::Fact;
+use crate::theory::BuildError;
+use contact_types::Caveat;
 use serde::Serialize;
-use std::borrow::Cow;
 
 /// Whether a theory covers a surface. This judges the domain, not the error.
 #[derive(Debug, Clone, PartialEq, Serialize)]
@@ -20,33 +21,14 @@ pub struct Verdict {
 #[derive(Debug, Clone, PartialEq, Serialize)]
 #[serde(rename_all = "snake_case")]
 pub enum Reason {
-    /// Slopes beyond those of small-slope elasticity.
-    Steep {
-        /// Rms gradient \[-\].
-        gradient: f64,
-    },
-    /// The theory has no meaning for this surface.
-    Refused(ModelError),
-    /// Something it is made of is absent.
-    Missing {
-        /// What is absent.
-        needs: Cow<'static, str>,
+    /// What the surface is like: steep, with a lay, not Gaussian, or with rows that jump.
+    Surface(Fact),
+    /// The theory has no meaning for this surface, or something it is made of is absent.
+    Refused {
+        /// Why.
+        error: BuildError,
         /// What a fractal fit gave, if that is what is missing \[-\].
         dimension: Option<f64>,
-    },
-    /// Rows of the map stand at heights of their own.
-    RowsJump,
-    /// The surface has a lay.
-    Lay {
-        /// Larger over smaller mean square slope \[-\].
-        ratio: f64,
-    },
-    /// The heights are not normal.
-    NotGaussian {
-        /// Skewness \[-\].
-        skewness: f64,
-        /// Kurtosis \[-\].
-        kurtosis: f64,
     },
     /// Summits no longer act alone.
     Crowded {
@@ -69,16 +51,12 @@ pub enum Reason {
         /// Longest wavelength of the fit (m).
         long: f64,
     },
-    /// The model says itself that an assumption is strained.
-    Beyond {
-        /// The quantity that shows it.
-        quantity: Cow<'static, str>,
-        /// Its value.
-        value: f64,
-        /// Where the assumption is usually taken to end.
-        limit: f64,
-        /// What is strained.
-        reason: Cow<'static, str>,
+    /// The model says itself that an assumption is strained, or that contact is full.
+    Caveat {
+        /// What it says.
+        caveat: Caveat,
+        /// The first mean pressure at which it does (Pa).
+        from: f64,
     },
     /// The bodies yield, and the theory is of elastic ones.
     Elastic {
@@ -88,11 +66,6 @@ pub enum Reason {
         most: f64,
         /// True if it is more than 2 % at every load that has both.
         everywhere: bool,
-    },
-    /// The model reaches full contact.
-    Full {
-        /// The first mean pressure at which it does (Pa).
-        from: f64,
     },
     /// Some loads have no answer.
     NoAnswer {
@@ -107,19 +80,9 @@ impl Reason {
     /// True if it depends on the load, and not on the surface alone.
     pub(crate) fn is_by_load(&self) -> bool {
         match self {
-            Self::Crowded { .. }
-            | Self::Beyond { .. }
-            | Self::Full { .. }
-            | Self::NoAnswer { .. } => true,
+            Self::Crowded { .. } | Self::Caveat { .. } | Self::NoAnswer { .. } => true,
             Self::Elastic { everywhere, .. } => !everywhere,
-            Self::Steep { .. }
-            | Self::RowsJump
-            | Self::Refused(_)
-            | Self::Missing { .. }
-            | Self::Lay { .. }
-            | Self::NotGaussian { .. }
-            | Self::RecordLength { .. }
-            | Self::FitRange { .. } => false,
+            _ => false,
         }
     }
 }

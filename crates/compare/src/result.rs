@@ -3,7 +3,6 @@
 use crate::adhesion::Adhesion;
 use crate::conducted::Conduction;
 use crate::distribution::Distributions;
-use crate::finding::Ended;
 use crate::first_contact::FirstContact;
 use crate::inputs::Inputs;
 use crate::pressure_maps::PressureMaps;
@@ -215,15 +214,6 @@ impl DeterministicAnswer {
             method: d.method.to_string(),
             converged,
             stopped_at_rounding: d.end == End::Rounding,
-        }
-    }
-
-    /// How its solution ended.
-    pub(crate) fn ended(&self) -> Ended {
-        match (self.converged, self.stopped_at_rounding) {
-            (true, _) => Ended::Converged,
-            (false, true) => Ended::AtRounding,
-            (false, false) => Ended::Short,
         }
     }
 }

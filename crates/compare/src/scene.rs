@@ -1,6 +1,6 @@
 //! Is the question one that an elastic half-space can answer? Slopes, units and pressures.
 
-use crate::finding::{Fact, Finding, Pressed, Steep, Weight, Yield};
+use crate::finding::{Fact, Finding, Pressed, Yield};
 use surface_stats::Warning;
 use surface_stats::clean::RowOffsets;
 
@@ -24,6 +24,11 @@ const CERAMIC: f64 = 2.5e11;
 /// Whether an rms gradient strains small-slope elasticity.
 pub fn is_steep(gradient: f64) -> bool {
     gradient > STEEP || gradient.is_nan()
+}
+
+/// That an rms gradient strains small-slope elasticity.
+pub(crate) fn steep(gradient: f64) -> Fact {
+    Fact::Steep { gradient, is_over: gradient > TOO_STEEP }
 }
 
 /// What is asked of the theory of elasticity, and what it answers.
@@ -65,7 +70,7 @@ impl Scene {
         let radius = beyond(self.radius, NO_RADIUS);
         let fact = Fact::Unit { gradient, rms_height, radius };
         let is_odd = [gradient, rms_height, radius].iter().any(Option::is_some);
-        is_odd.then_some(Finding { weight: Weight::Check, fact })
+        is_odd.then(|| Finding::check(fact))
     }
 
     /// Heights that far from zero are given by a few numbers, and what is left after levelling is theirs.
@@ -81,9 +86,7 @@ impl Scene {
 
     fn steep(&self) -> Option<Finding> {
         let gradient = self.gradient.filter(|g| *g > STEEP && *g <= NO_SURFACE)?;
-        let is_over = gradient > TOO_STEEP;
-        let weight = if is_over { Weight::Check } else { Weight::Note };
-        Some(Finding { weight, fact: Fact::Steep(Steep { gradient, is_over }) })
+        Some(Finding::check_if(gradient > TOO_STEEP, steep(gradient)))
     }
 
     /// Whether the elastic answer presses harder than solids of this modulus bear.
@@ -96,13 +99,11 @@ impl Scene {
         let first =
             |least: f64, of: fn(&Pressed) -> f64| self.pressed.iter().find(|p| of(p) > least);
         let mean = |p: &Pressed| p.mean;
-        let (weight, at) = match (first(hard, mean), first(soft, mean)) {
-            (Some(at), _) | (None, Some(at)) => (Weight::Check, at),
-            (None, None) => (Weight::Note, first(hard, |p| p.highest.unwrap_or(0.0))?),
-        };
+        let by_mean = first(hard, mean).or_else(|| first(soft, mean));
+        let at = by_mean.or_else(|| first(hard, |p| p.highest.unwrap_or(0.0)))?;
         let full = self.gradient.map(|g| self.modulus * g);
         let fact = Yield { at: *at, modulus: self.modulus, hardness, full };
-        Some(Finding { weight, fact: Fact::Yield(fact) })
+        Some(Finding::check_if(by_mean.is_some(), Fact::Yield(fact)))
     }
 }
 
@@ -127,12 +128,13 @@ pub fn typical_hardness(modulus: f64) -> Option<[f64; 2]> {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::Weight;
 
     fn said(scene: &Scene) -> Vec<(Weight, &'static str)> {
         let name = |f: &Finding| match f.fact {
             Fact::Unit { .. } => "unit",
             Fact::Yield(_) => "yield",
-            Fact::Steep(_) => "steep",
+            Fact::Steep { .. } => "steep",
             _ => "other",
         };
         scene.findings().iter().map(|f| (f.weight, name(f))).collect()

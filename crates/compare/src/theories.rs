@@ -34,10 +34,9 @@ struct Row {
     label: &'static str,
     title: &'static str,
     needs: &'static [Set],
-    of_map: OfMap,
+    /// What a map is read for beside the moments; `None` where a map does not give all it needs.
+    of_map: Option<OfMap>,
     domain: &'static str,
-    from_map: bool,
-    yields: bool,
     assumes: Assumes,
     build: Build,
 }
@@ -62,10 +61,8 @@ const ROWS: &[Row] = &[
             (&[AsperityDensity, AsperityRadius, AsperityHeightStd], &[MeanOffset]),
             SELF_AFFINE,
         ],
-        of_map: OfMap::Moments,
+        of_map: Some(OfMap::Moments),
         domain: "isotropic Gaussian surface, contact below about 10 % of it",
-        from_map: true,
-        yields: false,
         assumes: Assumes::Summits,
         build: Build::Separation(|inputs| {
             if let Some(asperities) = inputs.asperities {
@@ -80,10 +77,8 @@ const ROWS: &[Row] = &[
         label: "BGT",
         title: "Bush–Gibson–Thomas",
         needs: &[MOMENTS, SELF_AFFINE],
-        of_map: OfMap::Moments,
+        of_map: Some(OfMap::Moments),
         domain: "isotropic Gaussian surface with bandwidth of at least 1.5, light contact",
-        from_map: true,
-        yields: false,
         assumes: Assumes::Summits,
         build: Build::Separation(|inputs| {
             let moments = moments(inputs, "Bush-Gibson-Thomas")?;
@@ -95,10 +90,8 @@ const ROWS: &[Row] = &[
         label: "Elliptical",
         title: "Greenwood simplified elliptical",
         needs: &[MOMENTS, SELF_AFFINE],
-        of_map: OfMap::Moments,
+        of_map: Some(OfMap::Moments),
         domain: "isotropic Gaussian surface with bandwidth of at least 1.5, light contact",
-        from_map: true,
-        yields: false,
         assumes: Assumes::Summits,
         build: Build::Separation(|inputs| {
             let moments = moments(inputs, "Greenwood simplified elliptical")?;
@@ -110,10 +103,8 @@ const ROWS: &[Row] = &[
         label: "Persson",
         title: "Persson",
         needs: &[(&[Hurst, Rolloff, Cutoff, M0], &[Longest, Gamma]), (&[M2], &[M0, M4])],
-        of_map: OfMap::Spectrum,
+        of_map: Some(OfMap::Spectrum),
         domain: "isotropic Gaussian surface, any load; reads low at light load; the mean gap needs a spectrum",
-        from_map: true,
-        yields: false,
         assumes: Assumes::Gaussian,
         build: Build::Pressure(persson),
     },
@@ -122,10 +113,8 @@ const ROWS: &[Row] = &[
         label: "Stacked",
         title: "Stacked multiscale",
         needs: &[(&[MaxAmplitudeRatio], &[]), OF_RECORD],
-        of_map: OfMap::Amplitudes,
+        of_map: Some(OfMap::Amplitudes),
         domain: "depends on the record length and on the direction of the rows",
-        from_map: true,
-        yields: false,
         assumes: Assumes::Amplitudes,
         build: Build::Pressure(|inputs| {
             if let Some(ratio) = inputs.max_amplitude_ratio {
@@ -140,10 +129,8 @@ const ROWS: &[Row] = &[
         label: "Multiscale",
         title: "Jackson–Streator multiscale",
         needs: &[OF_RECORD],
-        of_map: OfMap::Amplitudes,
+        of_map: Some(OfMap::Amplitudes),
         domain: "depends on the record length and on the direction of the rows",
-        from_map: true,
-        yields: false,
         assumes: Assumes::Amplitudes,
         build: Build::Pressure(|inputs| {
             let amplitudes = amplitudes(inputs, "Jackson-Streator multiscale")?;
@@ -155,10 +142,8 @@ const ROWS: &[Row] = &[
         label: "Archard",
         title: "Archard, spheres on spheres",
         needs: &[(&[SphereRadius, SphereDensity], &[])],
-        of_map: OfMap::Moments,
+        of_map: None,
         domain: "many spheres per contact of the level above, and far apart",
-        from_map: false,
-        yields: false,
         assumes: Assumes::Amplitudes,
         build: Build::Pressure(|inputs| {
             let spheres = Some(&inputs.spheres).filter(|spheres| !spheres.is_empty());
@@ -174,10 +159,8 @@ const ROWS: &[Row] = &[
             (&[Dimension, Roughness, Area], &[CriticalArea]),
             (&[Dimension, Roughness, Area, Hardness], &[]),
         ],
-        of_map: OfMap::Fractal,
+        of_map: Some(OfMap::Fractal),
         domain: "profile with 1 < D < 1.5, with a critical area or hardness D < 2; elastic without hardness",
-        from_map: true,
-        yields: false,
         assumes: Assumes::Fractal,
         build: Build::Pressure(|inputs| {
             let (fractal, area) = fractal(inputs, "Majumdar-Bhushan")?;
@@ -197,10 +180,8 @@ const ROWS: &[Row] = &[
             (&[Dimension, Roughness, Area], &[CriticalArea]),
             (&[Dimension, Roughness, Area, Hardness], &[]),
         ],
-        of_map: OfMap::Moments,
+        of_map: None,
         domain: "surface with 2 < D < 2.5, with a critical area or hardness D < 3; elastic without hardness",
-        from_map: false,
-        yields: false,
         assumes: Assumes::Fractal,
         build: Build::Pressure(|inputs| {
             let (fractal, area) = fractal(inputs, "Yan-Komvopoulos")?;
@@ -218,10 +199,8 @@ const ROWS: &[Row] = &[
         label: "Equation",
         title: "The equation (fitted)",
         needs: &[MOMENTS, SELF_AFFINE],
-        of_map: OfMap::Moments,
+        of_map: Some(OfMap::Moments),
         domain: "isotropic Gaussian surface, area from 0.1 %: within 15 % at light load, 5 % at heavy load",
-        from_map: true,
-        yields: false,
         assumes: Assumes::Gaussian,
         build: Build::Pressure(|inputs| {
             let moments = moments(inputs, "The equation")?;
@@ -237,10 +216,8 @@ const ROWS: &[Row] = &[
             (&[Hardness, AsperityDensity, AsperityRadius, AsperityHeightStd], &[MeanOffset]),
             (&[Hardness, Hurst, Rolloff, Cutoff, M0], &[Longest]),
         ],
-        of_map: OfMap::Moments,
+        of_map: None,
         domain: "isotropic Gaussian surface whose summits yield, contact below about 10 % of it",
-        from_map: false,
-        yields: true,
         assumes: Assumes::Summits,
         build: Build::Separation(|inputs| {
             const NAME: &str = "Chang-Etsion-Bogy";
@@ -259,10 +236,8 @@ const ROWS: &[Row] = &[
             (&[Hardness, M2], &[M0, M4]),
             (&[Hardness, Hurst, Rolloff, Cutoff, M0], &[Longest]),
         ],
-        of_map: OfMap::Moments,
+        of_map: None,
         domain: "isotropic Gaussian surface that yields, any load below the hardness; reads low",
-        from_map: false,
-        yields: true,
         assumes: Assumes::Gaussian,
         build: Build::Pressure(|inputs| {
             const NAME: &str = "Persson with yield";
@@ -277,10 +252,8 @@ const ROWS: &[Row] = &[
         label: "CMY",
         title: "Cooper–Mikic–Yovanovich conductance",
         needs: &[(&[RmsHeight, MeanSlope, Hardness], &[]), (&[Ra, MeanSlope, Hardness], &[])],
-        of_map: OfMap::Moments,
+        of_map: None,
         domain: "Gaussian heights that yield at once, load over hardness from 1e-6 to 0.02",
-        from_map: false,
-        yields: true,
         assumes: Assumes::Gaussian,
         build: Build::Rigid(|inputs| {
             const NAME: &str = "Cooper-Mikic-Yovanovich";
@@ -294,10 +267,8 @@ const ROWS: &[Row] = &[
         label: "Mikic",
         title: "Mikic conductance, elastic",
         needs: &[(&[RmsHeight, MeanSlope], &[]), (&[Ra, MeanSlope], &[])],
-        of_map: OfMap::Moments,
+        of_map: None,
         domain: "Gaussian heights, elastic, light contact",
-        from_map: false,
-        yields: false,
         assumes: Assumes::Gaussian,
         build: Build::Pressure(|inputs| {
             let (slope, height) = joint(inputs, "Mikic")?;
@@ -394,11 +365,11 @@ impl Row {
         card.label = self.label.into();
         card.needs = in_words(&inputs).into();
         card.inputs = inputs;
-        card.of_map = self.of_map;
+        card.of_map = self.of_map.unwrap_or_default();
         card.domain = self.domain.into();
         card.assumes = self.assumes;
-        card.from_map = self.from_map;
-        card.yields = self.yields;
+        card.from_map = self.of_map.is_some();
+        card.yields = card.requires(Hardness);
         card.has_separation = matches!(self.build, Build::Separation(_));
         card.is_rigid = matches!(self.build, Build::Rigid(_));
         BuiltIn { card, build: self.build }

@@ -1,20 +1,21 @@
 //! Does a theory cover this surface? Yes, with caution, or no, each with the measured reason.
 
+use crate::finding::Fact;
 use crate::findings::rows_jump;
 use crate::inputs::Inputs;
 use crate::reason::{Applies, Reason, Verdict};
 use crate::result::{DeterministicPoint, ModelCurve};
-use crate::scene::is_steep;
+use crate::scene::{is_steep, steep};
 use crate::theory::{Assumes, BuildError, Card};
 use contact_types::Caveat;
-use surface_stats::SurfaceStatistics;
+use surface_stats::{SurfaceStatistics, Warning};
 
 /// What a verdict looks at of a surface.
 pub(crate) struct Judged {
     /// Rms gradient \[-\].
     pub(crate) gradient: f64,
-    /// Rows stand at heights of their own.
-    pub(crate) rows_jump: bool,
+    /// That rows stand at heights of their own, if they do.
+    pub(crate) rows_jump: Option<Warning>,
     /// Largest over smallest mean square slope \[-\], if it is known.
     pub(crate) anisotropy: Option<f64>,
     /// Skewness \[-\].
@@ -53,7 +54,11 @@ pub(crate) fn verdict(
     let curve = match outcome {
         Ok(curve) => curve,
         Err(error) => {
-            let reasons = vec![refusal(error, inputs)];
+            let dimension = match error {
+                BuildError::Missing { needs, .. } if needs.contains("fractal") => inputs.dimension,
+                _ => None,
+            };
+            let reasons = vec![Reason::Refused { error: error.clone(), dimension }];
             return Verdict { answer: Applies::No, reasons, at_every_load: true };
         }
     };
@@ -61,16 +66,6 @@ pub(crate) fn verdict(
     let answer = if reasons.is_empty() { Applies::Yes } else { Applies::Caution };
     let at_every_load = reasons.is_empty() || reasons.iter().any(|r| !r.is_by_load());
     Verdict { answer, reasons, at_every_load }
-}
-
-fn refusal(error: &BuildError, inputs: &Inputs) -> Reason {
-    match error {
-        BuildError::Model(error) => Reason::Refused(error.clone()),
-        BuildError::Missing { needs, .. } => {
-            let dimension = inputs.dimension.filter(|_| needs.contains("fractal"));
-            Reason::Missing { needs: needs.clone(), dimension }
-        }
-    }
 }
 
 /// Assumptions that this surface or these loads strain, with the numbers.
@@ -84,18 +79,19 @@ fn strains(
     let mut reasons = Vec::new();
     let gradient = statistics.gradient;
     if is_steep(gradient) {
-        reasons.push(Reason::Steep { gradient });
+        reasons.push(Reason::Surface(steep(gradient)));
     }
     if matches!(card.assumes, Assumes::Summits | Assumes::Gaussian) {
-        if statistics.rows_jump {
-            reasons.push(Reason::RowsJump);
+        let mut warned = |warning| reasons.push(Reason::Surface(Fact::Warned(warning)));
+        if let Some(rows) = statistics.rows_jump {
+            warned(rows);
         } else if let Some(ratio) = statistics.anisotropy.filter(|r| *r > 2.0) {
-            reasons.push(Reason::Lay { ratio });
+            warned(Warning::Anisotropic { ratio });
         }
         if let (Some(skewness), Some(kurtosis)) = (statistics.skewness, statistics.kurtosis)
             && (skewness.abs() > 0.2 || (kurtosis - 3.0).abs() > 0.3)
         {
-            reasons.push(Reason::NotGaussian { skewness, kurtosis });
+            warned(Warning::NotGaussian { skewness, kurtosis });
         }
     }
     match card.assumes {
@@ -141,15 +137,13 @@ fn strains(
 /// double is no strain of the theory.
 fn caveat(curve: &ModelCurve, loads: &[DeterministicPoint]) -> Option<Reason> {
     curve.points.iter().zip(loads).find_map(|(point, load)| {
-        match point.as_ref().ok()?.caveat.clone()? {
-            Caveat::BeyondModel { quantity, value, limit, reason }
-                if quantity != "area fraction" =>
-            {
-                Some(Reason::Beyond { quantity, value, limit, reason })
-            }
-            Caveat::Saturated { .. } => Some(Reason::Full { from: load.mean_pressure }),
-            _ => None,
-        }
+        let caveat = point.as_ref().ok()?.caveat.as_ref()?;
+        let strains = match caveat {
+            Caveat::BeyondModel { quantity, .. } => quantity != "area fraction",
+            Caveat::Saturated { .. } => true,
+            _ => false,
+        };
+        strains.then(|| Reason::Caveat { caveat: caveat.clone(), from: load.mean_pressure })
     })
 }
 
@@ -183,7 +177,11 @@ mod tests {
         let (quiet, loads) = curve(Caveat::Underflow { quantity: "area fraction".into() });
         assert_eq!(caveat(&quiet, &loads), None);
         let (full, loads) = curve(Caveat::Saturated { quantity: "area fraction".into() });
-        assert_eq!(caveat(&full, &loads), Some(Reason::Full { from: 2e6 }));
+        let Some(Reason::Caveat { caveat: Caveat::Saturated { .. }, from }) = caveat(&full, &loads)
+        else {
+            panic!("full contact is a strain")
+        };
+        assert_eq!(from.to_bits(), 2e6f64.to_bits());
     }
 
     #[test]
@@ -197,7 +195,8 @@ mod tests {
         let (area, loads) = curve(beyond("area fraction"));
         assert_eq!(caveat(&area, &loads), None);
         let (slope, loads) = curve(beyond("slope"));
-        let Some(Reason::Beyond { quantity, .. }) = caveat(&slope, &loads) else {
+        let said = caveat(&slope, &loads);
+        let Some(Reason::Caveat { caveat: Caveat::BeyondModel { quantity, .. }, .. }) = said else {
             panic!("a slope beyond the model is a strain")
         };
         assert_eq!(quantity, "slope");

@@ -15,11 +15,8 @@ pub enum NoUncertainty {
         /// Points of the map.
         shape: [usize; 2],
     },
-    /// Every second point could not be solved.
-    #[error("the map with every second point was not solved")]
-    CoarserNotSolved,
-    /// On another rung the number does not exist: no stiffness in full contact.
-    #[error("with every second point, or twice the points, the contact is full or empty")]
+    /// On another rung the number does not exist: the load was not solved there, or the contact is full.
+    #[error("with every second point, or twice the points, there is no such number")]
     Undefined,
     /// The iteration stopped too early.
     #[error(
@@ -40,9 +37,6 @@ pub enum NoUncertainty {
     /// Nothing touches.
     #[error("nothing touches")]
     NoContact,
-    /// Nobody asked for it.
-    #[error("not asked for")]
-    NotAsked,
 }
 
 /// What makes an uncertainty: half widths in the unit of the number.
@@ -64,6 +58,17 @@ pub struct Parts {
 }
 
 impl Parts {
+    /// Of each source what `of` makes of this half width and the `other`.
+    fn with(self, other: Self, of: impl Fn(f64, f64) -> f64) -> Self {
+        Self {
+            coarser: of(self.coarser, other.coarser),
+            contact_line: of(self.contact_line, other.contact_line),
+            counting: of(self.counting, other.counting),
+            finer: of(self.finer, other.finer),
+            iteration: of(self.iteration, other.iteration),
+        }
+    }
+
     /// Half width: the root of the squares, and the iteration on top.
     pub(crate) fn half_width(&self) -> f64 {
         let squares = [self.coarser, self.contact_line, self.counting, self.finer];
@@ -119,16 +124,9 @@ impl Estimate {
     /// The same in another unit.
     #[must_use]
     pub fn times(self, factor: f64) -> Self {
-        let parts = |p: Parts| Parts {
-            coarser: p.coarser * factor,
-            contact_line: p.contact_line * factor,
-            counting: p.counting * factor,
-            finer: p.finer * factor,
-            iteration: p.iteration * factor,
-        };
         Self {
             value: self.value * factor,
-            uncertainty: self.uncertainty.map(parts),
+            uncertainty: self.uncertainty.map(|parts| parts.with(parts, |part, _| part * factor)),
             sampling: self.sampling.map(|half| half * factor),
             materials: self.materials * factor,
             least: self.least.map(|least| least * factor),
@@ -139,17 +137,12 @@ impl Estimate {
     /// Two numbers of one map added: what is uncertain of both may be so in the same direction.
     #[must_use]
     pub fn plus(self, other: Self) -> Self {
-        let parts = |a: Parts, b: Parts| Parts {
-            coarser: a.coarser + b.coarser,
-            contact_line: a.contact_line + b.contact_line,
-            counting: a.counting + b.counting,
-            finer: a.finer + b.finer,
-            iteration: a.iteration + b.iteration,
-        };
         let both = |a: Option<f64>, b: Option<f64>| Some(a? + b?);
         Self {
             value: self.value + other.value,
-            uncertainty: self.uncertainty.and_then(|a| Ok(parts(a, other.uncertainty?))),
+            uncertainty: self
+                .uncertainty
+                .and_then(|a| Ok(a.with(other.uncertainty?, |a, b| a + b))),
             sampling: both(self.sampling, other.sampling),
             materials: self.materials + other.materials,
             least: [0, 1].map(|i| self.least[i] + other.least[i]),

@@ -174,7 +174,7 @@ impl Ladder {
             Ok(coarser) => match coarser.solve(load, stiffness, &mut observer) {
                 Ok(numbers) => Ok(numbers),
                 Err(SolverError::Stopped(last)) => return Err(SolverError::Stopped(last)),
-                Err(_) => Err(NoUncertainty::CoarserNotSolved),
+                Err(_) => Err(NoUncertainty::Undefined),
             },
             Err(why) => Err(*why),
         };

@@ -3,7 +3,7 @@
 use crate::failure::variant;
 use crate::hardness;
 use contact_accuracy::{Answered, Leaks, Map, Numbers};
-use contact_compare::{Budget, Conducted};
+use contact_compare::{Budget, Conducted, NoUncertainty};
 use fft_bem_solver::{End, Load, Solution, SolverError};
 use serde_json::{Value, json};
 
@@ -20,6 +20,8 @@ pub struct Point {
     pub solution: Option<Solution>,
     /// The errors of its numbers.
     pub budget: Option<Budget>,
+    /// Why its area has no uncertainty, if it has none.
+    pub(crate) without_uncertainty: Option<NoUncertainty>,
     /// Its numbers on twice the points, if they were solved.
     pub finer: Option<Numbers>,
     /// What it conducts, if that was asked for.
@@ -54,6 +56,7 @@ impl Point {
             force: None,
             solution: None,
             budget: None,
+            without_uncertainty: None,
             finer: None,
             conducted: None,
             leak: None,

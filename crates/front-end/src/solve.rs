@@ -233,7 +233,7 @@ impl SolveRequest {
             }
             *kept = Some(ladder);
         }
-        (solved.loads, solved.indicators) = (work.found(), work.indicators());
+        (solved.loads, solved.indicators) = (work.without_uncertainty(), work.indicators());
         solved.small = work.small();
         // With a hardness no pressure is beyond it: nothing is left to warn of.
         if self.hardness.is_none() {

@@ -7,8 +7,8 @@ use crate::point::Point;
 use crate::watch::Watch;
 use contact_accuracy::{Answered, Leaks, Map};
 use contact_compare::{
-    Budget, Distributions, Ended, Joint, LeakRequest, NoUncertainty, Pressed, Spikes,
-    is_below_a_point, spot_list,
+    Budget, Distributions, Joint, LeakRequest, NoUncertainty, Pressed, Spikes, is_below_a_point,
+    spot_list,
 };
 use contact_types::{ContactModulus, Grid};
 use fft_bem_solver::{Load, Solution, SolverError};
@@ -27,15 +27,11 @@ pub(crate) struct Work {
     pub(crate) level: Level,
     pub(crate) points: Vec<Option<Point>>,
     pub(crate) grid: Grid,
-    /// What presses at each load that converged.
-    pressed: Vec<Option<Pressed>>,
     /// The grid of the map as given.
     given: Grid,
     /// Spikes of the map as given, and the largest share of the load they carry on it.
     pub(crate) spikes: Spikes,
     pub(crate) spike_share: Option<f64>,
-    /// How each load ended, and why its area has no uncertainty.
-    found: Vec<Option<(Ended, Option<NoUncertainty>)>>,
 }
 
 impl Work {
@@ -52,14 +48,18 @@ impl Work {
             given: grid,
             spikes: Spikes::default(),
             spike_share: None,
-            pressed: vec![None; loads],
-            found: vec![None; loads],
         }
     }
 
-    /// Of each load taken: how it ended, and why its area has no uncertainty, if it has none.
-    pub(crate) fn found(&self) -> Vec<(Ended, Option<NoUncertainty>)> {
-        self.found.iter().copied().flatten().collect()
+    /// Of each load taken: why its area has no uncertainty, if it has none.
+    pub(crate) fn without_uncertainty(&self) -> Vec<Option<NoUncertainty>> {
+        self.points.iter().flatten().map(|point| point.without_uncertainty).collect()
+    }
+
+    /// The solutions of the loads that converged, with their budgets.
+    fn converged(&self) -> impl Iterator<Item = (&Solution, &Budget)> {
+        let converged = self.points.iter().flatten().filter(|point| point.converged);
+        converged.filter_map(|point| Some((point.solution.as_ref()?, point.budget.as_ref()?)))
     }
 
     /// How many loads have a contact that is smaller than a point.
@@ -73,18 +73,17 @@ impl Work {
 
     /// Mean pressure and area fraction of each load that converged.
     pub(crate) fn contacts(&self) -> Vec<[f64; 2]> {
-        let solved = self.points.iter().flatten().filter(|p| p.converged);
-        let contact = |p: &Point| {
-            let solution = p.solution.as_ref()?;
-            let area = solution.state.area_fraction;
-            Some([solution.state.mean_pressure, area])
-        };
-        solved.filter_map(contact).collect()
+        let states = self.converged().map(|(solution, _)| &solution.state);
+        states.map(|state| [state.mean_pressure, state.area_fraction]).collect()
     }
 
     /// What presses at each load that converged, by rising load.
     pub(crate) fn pressed(&self) -> Vec<Pressed> {
-        let mut all: Vec<Pressed> = self.pressed.iter().copied().flatten().collect();
+        let pressed = |(solution, budget): (&Solution, &Budget)| {
+            let mean = budget.real_pressure()?.value();
+            Some(Pressed::of(solution.state.mean_pressure, mean, solution.diagnostics.max_pressure))
+        };
+        let mut all: Vec<Pressed> = self.converged().filter_map(pressed).collect();
         all.sort_by(|a, b| a.nominal.total_cmp(&b.nominal));
         all
     }
@@ -92,8 +91,6 @@ impl Work {
     /// Forgets what was taken: the loads are solved again, on `grid`.
     pub(crate) fn begin(&mut self, grid: Grid) {
         self.points.iter_mut().for_each(|point| *point = None);
-        self.found.iter_mut().for_each(|found| *found = None);
-        self.pressed.iter_mut().for_each(|pressed| *pressed = None);
         self.trouble = None;
         self.grid = grid;
     }
@@ -139,16 +136,14 @@ impl Work {
             let found = Distributions::of(&solution.pressure, &solution.gap, &spots);
             point.json["distributions"] = json!(found);
         }
-        let bare = budget.and_then(|b: &Budget| b.area.half_width().err());
-        let ended = match error {
-            None => Ended::Converged,
-            Some(SolverError::Rounding(_)) => Ended::AtRounding,
-            Some(SolverError::AboveHardness { .. }) => Ended::Refused,
-            Some(_) => Ended::Short,
+        point.without_uncertainty = match error {
+            None => budget.and_then(|b: &Budget| b.area.half_width().err()),
+            Some(SolverError::Rounding(_)) => Some(NoUncertainty::AtRounding),
+            // Nothing was solved, which is said of itself.
+            Some(SolverError::AboveHardness { .. }) => None,
+            Some(_) => Some(NoUncertainty::NotConverged),
         };
-        self.found[index] = Some((ended, bare));
-        if let (Ok(solution), Some(budget)) = (&result, budget) {
-            self.pressed[index] = pressed(solution, budget);
+        if let Ok(solution) = &result {
             let share = self.spikes.share(self.given.len(), &solution.pressure);
             self.spike_share = share.into_iter().chain(self.spike_share).reduce(f64::max);
         }
@@ -178,12 +173,6 @@ impl Work {
             Some(earlier) => earlier.and(failure),
         });
     }
-}
-
-/// What presses at a load.
-fn pressed(solution: &Solution, budget: &Budget) -> Option<Pressed> {
-    let mean = budget.real_pressure()?.value();
-    Some(Pressed::of(solution.state.mean_pressure, mean, solution.diagnostics.max_pressure))
 }
 
 /// The iterate that an error carries.

@@ -47,10 +47,13 @@ pub fn findings(found: &[Finding]) -> Value {
         let words = finding(f);
         json!({
             "weight": f.weight.name(),
-            "subject": f.subject().name(),
+            "subject": f.subject(),
             "claim": words.claim,
             "text": words.text,
-            "fact": f.fact,
+            "fact": match &f.body {
+                Some(body) => json!({ "of_body": { "body": body, "fact": f.fact } }),
+                None => json!(f.fact),
+            },
         })
     };
     found.iter().map(one).collect()

@@ -82,8 +82,8 @@ pub enum Warning {
         /// Rms jump across the edges over the rms difference of neighbours inside (-).
         ratio: f64,
     },
-    /// No roll-off inside the map: its longest waves are not sampled, and rms height grows with
-    /// map size.
+    /// No roll-off inside the map or the traces: the longest waves are not sampled, and rms height grows with
+    /// the length measured.
     NoRolloff,
     /// Few of the longest waves fit in the map.
     FewWaves {
@@ -235,9 +235,9 @@ impl Warning {
                 "Height steps hide summits; the count depends on the step.",
             ),
             Self::NoRolloff => worded(
-                "No roll-off within the map.",
-                "Its longest waves are not sampled: rms height and everything made of it grow with \
-                 the size of the map.",
+                "No roll-off within what was measured.",
+                "The longest waves are not sampled: rms height and everything made of it grow with \
+                 the measured length.",
             ),
             Self::FewWaves { count } => worded(
                 format!("Only {} of the longest waves fit the map.", ratio(count)),

@@ -2,10 +2,10 @@
 //! and the length of the traces leave of them. There is no deterministic answer to a profile but
 //! that of parallel ridges.
 
-pub(crate) mod fact;
 mod findings;
 mod study;
 
-pub use fact::{ProfileFact, Unevenness};
 pub use findings::profile_findings;
-pub use study::{ProfileComparison, ProfileModel, ProfileSurface, area_interval, profile_inputs};
+pub use study::{
+    ProfileComparison, ProfileModel, ProfileSurface, Unevenness, area_interval, profile_inputs,
+};

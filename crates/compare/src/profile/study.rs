@@ -3,7 +3,6 @@
 use crate::ask::{at_pressure, timed};
 use crate::finding::{Finding, Pressed};
 use crate::inputs::{Inputs, MomentSource};
-use crate::profile::fact::Unevenness;
 use crate::profile::findings::profile_findings;
 use crate::reason::Verdict;
 use crate::result::{DeterministicPoint, ModelCurve};
@@ -13,6 +12,7 @@ use crate::theory::{BuildError, Card, Theory};
 use crate::verdict::{Judged, verdict};
 use crate::{Origin, Registry, Settings, StudyError};
 use contact_types::{Clock, ContactModulus, ContactState, SpectralMoments};
+use serde::{Deserialize, Serialize};
 use surface_stats::StatsError;
 use surface_stats::profile::{ProfileOptions, ProfileStatistics, Trace, TraceSpectrum};
 
@@ -20,6 +20,15 @@ use surface_stats::profile::{ProfileOptions, ProfileStatistics, Trace, TraceSpec
 const TYPICAL_LOAD: f64 = 0.01;
 /// Step of the logarithm of a moment by which the answer of a model is differentiated.
 const STEP: f64 = 0.05;
+
+/// How uneven the points of a file were before they were put at equal distances.
+#[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
+pub struct Unevenness {
+    /// Shortest and longest distance of neighbouring points (m).
+    pub steps: [f64; 2],
+    /// Their distance now (m).
+    pub spacing: f64,
+}
 
 /// Traces of one surface, with a name and where they came from.
 #[derive(Debug, Clone)]
@@ -290,7 +299,7 @@ fn ask(
     };
     let judged = Judged {
         gradient: inputs.rms_gradient(),
-        rows_jump: false,
+        rows_jump: None,
         anisotropy: None,
         skewness: statistics.skewness,
         kurtosis: statistics.kurtosis,

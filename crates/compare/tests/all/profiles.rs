@@ -1,7 +1,6 @@
 //! The study of profiles: what the length of a trace leaves open, and what is always said.
 use contact_compare::{
-    Fact, GivenOrigin, Grid, Origin, ProfileComparison, ProfileFact, ProfileSurface, Registry,
-    Settings, Weight,
+    Fact, GivenOrigin, Grid, Origin, ProfileComparison, ProfileSurface, Registry, Settings, Weight,
 };
 use surface_stats::profile::Trace;
 use surface_stats::synthesis::{Scale, SelfAffine};
@@ -56,8 +55,7 @@ fn more_traces_narrow_the_interval_and_isotropy_is_always_said() {
     assert!(width(&eight) < 0.6 * width(&one), "{} {}", width(&eight), width(&one));
     for study in [&one, &eight] {
         let said = study.findings();
-        let one_direction = Fact::Profile(ProfileFact::OneDirection);
-        let found = said.iter().find(|f| f.fact == one_direction).unwrap();
+        let found = said.iter().find(|f| f.fact == Fact::OneDirection).unwrap();
         assert_eq!(found.weight, Weight::Check);
     }
 }

@@ -9,7 +9,7 @@ use crate::messages::spikes::spikes;
 use crate::messages::yielding;
 use crate::numbers::{METRES, PASCALS, SPACE, counted, fixed, percent, quantity, significant};
 use contact_accuracy::{INDICATOR_LIMIT, NoUncertainty, Reached};
-use contact_compare::{EdgesName, Fact, Finding, Passed, Seam, Steep, Yield};
+use contact_compare::{EdgesName, Fact, Finding, Passed, Seam, Yield};
 use surface_stats::clean::{FormParameters, Record};
 
 /// A finding in words, as plain text.
@@ -28,29 +28,27 @@ fn worded(claim: impl Into<String>, text: impl Into<String>) -> Worded {
 
 /// The words of a finding.
 pub fn finding(finding: &Finding) -> Worded {
-    match &finding.fact {
+    let words = of_fact(&finding.fact);
+    match &finding.body {
+        Some(body) => worded(format!("{body}: {}", words.claim), words.text),
+        None => words,
+    }
+}
+
+/// The words of a fact.
+pub(crate) fn of_fact(fact: &Fact) -> Worded {
+    match fact {
         Fact::Unit { gradient, rms_height, radius } => unit([*gradient, *rms_height, *radius]),
         Fact::Yield(found) => beyond_yield(found),
         Fact::Yielding(found) => of_two(yielding::headline(found)),
         Fact::OddHardness { hardness, usual } => of_two(yielding::odd(*hardness, *usual)),
         Fact::BulkYield { highest, hardness } => of_two(yielding::bulk(*highest, *hardness)),
         Fact::Adhesion(found) => of_two(adhesion::verdict(found)),
-        Fact::Steep(found) => steep(found),
+        Fact::Steep { gradient, is_over } => steep(*gradient, *is_over),
         Fact::Spikes { count, of, largest, share, taken } => {
             let [claim, text] = spikes([*count, *taken, *of], *largest, *share);
             worded(claim, text)
         }
-        Fact::NotConverged { loads, of } => worded(
-            format!("{loads} of {} did not converge.", counted(*of, "load")),
-            "They are without uncertainty estimate. Raise the number of iterations or loosen \
-             the tolerance.",
-        ),
-        Fact::AtRounding { loads, of } => worded(
-            format!("{loads} of {} stopped at rounding.", counted(*of, "load")),
-            "Their numbers are as good as this floating-point type gives them, short of the \
-             tolerance; they are without uncertainty estimate. Ask for a larger tolerance, or for double \
-             precision.",
-        ),
         Fact::PlanUnmet(outcome) => unmet(outcome),
         Fact::Interpolation { indicator, loads, of, .. } => worded(
             format!(
@@ -74,14 +72,20 @@ pub fn finding(finding: &Finding) -> Worded {
             "Its area, real pressure and stiffness there are those of a point, not of the surface. Is the \
              unit of the load right? Raise the load, or measure finer.",
         ),
-        Fact::NoUncertainty { why, loads, of } => {
-            let at = if loads < of { format!(" at {loads} of {of} loads") } else { String::new() };
-            worded(format!("The area is without uncertainty estimate{at}."), no_uncertainty(*why))
+        Fact::NoUncertainty { why, loads, of } => no_uncertainty(*why, *loads, *of),
+        Fact::OneDirection => of_two(profile::one_direction()),
+        Fact::Sample { traces, length, factors, between } => {
+            of_two(profile::sample(*traces, *length, *factors, *between))
         }
-        Fact::Profile(found) => {
-            let (claim, text) = profile::fact(found);
-            worded(claim, text)
+        Fact::Uneven(uneven) => of_two(profile::unevenly(*uneven)),
+        Fact::NoRoughness { why } => worded(
+            "There are no roughness parameters.",
+            format!("{}. Moments and models are of all waves of the trace.", capital(why)),
+        ),
+        Fact::CoarserClass { cutoff, ra, length } => {
+            of_two(profile::coarser_class(*cutoff, *ra, *length))
         }
+        Fact::NoShort { short, spacing } => of_two(profile::no_short(*short, *spacing)),
         Fact::Warned(found) => of_two(found.words()),
         Fact::EdgeJump { ratio, edges, seam } => edge_jump(*ratio, *edges, seam.as_ref()),
         Fact::Filled { share, spikes, how } => worded(
@@ -101,11 +105,6 @@ pub fn finding(finding: &Finding) -> Worded {
         ),
         Fact::Pair { names, moments } => of_two(pair::dependent(names, moments)),
         Fact::PixelsDiffer { names, pixels } => of_two(pair::pixels_differ(names, *pixels)),
-        Fact::CommonPart { names, shares } => of_two(pair::common_part(names, *shares)),
-        Fact::OfBody { body, fact } => {
-            let words = self::finding(&Finding::note(fact.as_ref().clone()));
-            worded(format!("{body}: {}", words.claim), words.text)
-        }
         Fact::Passed(passed) => tested(passed),
     }
 }
@@ -131,9 +130,9 @@ fn unit([gradient, rms_height, radius]: [Option<f64>; 3]) -> Worded {
     )
 }
 
-fn steep(found: &Steep) -> Worded {
-    let gradient = significant(found.gradient, 2);
-    if found.is_over {
+fn steep(gradient: f64, is_over: bool) -> Worded {
+    let gradient = significant(gradient, 2);
+    if is_over {
         worded(
             format!("Slopes are too steep: the rms gradient is {gradient}."),
             "Small-slope elasticity ends near 0.5. Solver and models still answer, but for a flat \
@@ -250,13 +249,32 @@ pub(crate) fn capital(text: &str) -> String {
     text
 }
 
-fn no_uncertainty(reason: NoUncertainty) -> String {
-    let advice = match reason {
+fn no_uncertainty(why: NoUncertainty, loads: usize, of: usize) -> Worded {
+    let advice = match why {
+        NoUncertainty::NotConverged => {
+            return worded(
+                format!("{loads} of {} did not converge.", counted(of, "load")),
+                "They are without uncertainty estimate. Raise the number of iterations or loosen \
+                 the tolerance.",
+            );
+        }
+        NoUncertainty::AtRounding => {
+            return worded(
+                format!("{loads} of {} stopped at rounding.", counted(of, "load")),
+                "Their numbers are as good as this floating-point type gives them, short of the \
+                 tolerance; they are without uncertainty estimate. Ask for a larger tolerance, or for \
+                 double precision.",
+            );
+        }
         NoUncertainty::TooFewPoints { .. } => " Measure on a finer grid.",
         NoUncertainty::TooLooselySolved { .. } => " Solve to a smaller tolerance.",
         _ => "",
     };
-    format!("{}.{advice}", capital(&reason.to_string()))
+    let at = if loads < of { format!(" at {loads} of {of} loads") } else { String::new() };
+    worded(
+        format!("The area is without uncertainty estimate{at}."),
+        format!("{}.{advice}", capital(&why.to_string())),
+    )
 }
 
 /// What was tested and is fine, in one entry.

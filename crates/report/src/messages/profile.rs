@@ -1,62 +1,53 @@
 //! What is said of profiles.
 
 use crate::numbers::{METRES, PASCALS, SPACE, chosen, percent, quantity, significant};
-use contact_compare::{ProfileComparison, ProfileFact, Unevenness};
+use contact_compare::{ProfileComparison, Unevenness};
 
-/// Claim and text of a fact about profiles.
-pub(crate) fn fact(fact: &ProfileFact) -> (String, String) {
-    match fact {
-        ProfileFact::OneDirection => (
-            "The surface is taken to be isotropic.".into(),
-            "A trace has one direction: on a surface with a lay its moments are those along the \
-             trace, and every model here is wrong by as much as the other direction differs. Measure \
-             a second trace across the first, or a map."
-                .into(),
-        ),
-        ProfileFact::Sample { traces, length, factors, between } => {
-            sample(*traces, *length, *factors, *between)
-        }
-        ProfileFact::Uneven(uneven) => unevenly(*uneven),
-        ProfileFact::NoRoughness { why } => (
-            "There are no roughness parameters.".into(),
-            format!("{}. Moments and models are of all waves of the trace.", capital(why)),
-        ),
-        ProfileFact::CoarserClass { cutoff, ra, length } => (
-            format!(
-                "Ra = {} asks for a longer cut-off than {}.",
-                quantity(*ra, METRES, 3),
-                chosen(*cutoff, METRES)
-            ),
-            format!(
-                "ISO 21920-3 measures such a surface over more than the {} that were traced: the \
-                 roughness parameters are those of a part of its waves.",
-                quantity(*length, METRES, 3)
-            ),
-        ),
-        ProfileFact::NoShort { short, spacing } => (
-            format!("λs = {} was not applied.", chosen(*short, METRES)),
-            format!(
-                "ISO 21920-3 asks for points five times closer than that; these are {} apart.",
-                quantity(*spacing, METRES, 3)
-            ),
-        ),
-        ProfileFact::NoRolloff { length } => (
-            "No roll-off within the trace.".into(),
-            format!(
-                "Waves longer than {} are not sampled: m₀ and everything made of it grow with the \
-                 length of the trace, beyond what the ± says. m₂ and m₄ hardly do.",
-                quantity(*length, METRES, 3)
-            ),
-        ),
-    }
+/// That one direction was measured: claim and text.
+pub(crate) fn one_direction() -> [String; 2] {
+    [
+        "The surface is taken to be isotropic.".into(),
+        "A trace has one direction: on a surface with a lay its moments are those along the \
+         trace, and every model here is wrong by as much as the other direction differs. Measure \
+         a second trace across the first, or a map."
+            .into(),
+    ]
 }
 
-fn sample(
+/// That Ra asks for a longer cut-off.
+pub(crate) fn coarser_class(cutoff: f64, ra: f64, length: f64) -> [String; 2] {
+    [
+        format!(
+            "Ra = {} asks for a longer cut-off than {}.",
+            quantity(ra, METRES, 3),
+            chosen(cutoff, METRES)
+        ),
+        format!(
+            "ISO 21920-3 measures such a surface over more than the {} that were traced: the \
+             roughness parameters are those of a part of its waves.",
+            quantity(length, METRES, 3)
+        ),
+    ]
+}
+
+/// That λs was left out.
+pub(crate) fn no_short(short: f64, spacing: f64) -> [String; 2] {
+    [
+        format!("λs = {} was not applied.", chosen(short, METRES)),
+        format!(
+            "ISO 21920-3 asks for points five times closer than that; these are {} apart.",
+            quantity(spacing, METRES, 3)
+        ),
+    ]
+}
+
+/// What length and number of the traces leave open.
+pub(crate) fn sample(
     traces: usize,
     length: f64,
     factors: [Option<f64>; 3],
     between: Option<[f64; 3]>,
-) -> (String, String) {
+) -> [String; 2] {
     let what = match traces {
         1 => format!("One trace of {}", quantity(length, METRES, 3)),
         n => format!("{n} traces of {}", quantity(length, METRES, 3)),
@@ -77,7 +68,7 @@ fn sample(
             names.iter().zip(between).map(|(name, s)| format!("{name} {}", percent(s))).collect();
         text = format!("{text} Standard deviation from trace to trace: {}.", each.join(", "));
     }
-    (claim, text)
+    [claim, text]
 }
 
 /// "±12 %", "within a factor of 1.8", "not known".
@@ -91,9 +82,10 @@ pub(crate) fn spread(factor: Option<f64>) -> String {
     }
 }
 
-fn unevenly(uneven: Unevenness) -> (String, String) {
+/// That the points were not evenly spaced.
+pub(crate) fn unevenly(uneven: Unevenness) -> [String; 2] {
     let [short, long] = uneven.steps;
-    (
+    [
         format!(
             "The points are not evenly spaced: {} to {} apart.",
             quantity(short, METRES, 3),
@@ -104,14 +96,7 @@ fn unevenly(uneven: Unevenness) -> (String, String) {
              length; slopes and curvatures of waves shorter than a few of the longest steps are lost.",
             quantity(uneven.spacing, METRES, 3)
         ),
-    )
-}
-
-fn capital(text: &str) -> String {
-    let mut letters = text.chars();
-    letters.next().map_or_else(String::new, |first| {
-        first.to_uppercase().collect::<String>() + letters.as_str()
-    })
+    ]
 }
 
 /// "1.8", "0.62 to 0.91" as percentages.

@@ -1,8 +1,11 @@
 //! Whether a theory covers a surface, in words.
 
+use crate::messages::finding::of_fact;
 use crate::numbers::{SPACE, counted, length, pressure, significant};
-use contact_compare::{Assumes, Card, ModelComparison, Reason, Verdict};
-use contact_types::ModelError;
+use contact_compare::{
+    Assumes, BuildError, Card, Caveat, Fact, ModelComparison, ModelError, Reason, Verdict,
+};
+use surface_stats::Warning;
 
 /// What steep slopes strain.
 pub(crate) const SMALL_SLOPES: &str = "small-slope elasticity ends near 0.5";
@@ -31,18 +34,13 @@ fn within(card: &Card) -> &str {
 
 fn words(reason: &Reason) -> String {
     match reason {
-        Reason::Steep { gradient } => {
-            format!("rms gradient {}: {SMALL_SLOPES}", significant(*gradient, 2))
-        }
-        Reason::Refused(error) => refusal(error),
-        Reason::Missing { dimension: Some(d), .. } => {
+        Reason::Surface(fact) => of_surface(fact),
+        Reason::Refused { dimension: Some(d), .. } => {
             format!("fitted D = {}: no profile dimension between 1 and 2", plain(*d))
         }
-        Reason::Missing { needs, dimension: None } => format!("needs {needs}"),
-        Reason::RowsJump => "rows of the map jump".to_owned(),
-        Reason::Lay { ratio } => format!("the surface has a lay (slopes {ratio:.1} : 1)"),
-        Reason::NotGaussian { skewness, kurtosis } => {
-            format!("skewness {}, kurtosis {}", plain(*skewness), plain(*kurtosis))
+        Reason::Refused { error: BuildError::Model(error), .. } => refusal(error),
+        Reason::Refused { error: BuildError::Missing { needs, .. }, .. } => {
+            format!("needs {needs}")
         }
         Reason::Crowded { from } => {
             format!("asperities interact from {} (area 5{SPACE}%)", pressure(*from))
@@ -58,14 +56,33 @@ fn words(reason: &Reason) -> String {
             length(*short),
             length(*long)
         ),
-        Reason::Beyond { quantity, value, limit, reason } => {
+        Reason::Caveat {
+            caveat: Caveat::BeyondModel { quantity, value, limit, reason }, ..
+        } => {
             format!("{quantity} {} beyond {}: {reason}", plain(*value), plain(*limit))
         }
+        Reason::Caveat { from, .. } => format!("full contact from {}", pressure(*from)),
         Reason::Elastic { .. } => "elastic bodies only".to_owned(),
-        Reason::Full { from } => format!("full contact from {}", pressure(*from)),
         Reason::NoAnswer { loads, of } => {
             format!("no answer at {loads} of {}", counted(*of, "load"))
         }
+    }
+}
+
+/// What of a surface strains a theory, in the words of a table.
+fn of_surface(fact: &Fact) -> String {
+    match fact {
+        Fact::Steep { gradient, .. } => {
+            format!("rms gradient {}: {SMALL_SLOPES}", significant(*gradient, 2))
+        }
+        Fact::Warned(Warning::RowsJump { .. }) => "rows of the map jump".to_owned(),
+        Fact::Warned(Warning::Anisotropic { ratio }) => {
+            format!("the surface has a lay (slopes {ratio:.1} : 1)")
+        }
+        Fact::Warned(Warning::NotGaussian { skewness, kurtosis }) => {
+            format!("skewness {}, kurtosis {}", plain(*skewness), plain(*kurtosis))
+        }
+        other => of_fact(other).claim,
     }
 }
 
