@@ -1,5 +1,8 @@
 //! One answer of a model, whichever model it is: the only place where a model is asked.
 
+use crate::inputs::Inputs;
+use crate::result::ModelCurve;
+use crate::theory::{BuildError, Theory};
 use contact_types::{Clock, ContactModel, ContactState, ModelError, SeparationModel};
 use std::hint::black_box;
 use std::time::Duration;
@@ -30,7 +33,7 @@ pub fn at_separation(
 
 /// A model's answers at nominal pressures (Pa) and its seconds per load: the median of passes over all
 /// loads, as many as fit in 20 ms, at least three; in WebAssembly their mean.
-pub(crate) fn timed(
+fn timed(
     name: &str,
     model: &dyn ContactModel,
     mean_pressures: &[f64],
@@ -55,6 +58,25 @@ pub(crate) fn timed(
     (answers, one / loads)
 }
 
+/// A theory's answers at nominal pressures (Pa). One that refuses every load does not apply: its reason is the outcome.
+///
+/// # Errors
+/// [`BuildError`].
+pub(crate) fn curve_of(
+    theory: &dyn Theory,
+    inputs: &Inputs,
+    pressures: &[f64],
+) -> Result<ModelCurve, BuildError> {
+    let model = theory.build(inputs)?;
+    let (points, seconds) = timed(&theory.card().title, model.as_ref(), pressures);
+    if let Some(Err(first)) = points.first()
+        && points.iter().all(Result::is_err)
+    {
+        return Err(BuildError::Model(first.clone()));
+    }
+    Ok(ModelCurve::of(model.as_ref(), points, seconds))
+}
+
 /// Theories that add up contacts know no upper end; a surface does.
 fn possible(model: &str, state: ContactState) -> Result<ContactState, ModelError> {
     // Rounding may lift full contact by some last digits.
@@ -75,7 +97,7 @@ fn possible(model: &str, state: ContactState) -> Result<ContactState, ModelError
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::{Inputs, built_in, find};
+    use crate::{built_in, find};
 
     /// Every built-in theory at a load that closes any contact: full contact at most, or no answer.
     #[test]

@@ -2,9 +2,8 @@
 //! choices in preparing the map would have made of its area. Asked for when a report is written; a
 //! study alone does not need it.
 
-use crate::progress::Watch;
+use crate::progress::LoadListener;
 use crate::result::{Choice, ChoiceKind, Closer, Comparison, SurfaceComparison};
-use crate::solver_of::builder;
 use crate::{EdgesName, Listener, Origin, Settings, StudyError};
 use contact_accuracy::{Ladder, Setup, regrid};
 use contact_types::{Clock, ContactModulus, HeightMap};
@@ -27,11 +26,27 @@ impl Comparison {
     /// found; [`StudyError::Material`] if the modulus of the settings is none, which a finished study
     /// rules out.
     pub fn look_closer(&mut self, progress: &mut Listener<'_>) -> Result<(), StudyError> {
+        self.at_headlines(progress, look)
+    }
+
+    /// Asks more at the headline of every surface, on the threads of the study.
+    pub(crate) fn at_headlines(
+        &mut self,
+        progress: &mut Listener<'_>,
+        ask: fn(
+            &mut SurfaceComparison,
+            &Settings,
+            ContactModulus,
+            &mut LoadListener<'_, '_>,
+        ) -> Result<(), StudyError>,
+    ) -> Result<(), StudyError> {
         let modulus = ContactModulus::from_pascals(self.settings.modulus)?;
         let Self { settings, surfaces, .. } = self;
         on_threads(settings.threads, || {
-            let mut wanted = surfaces.iter_mut().filter(|s| s.plan.is_none());
-            wanted.try_for_each(|surface| look(surface, settings, modulus, progress))
+            surfaces.iter_mut().try_for_each(|surface| {
+                let mut watch = LoadListener::new(progress, surface.headline);
+                ask(surface, settings, modulus, &mut watch)
+            })
         })
     }
 }
@@ -40,17 +55,16 @@ fn look(
     surface: &mut SurfaceComparison,
     settings: &Settings,
     modulus: ContactModulus,
-    progress: &mut Listener<'_>,
+    watch: &mut LoadListener<'_, '_>,
 ) -> Result<(), StudyError> {
     let start = Clock::now();
     let is_solved = surface.headline_answer().is_some_and(|a| a.converged);
-    if !is_solved || surface.map.rms_height <= 0.0 {
+    if surface.plan.is_some() || !is_solved || surface.map.rms_height <= 0.0 {
         return Ok(());
     }
-    let mut watch = Watch::new(progress, surface.headline);
-    let area = certify(surface, settings, modulus, &mut watch);
+    let area = certify(surface, settings, modulus, watch);
     watch.go_on()?;
-    let choices = choices(surface, settings, modulus, area, &mut watch);
+    let choices = choices(surface, settings, modulus, area, watch);
     watch.go_on()?;
     let seconds = start.elapsed().as_secs_f64();
     surface.closer = Some(Closer { choices, seconds });
@@ -63,12 +77,12 @@ fn certify(
     surface: &mut SurfaceComparison,
     settings: &Settings,
     modulus: ContactModulus,
-    watch: &mut Watch<'_, '_>,
+    watch: &mut LoadListener<'_, '_>,
 ) -> Option<f64> {
     let load = Load::MeanPressure(surface.headline_pressure());
     let setup = Setup {
         mirrored: settings.edges == EdgesName::Mirrored,
-        ..Setup::new(builder(settings).certified(true).maps(Maps::Pressure), modulus)
+        ..Setup::new(settings.solver().certified(true).maps(Maps::Pressure), modulus)
     };
     let mut ladder = Ladder::new(surface.surface.clone(), setup).ok()?;
     let found = ladder.solve(load, true, |now| watch.iteration(now)).ok()?;
@@ -89,7 +103,7 @@ fn choices(
     settings: &Settings,
     modulus: ContactModulus,
     known: Option<f64>,
-    watch: &mut Watch<'_, '_>,
+    watch: &mut LoadListener<'_, '_>,
 ) -> Vec<Choice> {
     let mut last: Option<Solver> = None; // most of the maps stand on the same grid
     let mut area = |map: &HeightMap| -> Option<f64> {
@@ -97,7 +111,7 @@ fn choices(
         let grid = whole.grid();
         if last.as_ref().is_none_or(|solver| solver.grid() != grid) {
             last = None; // its memory first
-            last = Some(builder(settings).maps(Maps::None).build(grid, modulus).ok()?);
+            last = Some(settings.solver().maps(Maps::None).build(grid, modulus).ok()?);
         }
         let solver = last.as_mut()?;
         solver.forget();
@@ -121,29 +135,30 @@ fn choices(
     let Some(used) = used.as_deref() else { return Vec::new() };
     let known = known.filter(|area| factor == 1 && *area > 0.0);
     let Some(reference) = known.or_else(|| area(used)) else { return Vec::new() };
-    let mut trials: Vec<Trial<'_>> = Vec::new();
+    let mut trials: Vec<ChoiceTrial<'_>> = Vec::new();
     // Spikes of the map as given: a coarser grid smears them.
     if !surface.spikes.indices.is_empty() {
         let kind = ChoiceKind::WithoutSpikes(surface.spikes.indices.len());
-        trials.push(Trial::new(kind, || {
+        trials.push(ChoiceTrial::new(kind, || {
             let clean = surface.spikes.without(&surface.surface)?;
             if factor > 1 { on(&clean, used.grid().shape()) } else { Some(clean) }
         }));
     }
     let is_levelled = matches!(surface.statistics.level, Level::Plane);
     if !matches!(surface.origin, Origin::Recipe(_)) && is_levelled {
-        trials.push(Trial::new(ChoiceKind::Paraboloid, || level(used, Level::Quadratic).ok()));
+        trials
+            .push(ChoiceTrial::new(ChoiceKind::Paraboloid, || level(used, Level::Quadratic).ok()));
     }
     let [dy, dx] = used.grid().pixel();
     let shortest = surface.statistics.cutoff.unwrap_or(0.0).max(2.0 * dy.max(dx));
     let waves = used.grid().size().map(|side| (side / shortest).floor() as usize);
     if waves[0].min(waves[1]) >= 16 {
         let kind = ChoiceKind::Cutoff(2.0 * shortest);
-        trials.push(Trial::new(kind, move || on(&on(used, waves)?, used.grid().shape())));
+        trials.push(ChoiceTrial::new(kind, move || on(&on(used, waves)?, used.grid().shape())));
     }
     if !repeats && settings.edges == EdgesName::Periodic {
         // Half the points a side: its mirror images have as many as the map.
-        trials.push(Trial::new(ChoiceKind::Mirrored, || {
+        trials.push(ChoiceTrial::new(ChoiceKind::Mirrored, || {
             on(used, used.grid().shape().map(|n| n / 2))
         }));
     }
@@ -157,12 +172,12 @@ fn choices(
 }
 
 /// A choice, and what makes the map as it would be then.
-struct Trial<'a> {
+struct ChoiceTrial<'a> {
     kind: ChoiceKind,
     map: Box<dyn Fn() -> Option<HeightMap> + Sync + 'a>,
 }
 
-impl<'a> Trial<'a> {
+impl<'a> ChoiceTrial<'a> {
     fn new(kind: ChoiceKind, map: impl Fn() -> Option<HeightMap> + Sync + 'a) -> Self {
         Self { kind, map: Box::new(map) }
     }
@@ -170,13 +185,13 @@ impl<'a> Trial<'a> {
 
 /// What each choice does; the map of the next one is made while the `effect` of the one before is found.
 fn try_all(
-    trials: &[Trial<'_>],
+    trials: &[ChoiceTrial<'_>],
     mut effect: impl FnMut(ChoiceKind, &HeightMap) -> Option<f64> + Send,
 ) -> Vec<Choice> {
     let mut list = Vec::new();
-    let make = |trial: Option<&Trial<'_>>| trial.and_then(|trial| (trial.map)());
+    let make = |trial: Option<&ChoiceTrial<'_>>| trial.and_then(|trial| (trial.map)());
     let mut map = make(trials.first());
-    for (i, &Trial { kind, .. }) in trials.iter().enumerate() {
+    for (i, &ChoiceTrial { kind, .. }) in trials.iter().enumerate() {
         let found = || effect(kind, &map?);
         let (found, next) = join(found, || make(trials.get(i + 1)));
         list.extend(found.map(|effect| Choice { kind, effect }));

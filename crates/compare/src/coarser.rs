@@ -1,14 +1,13 @@
 //! The headline load once more on coarser grids: what a cheaper deterministic answer would have
 //! cost in accuracy. Asked for when a report is written; a study alone does not need it.
 
-use crate::progress::Watch;
+use crate::progress::LoadListener;
 use crate::result::{Coarser, Comparison, SurfaceComparison};
-use crate::solver_of::builder;
 use crate::{Listener, Settings, StudyError};
 use contact_accuracy::thinned;
 use contact_types::{ContactModulus, HeightMap};
 use fft_bem_solver::{Load, Maps};
-use grid_fft::parallel::{self, on_threads};
+use grid_fft::parallel;
 
 /// Point spacings tried, in spacings of the map. Together they have
 /// 1/4 + 1/16 + 1/64 = 33 % of its points.
@@ -35,12 +34,7 @@ impl Comparison {
     /// [`StudyError::Material`] if the modulus of the settings is none, which a finished study rules
     /// out.
     pub fn solve_coarser(&mut self, progress: &mut Listener<'_>) -> Result<(), StudyError> {
-        let modulus = ContactModulus::from_pascals(self.settings.modulus)?;
-        let Self { settings, surfaces, .. } = self;
-        on_threads(settings.threads, || {
-            let mut wanted = surfaces.iter_mut().filter(|s| s.plan.is_none());
-            wanted.try_for_each(|s| solve_all(s, settings, modulus, progress))
-        })
+        self.at_headlines(progress, solve_all)
     }
 }
 
@@ -49,14 +43,15 @@ fn solve_all(
     surface: &mut SurfaceComparison,
     settings: &Settings,
     modulus: ContactModulus,
-    progress: &mut Listener<'_>,
+    watch: &mut LoadListener<'_, '_>,
 ) -> Result<(), StudyError> {
-    let mut watch = Watch::new(progress, surface.headline);
+    if surface.plan.is_some() {
+        return Ok(());
+    }
     // All maps first: nothing else runs while a solution is timed.
     let maps = parallel::map(&COARSER, |factor| coarsened(&surface.surface, *factor));
     for (factor, map) in COARSER.into_iter().zip(maps) {
-        let found =
-            map.and_then(|map| solve(surface, settings, modulus, (factor, &map), &mut watch));
+        let found = map.and_then(|map| solve(surface, settings, modulus, (factor, &map), watch));
         watch.go_on()?;
         surface.coarser.extend(found);
     }
@@ -68,11 +63,11 @@ fn solve(
     settings: &Settings,
     modulus: ContactModulus,
     (factor, map): (usize, &HeightMap),
-    watch: &mut Watch<'_, '_>,
+    watch: &mut LoadListener<'_, '_>,
 ) -> Option<Coarser> {
     let truth = surface.headline_answer().filter(|a| a.converged)?.area_fraction;
     let whole = settings.edges.around(map).ok()?;
-    let mut solver = builder(settings).maps(Maps::None).build(whole.grid(), modulus).ok()?;
+    let mut solver = settings.solver().maps(Maps::None).build(whole.grid(), modulus).ok()?;
     let load = Load::MeanPressure(surface.headline_pressure());
     let solution = solver.solve_observed(&whole, load, |now| watch.iteration(now)).ok()?;
     let found = &solution.diagnostics;

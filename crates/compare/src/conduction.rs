@@ -6,17 +6,15 @@
 
 use crate::ask::at_pressure;
 use crate::conducted::{Conductance, Conducted, Conduction, Joint, Octave, TheoryStiffness};
-use crate::progress::Watch;
+use crate::progress::LoadListener;
 use crate::registry::find;
 use crate::result::{Comparison, DeterministicAnswer, SurfaceComparison};
 use crate::settings::Settings;
-use crate::solver_of::builder;
 use crate::{GapGas, Input, Inputs, Listener, StudyError, Theory};
 use asperity_models::thermal_conductance::gas_between;
 use contact_accuracy::{Budget, regrid};
 use contact_types::{Clock, ContactModel, ContactModulus, ContactState, HeightMap};
 use fft_bem_solver::Load;
-use grid_fft::parallel::on_threads;
 
 /// Points along the shorter side that the shortest wave left must fit, twice.
 const FEWEST_POINTS: usize = 16;
@@ -166,18 +164,13 @@ impl Comparison {
     /// [`StudyError::Stopped`] if the listener breaks; [`StudyError::Material`] if the modulus of the
     /// settings is none, which a finished study rules out.
     pub fn remove_octaves(&mut self, progress: &mut Listener<'_>) -> Result<(), StudyError> {
-        let modulus = ContactModulus::from_pascals(self.settings.modulus)?;
-        let Self { settings, surfaces, .. } = self;
-        on_threads(settings.threads, || {
-            for surface in surfaces {
-                let start = Clock::now();
-                let mut watch = Watch::new(progress, surface.headline);
-                let octaves = octaves(surface, settings, modulus, &mut watch);
-                watch.go_on()?;
-                if let Some(conduction) = &mut surface.conduction {
-                    conduction.octaves = octaves;
-                    conduction.seconds = start.elapsed().as_secs_f64();
-                }
+        self.at_headlines(progress, |surface, settings, modulus, watch| {
+            let start = Clock::now();
+            let octaves = octaves(surface, settings, modulus, watch);
+            watch.go_on()?;
+            if let Some(conduction) = &mut surface.conduction {
+                conduction.octaves = octaves;
+                conduction.seconds = start.elapsed().as_secs_f64();
             }
             Ok(())
         })
@@ -188,7 +181,7 @@ fn octaves(
     surface: &SurfaceComparison,
     settings: &Settings,
     modulus: ContactModulus,
-    watch: &mut Watch<'_, '_>,
+    watch: &mut LoadListener<'_, '_>,
 ) -> Vec<Octave> {
     let at_headline =
         surface.conduction.as_ref().and_then(|c| *c.stiffness.get(surface.headline)?);
@@ -200,7 +193,7 @@ fn octaves(
     let mut found = vec![Octave { shortest, area: answer.area_fraction, stiffness }];
     let mut solve = |map: &HeightMap| -> Option<[f64; 2]> {
         let whole = settings.edges.around(map).ok()?;
-        let mut solver = builder(settings).build(whole.grid(), modulus).ok()?;
+        let mut solver = settings.solver().build(whole.grid(), modulus).ok()?;
         let load = Load::MeanPressure(surface.headline_pressure());
         let solution = solver.solve_observed(&whole, load, |now| watch.iteration(now)).ok()?;
         let set = solver.contact_stiffness().ok()?;

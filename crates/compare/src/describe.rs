@@ -3,7 +3,7 @@
 use crate::inputs::{Inputs, MomentSource};
 use crate::result::Spectral;
 use crate::theory::Assumes;
-use crate::{Origin, Registry, Settings};
+use crate::{Origin, Registry, Settings, poisson};
 use contact_types::{AmplitudeSpectrum, ContactModulus, HeightMap};
 use std::f64::consts::TAU;
 use surface_stats::spectrum::{PowerSpectrum, Ring, radial};
@@ -48,7 +48,7 @@ pub(crate) fn model_inputs(
         gamma: settings.gamma,
         // The mean gap is told where its weight was asked for.
         spectrum: settings.gamma.and_then(|_| radial(map).ok()),
-        poisson: settings.poisson(),
+        poisson: poisson(&settings.bodies),
         ..Inputs::new(modulus)
     }
 }

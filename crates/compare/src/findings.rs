@@ -70,8 +70,8 @@ pub fn sticking(adhesion: Adhesion) -> Finding {
     Finding::check_if(!adhesion.negligible, Fact::Adhesion(Box::new(adhesion)))
 }
 
-/// What the statistics of a map alone say, worst first; `spikes` are its own.
-pub fn measured(s: &SurfaceStatistics, spikes: &Spikes) -> Vec<Finding> {
+/// What the statistics of a map alone say, worst first; `spikes` are its own, and it may be that of a pair.
+pub fn measured(s: &SurfaceStatistics, spikes: &Spikes, pair: Option<&PairOrigin>) -> Vec<Finding> {
     let scene = Scene {
         gradient: Some(s.rms_gradient),
         rms_height: Some(s.rms_height),
@@ -81,6 +81,7 @@ pub fn measured(s: &SurfaceStatistics, spikes: &Spikes) -> Vec<Finding> {
     let mut found = scene.findings();
     found.extend(spiky(spikes, None));
     found.extend(s.warnings.iter().copied().map(Finding::warned));
+    found.extend(pair.map(of_pair).into_iter().flatten());
     found.sort_by_key(|f| f.weight);
     found
 }
@@ -217,7 +218,7 @@ fn is_unsolved(why: &NoUncertainty) -> bool {
 const PIXELS_MATTER: f64 = 1.5;
 
 /// What two bodies say of each other, and what was done to each.
-pub fn of_pair(pair: &PairOrigin) -> Vec<Finding> {
+fn of_pair(pair: &PairOrigin) -> Vec<Finding> {
     let Some(PairFound { placed, independence }) = &pair.found else { return Vec::new() };
     let names = || pair.names.clone();
     let mut found = Vec::new();
@@ -240,7 +241,7 @@ pub fn of_pair(pair: &PairOrigin) -> Vec<Finding> {
 
 /// Spikes; they may change a conclusion where they carry a twentieth of the load, and none where they carry
 /// a thousandth.
-pub fn spiky(spikes: &Spikes, share: Option<f64>) -> Option<Finding> {
+fn spiky(spikes: &Spikes, share: Option<f64>) -> Option<Finding> {
     let count = spikes.indices.len();
     let Spikes { points: of, largest, taken, .. } = *spikes;
     let fact = Fact::Spikes { count, of, largest, share, taken };

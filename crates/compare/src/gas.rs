@@ -6,7 +6,7 @@ use serde::{Deserialize, Serialize};
 
 /// What of a gas the table has.
 #[derive(Debug, Clone, Copy)]
-struct Row {
+struct GasProperties {
     /// Thermal conductivity at [`TEMPERATURES`] (W/m/K): Smirnov, *Fundamentals of Ionized Gases* (2012), table 4.6.
     conductivity: [f64; 7],
     /// Mean free path at 298 K and 1 atm (m): Karniadakis, Beskok & Aluru, *Microflows and Nanoflows* (2005), table 1.1.
@@ -43,7 +43,7 @@ impl Named for Gas {
 }
 
 impl Gas {
-    fn row(self) -> Row {
+    fn row(self) -> GasProperties {
         let (conductivity, free_path, prandtl, heat_ratio) = match self {
             Self::Air => {
                 ([0.95, 1.83, 2.62, 3.28, 4.69, 5.73, 6.67], 61.11, 1.85e-5 * 1004.5 / 0.0261, 1.4)
@@ -65,7 +65,7 @@ impl Gas {
             }
         };
         let conductivity = conductivity.map(|k| 0.01 * k);
-        Row { conductivity, free_path: 1e-9 * free_path, prandtl, heat_ratio }
+        GasProperties { conductivity, free_path: 1e-9 * free_path, prandtl, heat_ratio }
     }
 }
 

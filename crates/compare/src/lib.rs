@@ -32,7 +32,6 @@ mod run_file;
 mod scene;
 mod sections;
 mod settings;
-mod solver_of;
 mod spikes;
 mod spots;
 mod study;
@@ -61,7 +60,7 @@ pub use fft_bem_solver::{
     Iteration, Load, Method, ObserverResult, Precision, Solution, Solver, SolverError, Yielded,
 };
 pub use finding::{Fact, Finding, Passed, Pressed, Seam, Weight, Yield, Yielding};
-pub use findings::{Solved, findings, is_below_a_point, measured, of_pair, seam, spiky, sticking};
+pub use findings::{Solved, findings, is_below_a_point, measured, seam, sticking};
 pub use first_contact::FirstContact;
 pub use gas::{GapGas, Gas};
 pub use grid_fft::parallel::on_threads;

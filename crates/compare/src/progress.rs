@@ -67,13 +67,13 @@ impl Progress<'static> {
 }
 
 /// A listener that is told of the iterations at one load, and whether it has asked to stop.
-pub(crate) struct Watch<'a, 'b> {
+pub(crate) struct LoadListener<'a, 'b> {
     listener: &'a mut Listener<'b>,
     index: usize,
     is_stopped: bool,
 }
 
-impl<'a, 'b> Watch<'a, 'b> {
+impl<'a, 'b> LoadListener<'a, 'b> {
     /// At the load of this index, by rising pressure.
     pub(crate) fn new(listener: &'a mut Listener<'b>, index: usize) -> Self {
         Self { listener, index, is_stopped: false }

@@ -145,9 +145,9 @@ mod tests {
         }
     }
 
-    struct Named(Card);
+    struct NamedTheory(Card);
 
-    impl Theory for Named {
+    impl Theory for NamedTheory {
         fn card(&self) -> &Card {
             &self.0
         }
@@ -163,7 +163,7 @@ mod tests {
             let source = ["me", "title", "journal", ""].map(std::borrow::Cow::from);
             let [authors, title_, journal, doi] = source;
             let citation = Citation { authors, year: 2026, title: title_, journal, doi };
-            Named(Card::new(name, title, citation))
+            NamedTheory(Card::new(name, title, citation))
         };
         let own = Registry::built_in().with(card("mine", "Mine")).unwrap();
         assert_eq!(own.iter().last().unwrap().card().label, "Mine");

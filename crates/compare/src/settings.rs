@@ -3,7 +3,7 @@
 use crate::{Card, GapGas, Joint, MaterialUse, Registry, Theory, WorkOfAdhesion};
 use contact_accuracy::Axis;
 use contact_types::{HeightMap, Named};
-use fft_bem_solver::{Method, Precision};
+use fft_bem_solver::{Method, Precision, Solver, SolverBuilder};
 use serde::{Deserialize, Serialize};
 use std::borrow::Cow;
 use surface_stats::clean::mirrored;
@@ -132,9 +132,14 @@ impl Settings {
         }
     }
 
-    /// Poisson's ratio of the bodies, the mean of two \[-\]; 0.3 if they are not known.
-    pub fn poisson(&self) -> f64 {
-        poisson(&self.bodies)
+    /// The solver that is asked for, of bodies that yield if a hardness is given.
+    pub(crate) fn solver(&self) -> SolverBuilder {
+        self.elastic_solver().hardness(self.hardness.unwrap_or(f64::INFINITY))
+    }
+
+    /// The same of elastic bodies.
+    pub(crate) fn elastic_solver(&self) -> SolverBuilder {
+        Solver::builder().method(self.method).precision(self.precision).tolerance(self.tolerance)
     }
 
     /// The theories to ask, in the order of the registry.

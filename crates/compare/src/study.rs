@@ -1,6 +1,6 @@
 //! The study itself: statistics, the deterministic curve, every model over the loads.
 
-use crate::ask::timed;
+use crate::ask::curve_of;
 use crate::conducted::Conduction;
 use crate::curve::{Curve, ToCurve};
 use crate::describe::{describe, model_inputs, spectral};
@@ -11,8 +11,7 @@ use crate::result::{
     Comparison, DeterministicPoint, ModelComparison, ModelCurve, Refused, SurfaceComparison,
 };
 use crate::sections::telling_row;
-use crate::solver_of::{builder, elastic};
-use crate::theory::{BuildError, Theory};
+use crate::theory::Theory;
 use crate::verdict::{Judged, verdict};
 use crate::yielding::{excess, gradient_of_loads};
 use crate::{
@@ -166,7 +165,7 @@ fn compare(
     let whole = Setup {
         jump: settings.gas.map(|gas| gas.jump()),
         leak: settings.leak.map_or_else(Vec::new, |leak| leak.along.axes().to_vec()),
-        ..setup(builder(settings).maps(Maps::PressureAndGap).section(section))
+        ..setup(settings.solver().maps(Maps::PressureAndGap).section(section))
     };
     let materials = spreads(&settings.materials);
     let new_curve = |known| Curve::new(known, settings.headline, settings.edges, materials);
@@ -211,7 +210,7 @@ fn compare(
     let Curve { first, pressures: pressure_maps, sections, solved, .. } = curve;
     let mut elastic_points = Vec::new();
     if settings.hardness.is_some() {
-        let mut ladder = rungs(setup(elastic(settings).maps(Maps::Pressure)))?;
+        let mut ladder = rungs(setup(settings.elastic_solver().maps(Maps::Pressure)))?;
         let mut beside = new_curve(known);
         for (i, point) in deterministic.iter().enumerate() {
             // Where nothing has yielded, the answer is the elastic one.
@@ -384,17 +383,10 @@ fn ask(
             OfMap::Amplitudes => amplitudes,
             OfMap::Fractal => spectrum,
         };
-    let outcome = theory.build(&asked).and_then(|model| {
-        let pressures: Vec<f64> = deterministic.iter().map(|p| p.mean_pressure).collect();
-        let (points, seconds) = timed(&card.title, model.as_ref(), &pressures);
-        // A theory that refuses every load does not apply: its reason is the outcome.
-        if let Some(Err(first)) = points.first()
-            && points.iter().all(Result::is_err)
-        {
-            return Err(BuildError::Model(first.clone()));
-        }
-        let errors = points.iter().zip(loads).map(|(m, d)| error(m, d)).collect();
-        Ok(ModelCurve { preparation, errors, ..ModelCurve::of(model.as_ref(), points, seconds) })
+    let pressures: Vec<f64> = deterministic.iter().map(|p| p.mean_pressure).collect();
+    let outcome = curve_of(theory, &asked, &pressures).map(|curve| {
+        let errors = curve.points.iter().zip(loads).map(|(m, d)| error(m, d)).collect();
+        ModelCurve { preparation, errors, ..curve }
     });
     let verdict = verdict(&card, inputs, &outcome, loads, judged);
     ModelComparison { card, outcome, verdict }

@@ -21,7 +21,7 @@ pub struct ErrorRange {
 }
 
 /// One surface at one load.
-struct Row {
+struct SurveyRow {
     surface: u32,
     bandwidth: f64,
     load: f64,
@@ -29,7 +29,7 @@ struct Row {
     errors: Vec<Option<f64>>,
 }
 
-impl Row {
+impl SurveyRow {
     fn parse(line: &str) -> Option<Self> {
         let cells: Vec<&str> = line.split(',').collect();
         let number = |k: usize| cells.get(k)?.parse::<f64>().ok();
@@ -45,7 +45,7 @@ impl Row {
 
 struct Survey {
     models: Vec<&'static str>,
-    rows: Vec<Row>,
+    rows: Vec<SurveyRow>,
 }
 
 fn built_in() -> &'static Survey {
@@ -53,7 +53,7 @@ fn built_in() -> &'static Survey {
     SURVEY.get_or_init(|| {
         let mut lines = include_str!("../data/survey.csv").lines().filter(|l| !l.starts_with('#'));
         let models = lines.next().unwrap_or_default().split(',').skip(4).collect();
-        let rows = lines.map(Row::parse).collect::<Option<Vec<_>>>();
+        let rows = lines.map(SurveyRow::parse).collect::<Option<Vec<_>>>();
         Survey { models, rows: rows.expect("a test reads the committed table") }
     })
 }
@@ -108,7 +108,7 @@ mod tests {
     fn the_errors_are_those_of_the_models_as_they_are() {
         let modulus = ContactModulus::from_pascals(1.0).unwrap();
         let survey = built_in();
-        let error = |row: &Row, model: &str| {
+        let error = |row: &SurveyRow, model: &str| {
             row.errors[survey.models.iter().position(|m| *m == model).unwrap()].unwrap()
         };
         for row in &survey.rows {

@@ -109,16 +109,16 @@ impl Theory for Tabulated {
             let needs = format!("a curve of this surface; it was computed for '{own}'");
             return Err(BuildError::missing(self.card.title.clone(), needs));
         }
-        Ok(Box::new(Curve { card: self.card.clone(), points: Arc::clone(&self.points) }))
+        Ok(Box::new(TabulatedModel { card: self.card.clone(), points: Arc::clone(&self.points) }))
     }
 }
 
-struct Curve {
+struct TabulatedModel {
     card: Card,
     points: Arc<[CurvePoint]>,
 }
 
-impl ContactModel for Curve {
+impl ContactModel for TabulatedModel {
     fn citation(&self) -> Citation {
         self.card.citation.clone()
     }

@@ -29,7 +29,7 @@ const SELF_AFFINE: Set = (&[Hurst, Rolloff, Cutoff, M0], &[Longest]);
 const OF_RECORD: Set = (&[Hurst, Rolloff, Cutoff, M0], &[Longest, RecordLength]);
 
 /// One theory; see [`Card`] for the words. `needs` are the sets of numbers it can be made from, the usual first.
-struct Row {
+struct ModelDescriptor {
     name: &'static str,
     label: &'static str,
     title: &'static str,
@@ -51,8 +51,8 @@ enum Build {
     Rigid(fn(&Inputs) -> Result<Box<dyn ContactModel>, BuildError>),
 }
 
-const ROWS: &[Row] = &[
-    Row {
+const ROWS: &[ModelDescriptor] = &[
+    ModelDescriptor {
         name: "gw",
         label: "GW",
         title: "Greenwood–Williamson, exact",
@@ -72,7 +72,7 @@ const ROWS: &[Row] = &[
             Ok(Box::new(GreenwoodWilliamson::from_moments(moments, inputs.modulus)?))
         }),
     },
-    Row {
+    ModelDescriptor {
         name: "bgt",
         label: "BGT",
         title: "Bush–Gibson–Thomas",
@@ -85,7 +85,7 @@ const ROWS: &[Row] = &[
             Ok(Box::new(BushGibsonThomas::new(moments, inputs.modulus)?))
         }),
     },
-    Row {
+    ModelDescriptor {
         name: "greenwood-elliptical",
         label: "Elliptical",
         title: "Greenwood simplified elliptical",
@@ -98,7 +98,7 @@ const ROWS: &[Row] = &[
             Ok(Box::new(GreenwoodElliptical::new(moments, inputs.modulus)?))
         }),
     },
-    Row {
+    ModelDescriptor {
         name: "persson",
         label: "Persson",
         title: "Persson",
@@ -108,7 +108,7 @@ const ROWS: &[Row] = &[
         assumes: Assumes::Gaussian,
         build: Build::Pressure(persson),
     },
-    Row {
+    ModelDescriptor {
         name: "stacked",
         label: "Stacked",
         title: "Stacked multiscale",
@@ -124,7 +124,7 @@ const ROWS: &[Row] = &[
             Ok(Box::new(Stacked::from_amplitudes(amplitudes, inputs.modulus)?))
         }),
     },
-    Row {
+    ModelDescriptor {
         name: "multiscale",
         label: "Multiscale",
         title: "Jackson–Streator multiscale",
@@ -137,7 +137,7 @@ const ROWS: &[Row] = &[
             Ok(Box::new(JacksonStreator::new(amplitudes.clone(), inputs.modulus)?))
         }),
     },
-    Row {
+    ModelDescriptor {
         name: "archard",
         label: "Archard",
         title: "Archard, spheres on spheres",
@@ -151,7 +151,7 @@ const ROWS: &[Row] = &[
             Ok(Box::new(Archard::new(spheres, inputs.modulus)?))
         }),
     },
-    Row {
+    ModelDescriptor {
         name: "majumdar-bhushan",
         label: "MB",
         title: "Majumdar–Bhushan",
@@ -172,7 +172,7 @@ const ROWS: &[Row] = &[
             }))
         }),
     },
-    Row {
+    ModelDescriptor {
         name: "yan-komvopoulos",
         label: "YK",
         title: "Yan–Komvopoulos",
@@ -194,7 +194,7 @@ const ROWS: &[Row] = &[
             }))
         }),
     },
-    Row {
+    ModelDescriptor {
         name: "equation",
         label: "Equation",
         title: "The equation (fitted)",
@@ -207,7 +207,7 @@ const ROWS: &[Row] = &[
             Ok(Box::new(Equation::from_moments(moments, inputs.modulus)?))
         }),
     },
-    Row {
+    ModelDescriptor {
         name: "ceb",
         label: "CEB",
         title: "Chang–Etsion–Bogy",
@@ -228,7 +228,7 @@ const ROWS: &[Row] = &[
             Ok(Box::new(ChangEtsionBogy::new(asperities, modulus, hardness, poisson)?))
         }),
     },
-    Row {
+    ModelDescriptor {
         name: "persson-yield",
         label: "Persson, H",
         title: "Persson with yield",
@@ -247,7 +247,7 @@ const ROWS: &[Row] = &[
             Ok(Box::new(PerssonWithYield::new(gradient, inputs.modulus, hardness)?))
         }),
     },
-    Row {
+    ModelDescriptor {
         name: "cmy",
         label: "CMY",
         title: "Cooper–Mikic–Yovanovich conductance",
@@ -262,7 +262,7 @@ const ROWS: &[Row] = &[
             Ok(Box::new(CooperMikicYovanovich::new(slope, height, hardness)?))
         }),
     },
-    Row {
+    ModelDescriptor {
         name: "mikic",
         label: "Mikic",
         title: "Mikic conductance, elastic",
@@ -350,7 +350,7 @@ pub(crate) fn all() -> Vec<Arc<dyn Theory>> {
     ROWS.iter().map(|row| Arc::new(row.theory()) as Arc<dyn Theory>).collect()
 }
 
-impl Row {
+impl ModelDescriptor {
     /// Its card says what the model says of its source.
     fn theory(&self) -> BuiltIn {
         let example = Inputs::examples().iter().find_map(|i| self.build.pressure(i).ok());

@@ -2,7 +2,7 @@
 //! points.
 
 use crate::budget::Map;
-use crate::coarser::{Coarser, thinned};
+use crate::coarser::{ThinnedMaps, thinned};
 use crate::indicator::LIMIT;
 use crate::ladder::{Answered, Finer, Ladder, LadderError, MOST, Setup};
 use crate::regrid;
@@ -144,7 +144,7 @@ pub fn climb(task: &Task<'_>, sink: &mut dyn Sink) -> Result<Reached, ClimbError
     let start = Clock::now();
     let grid = task.map.grid();
     let possible = |factor: f64| match factor {
-        0.5 => Coarser::is_possible(grid) && Coarser::is_possible(half(grid)),
+        0.5 => ThinnedMaps::is_possible(grid) && ThinnedMaps::is_possible(half(grid)),
         _ => grid.len() <= MOST && grid.shape().iter().all(|n| *n >= 4),
     };
     if possible(0.5) {
@@ -176,12 +176,12 @@ struct Attempt {
     grid: Grid,
     precision: Precision,
     tolerance: f64,
-    loads: Vec<Outcome>,
+    loads: Vec<RungLoad>,
     seconds: f64,
 }
 
 /// A load on one rung.
-struct Outcome {
+struct RungLoad {
     load: Load,
     /// Relative half width of the area, or why there is none.
     width: Result<f64, String>,
@@ -219,7 +219,7 @@ fn attempt(task: &Task<'_>, factor: f64, sink: &mut dyn Sink) -> Result<Attempt,
         if matches!(result, Err(SolverError::Stopped(_))) {
             return Err(ClimbError::Stopped);
         }
-        let outcome = Outcome::of(load, &result, task.aim);
+        let outcome = RungLoad::of(load, &result, task.aim);
         let leaves = factor < 1.0 && !outcome.meets;
         loads.push(outcome);
         if leaves {
@@ -232,7 +232,7 @@ fn attempt(task: &Task<'_>, factor: f64, sink: &mut dyn Sink) -> Result<Attempt,
     Ok(Attempt { grid, precision, tolerance, loads, seconds: begun.elapsed().as_secs_f64() })
 }
 
-impl Outcome {
+impl RungLoad {
     fn of(load: Load, result: &Result<Answered, SolverError>, aim: Aim) -> Self {
         let area = result.as_ref().map_err(ToString::to_string).map(|found| found.budget.area);
         let width = area.and_then(|area| {
@@ -259,7 +259,7 @@ impl Attempt {
 
     /// Widest relative half width; infinite if a load has none.
     fn widest(&self) -> f64 {
-        let width = |load: &Outcome| load.width.as_ref().map_or(f64::INFINITY, |w| *w);
+        let width = |load: &RungLoad| load.width.as_ref().map_or(f64::INFINITY, |w| *w);
         self.loads.iter().map(width).fold(0.0, f64::max)
     }
 

@@ -9,8 +9,8 @@ use contact_types::{Axis, ContactModulus, Grid, HeightMap, SurfaceError};
 use fft_bem_solver::{
     Iteration, Load, ObserverResult, SetStiffness, Solution, Solver, SolverBuilder, SolverError,
 };
+use surface_stats::clean::{mirrored, resample, resample_mirrored};
 use surface_stats::StatsError;
-use surface_stats::clean::mirrored;
 
 /// First row and column of each thinned map.
 const PHASES: [[usize; 2]; 2] = [[0, 0], [1, 1]];
@@ -75,6 +75,15 @@ pub fn thinned(map: &HeightMap, first: [usize; 2]) -> Result<HeightMap, SurfaceE
     HeightMap::new(grid, rows.flat_map(row).collect())
 }
 
+/// The map on `shape` points: by its waves if it repeats, by its cosines otherwise, so that the jump
+/// at its edges does not ring.
+///
+/// # Errors
+/// [`StatsError`].
+pub fn regrid(map: &HeightMap, shape: [usize; 2], repeats: bool) -> Result<HeightMap, StatsError> {
+    if repeats { resample(map, shape) } else { resample_mirrored(map, shape) }
+}
+
 /// Both, with their mirror images if those belong to the map. (Of a map and its images, every second row would be the image of
 /// the others: twice the same.)
 pub(crate) fn both(map: &HeightMap, is_mirrored: bool) -> Result<Vec<HeightMap>, StatsError> {
@@ -87,13 +96,13 @@ pub(crate) fn both(map: &HeightMap, is_mirrored: bool) -> Result<Vec<HeightMap>,
 
 /// Both thinned maps, ready to be solved.
 #[derive(Debug)]
-pub(crate) struct Coarser {
+pub(crate) struct ThinnedMaps {
     solvers: Vec<Solver>,
     jump: Option<f64>,
     leak: Vec<Axis>,
 }
 
-impl Coarser {
+impl ThinnedMaps {
     /// Whether maps on `grid` can be thinned: 32 points are left along each side (of a profile along its one).
     pub(crate) fn is_possible(grid: Grid) -> bool {
         let enough = |n: usize| n == 1 || n / 2 >= FEWEST;

@@ -2,7 +2,7 @@
 //! between the points, on twice as many.
 
 use crate::budget::{Budget, Map};
-use crate::coarser::{Coarser, Numbers, both};
+use crate::coarser::{Numbers, ThinnedMaps, both};
 use crate::estimate::NoUncertainty;
 use crate::indicator::{LIMIT, indicator};
 use crate::leak::Leaks;
@@ -76,7 +76,7 @@ pub struct Ladder {
     /// With its mirror images, if those were asked for.
     whole: Option<HeightMap>,
     solver: Solver,
-    coarser: Result<Coarser, NoUncertainty>,
+    coarser: Result<ThinnedMaps, NoUncertainty>,
     finer: Option<Solver>,
 }
 
@@ -124,10 +124,10 @@ impl Ladder {
         let surface = whole.as_ref().unwrap_or(&map);
         let solver = builder.clone().build(surface.grid(), setup.modulus)?;
         let grid = map.grid();
-        let coarser = if Coarser::is_possible(grid) {
+        let coarser = if ThinnedMaps::is_possible(grid) {
             let builder = builder.maps(setup.maps()).certified(false).section(None);
             let maps = both(&map, setup.mirrored)?;
-            Ok(Coarser::of(maps, &builder, setup.modulus, setup.jump, &setup.leak)?)
+            Ok(ThinnedMaps::of(maps, &builder, setup.modulus, setup.jump, &setup.leak)?)
         } else {
             Err(NoUncertainty::TooFewPoints { shape: grid.shape() })
         };

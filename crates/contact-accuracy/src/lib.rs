@@ -9,7 +9,6 @@
 mod budget;
 mod climb;
 mod coarser;
-mod continuation;
 mod edge_share;
 mod estimate;
 mod indicator;
@@ -22,9 +21,8 @@ mod uncertainty;
 
 pub use budget::{Budget, Map, Prescribed, RealPressure};
 pub use climb::{Aim, ClimbError, Next, Reached, Sink, Task, Unmet, climb};
-pub use coarser::{Numbers, thinned};
+pub use coarser::{Numbers, regrid, thinned};
 pub use contact_types::{Axis, ContactModulus, Grid, HeightMap};
-pub use continuation::regrid;
 pub use edge_share::EdgeShare;
 pub use estimate::{Estimate, NoUncertainty, Parts};
 pub use fft_bem_solver::{

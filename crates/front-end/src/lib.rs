@@ -1,9 +1,7 @@
 #![doc = include_str!("../README.md")]
 
-pub mod adhesion;
 pub mod bodies;
 mod complete;
-mod conduction;
 mod documents;
 mod failure;
 mod hardness;
@@ -17,7 +15,7 @@ mod paths;
 mod planned;
 mod point;
 pub mod quantity;
-pub mod scene;
+mod scene;
 pub mod shown;
 mod solve;
 mod statistics;

@@ -241,10 +241,10 @@ pub struct OfProfile {
 }
 
 /// What the traces do not say of a model's inputs, what is asked of it, and loads if those are given.
-pub type Asked = (Inputs, Vec<ModelLoad>, Option<Spread>);
+type Completed = (Inputs, Vec<ModelLoad>, Option<Spread>);
 
 /// Traces, where they came from, and the form that is taken off each.
-pub type Traced<'a> = (&'a Path, &'a Traces, &'a Origin, Level);
+type Traced<'a> = (&'a Path, &'a Traces, &'a Origin, Level);
 
 /// Asks a model about profiles: `complete` adds to what the traces say what no trace does, and says what is asked then.
 ///
@@ -255,7 +255,7 @@ pub fn of_profile(
     modulus: ContactModulus,
     joint: &Joint,
     (path, traces, origin, form): Traced<'_>,
-    complete: impl FnOnce(Inputs) -> Result<Asked, Failure>,
+    complete: impl FnOnce(Inputs) -> Result<Completed, Failure>,
     way_out: impl FnOnce(&Unasked) -> Failure,
 ) -> Result<OfProfile, Failure> {
     let refused = |e: StatsError| Failure::in_file(path, &e);
@@ -364,39 +364,27 @@ pub fn failure(error: &ModelError) -> Failure {
 }
 
 fn point(question: ModelLoad, answer: &ModelResult) -> Value {
-    match answer {
-        Ok(Said { state, area_interval, survey, .. }) => json!({
-            "mean_pressure": state.mean_pressure,
-            "area_fraction": state.area_fraction,
-            "area_interval": area_interval,
-            "survey": survey.map(|e| json!({
-                "area_error": [e.low, e.high],
-                "surfaces": e.surfaces,
-            })),
-            "real_pressure": state.real_pressure(),
-            "separation": state.separation,
-            "mean_gap": state.mean_gap,
-            "caveat": state.caveat.as_ref().map(caveat),
-            "error": null,
-        }),
-        Err(error) => {
-            let (pressure, separation) = match question {
-                ModelLoad::Pressure(p) => (Some(p), None),
-                ModelLoad::Separation(d) => (None, Some(d)),
-            };
-            json!({
-                "mean_pressure": pressure,
-                "area_fraction": null,
-                "area_interval": null,
-                "survey": null,
-                "real_pressure": null,
-                "separation": separation,
-                "mean_gap": null,
-                "caveat": null,
-                "error": refusal(error),
-            })
-        }
-    }
+    let said = answer.as_ref().ok();
+    let state = said.map(|said| &said.state);
+    let (pressure, separation) = match (state, question) {
+        (Some(state), _) => (Some(state.mean_pressure), state.separation),
+        (None, ModelLoad::Pressure(p)) => (Some(p), None),
+        (None, ModelLoad::Separation(d)) => (None, Some(d)),
+    };
+    json!({
+        "mean_pressure": pressure,
+        "area_fraction": state.map(|state| state.area_fraction),
+        "area_interval": said.and_then(|said| said.area_interval),
+        "survey": said.and_then(|said| said.survey).map(|e| json!({
+            "area_error": [e.low, e.high],
+            "surfaces": e.surfaces,
+        })),
+        "real_pressure": state.and_then(ContactState::real_pressure),
+        "separation": separation,
+        "mean_gap": state.and_then(|state| state.mean_gap),
+        "caveat": state.and_then(|state| state.caveat.as_ref()).map(caveat),
+        "error": answer.as_ref().err().map(refusal),
+    })
 }
 
 fn caveat(caveat: &Caveat) -> Value {

@@ -5,7 +5,7 @@ use contact_types::Citation;
 use serde_json::{Value, json};
 
 /// Where a theory was published.
-pub fn citation(c: &Citation) -> Value {
+pub(crate) fn citation(c: &Citation) -> Value {
     json!({
         "authors": c.authors, "year": c.year, "title": c.title, "journal": c.journal, "doi": c.doi,
     })

@@ -3,7 +3,7 @@
 use crate::failure::Failure;
 use crate::loads::rising;
 use crate::watch::Watch;
-use crate::work::Work;
+use crate::work::SolvedLoads;
 use contact_accuracy::{Aim, Answered, ClimbError, Map, Setup, Sink, Task, climb};
 use contact_compare::{Joint, Reached};
 use contact_report::plan_reason;
@@ -12,7 +12,7 @@ use fft_bem_solver::{Iteration, Load, SolverError};
 use std::ops::ControlFlow;
 
 /// What is to be solved, and how well.
-pub(crate) struct Asked<'a> {
+pub(crate) struct PlannedSolve<'a> {
     pub(crate) surface: &'a HeightMap,
     pub(crate) setup: Setup,
     pub(crate) aim: Aim,
@@ -22,12 +22,12 @@ pub(crate) struct Asked<'a> {
     pub(crate) part: Option<(&'a Joint, ContactModulus)>,
 }
 
-impl Asked<'_> {
+impl PlannedSolve<'_> {
     /// Solves for the loads; what comes goes to `work`. `None` if it was stopped.
     pub(crate) fn solve(
         &self,
         loads: &[Load],
-        work: &mut Work,
+        work: &mut SolvedLoads,
         watch: &mut dyn Watch,
     ) -> Result<Option<Reached>, Failure> {
         let order = rising(loads);
@@ -48,7 +48,7 @@ impl Asked<'_> {
 struct ToWork<'a> {
     loads: &'a [Load],
     order: &'a [usize],
-    work: &'a mut Work,
+    work: &'a mut SolvedLoads,
     watch: &'a mut dyn Watch,
     part: Option<(&'a Joint, ContactModulus)>,
     materials: [f64; 2],

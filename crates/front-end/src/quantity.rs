@@ -4,7 +4,7 @@
 //! A bare number where a unit is needed is refused: 50 could be pascals or megapascals, and the
 //! answer would look equally reasonable.
 
-use crate::units::{Dimension, plain};
+use crate::units::{Dimension, Spelling, plain};
 use contact_accuracy::round_to_digits;
 
 /// Why a text is not the quantity asked for. The message says how to write it.
@@ -110,7 +110,7 @@ pub fn parse(text: &str, dimension: Dimension) -> Result<f64, QuantityError> {
     let (number, unit) = text.split_at(number_length(text));
     if number.is_empty() {
         let bare = text.trim_start_matches(['+', '-']).to_ascii_lowercase();
-        let example = dimension.example();
+        let example = dimension.spelling().example;
         return Err(if bare.starts_with("nan") || bare.starts_with("inf") {
             QuantityError::NotFinite { text: text.to_owned(), example }
         } else {
@@ -134,7 +134,7 @@ pub fn parse(text: &str, dimension: Dimension) -> Result<f64, QuantityError> {
     if !value.is_finite() {
         return Err(QuantityError::NotFinite {
             text: text.to_owned(),
-            example: dimension.example(),
+            example: dimension.spelling().example,
         });
     }
     let mantissa = number.split(['e', 'E']).next().unwrap_or_default();
@@ -186,18 +186,7 @@ fn range(
     let fault = |fault| QuantityError::Range {
         text: item.trim().to_owned(),
         fault,
-        example: match dimension {
-            Dimension::Number => "0.1..10:5",
-            Dimension::Length => "1nm..1um:16",
-            Dimension::Area => "1nm^2..1um^2:16",
-            Dimension::PerArea => "1mm^-2..1um^-2:16",
-            Dimension::Pressure => "1kPa..1GPa:16",
-            Dimension::Force => "1N..1kN:16",
-            Dimension::Resistivity => "10nohm.m..1uohm.m:16",
-            Dimension::Conductivity => "1W/m/K..100W/m/K:16",
-            Dimension::Adhesion => "1mJ/m^2..1J/m^2:16",
-            Dimension::Viscosity => "1mPa.s..1Pa.s:16",
-        },
+        example: dimension.spelling().range,
     };
     let (last, count) = tail.split_once(':').ok_or(fault("the number of points is missing"))?;
     let (first, last) = (parse(first, dimension)?, parse(last, dimension)?);
@@ -257,15 +246,15 @@ fn is_decimal_comma(text: &str) -> bool {
 
 /// Why `unit` is none of this dimension.
 fn unknown(unit: String, dimension: Dimension) -> QuantityError {
-    let kind = dimension.kind();
+    let Spelling { kind, si, units, .. } = dimension.spelling();
     let meant = match dimension.near(&unit)[..] {
-        [] => return QuantityError::UnknownUnit { unit, kind, units: dimension.units() },
+        [] => return QuantityError::UnknownUnit { unit, kind, units },
         [only] => only.to_owned(),
         ref several => {
             let sized = |name: &&str| {
                 let (factor, exponent) = dimension.scale(name).unwrap_or((1.0, 0));
                 let size = in_si("1", factor, exponent);
-                format!("{name} ({size:e} {})", dimension.si())
+                format!("{name} ({size:e} {si})")
             };
             several.iter().map(sized).collect::<Vec<_>>().join(" or ")
         }
@@ -304,18 +293,8 @@ fn scaled(number: &str, exponent: i32) -> f64 {
 }
 
 fn missing_unit(number: &str, dimension: Dimension) -> QuantityError {
-    let suggestion = match dimension {
-        Dimension::Number => number.to_owned(),
-        Dimension::Length => format!("{number}um or {number}nm"),
-        Dimension::Area => format!("{number}um^2 or {number}nm^2"),
-        Dimension::PerArea => format!("{number}m^-2 or {number}um^-2"),
-        Dimension::Pressure => format!("{number}MPa or {number}GPa"),
-        Dimension::Force => format!("{number}N or {number}kN"),
-        Dimension::Resistivity => format!("{number}nohm.m or {number}uohm.cm"),
-        Dimension::Conductivity => format!("{number}W/m/K"),
-        Dimension::Adhesion => format!("{number}mJ/m^2"),
-        Dimension::Viscosity => format!("{number}mPa.s or {number}Pa.s"),
-    };
+    let units = dimension.spelling().suggested.split(' ');
+    let suggestion = units.map(|unit| format!("{number}{unit}")).collect::<Vec<_>>().join(" or ");
     QuantityError::MissingUnit { number: number.to_owned(), suggestion }
 }
 

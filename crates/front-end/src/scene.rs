@@ -1,39 +1,67 @@
-//! What is asked of elasticity, of one map.
+//! What is asked of elasticity, and whether the bodies stick, of one map.
 
-use contact_compare::Scene;
-use contact_types::{AsperityStatistics, ContactModulus, HeightMap};
+use contact_compare::{Adhesion, Level, Rough, Scene, WorkOfAdhesion};
+use contact_types::{AsperityStatistics, ContactModulus, HeightMap, SpectralMoments};
 use surface_stats::clean::row_offsets;
 use surface_stats::profile::{Trace, moments};
-use surface_stats::{DirectionalMoments, Edges, HeightStatistics, StatsError};
+use surface_stats::{
+    DirectionalMoments, Edges, HeightStatistics, SpectralScales, StatsError, StatsOptions,
+};
+
+/// Moments of a levelled map by finite differences inside it.
+fn moments_of(map: &HeightMap) -> Result<SpectralMoments, StatsError> {
+    let rms_height = HeightStatistics::of(map).rms_height;
+    Ok(DirectionalMoments::of(map, Edges::Open)?.isotropic(rms_height * rms_height))
+}
 
 /// The scene of a map, or of the section of ridges.
 ///
 /// # Errors
 /// [`StatsError`] of a map that is too small.
-pub fn of(
+pub(crate) fn of(
     map: &HeightMap,
     modulus: ContactModulus,
     plane_strain: bool,
 ) -> Result<Scene, StatsError> {
-    let rms_height = HeightStatistics::of(map).rms_height;
+    let scene = Scene {
+        modulus: modulus.pascals(),
+        rms_height: Some(HeightStatistics::of(map).rms_height),
+        ..Scene::default()
+    };
     if plane_strain {
         // Of ridges the slope of the section is the gradient.
         let trace = Trace::new(map.grid().pixel()[1], map.heights().to_vec())?;
-        return Ok(Scene {
-            modulus: modulus.pascals(),
-            gradient: Some(moments(&trace).m2.sqrt()),
-            rms_height: Some(rms_height),
-            ..Scene::default()
-        });
+        return Ok(Scene { gradient: Some(moments(&trace).m2.sqrt()), ..scene });
     }
-    let slopes = DirectionalMoments::of(map, Edges::Open)?;
-    let moments = slopes.isotropic(rms_height * rms_height);
+    let moments = moments_of(map)?;
     Ok(Scene {
-        modulus: modulus.pascals(),
         gradient: Some(moments.rms_gradient()),
-        rms_height: Some(rms_height),
         radius: AsperityStatistics::from_moments(moments).ok().map(|a| a.radius),
         rows: row_offsets(map.grid(), map.heights()).ok(),
-        ..Scene::default()
+        ..scene
     })
+}
+
+/// Whether the bodies stick, of a levelled map and of the contacts that were solved on it, `[mean pressure (Pa), area
+/// fraction]`.
+///
+/// # Errors
+/// [`StatsError`] of a map that is too small.
+pub(crate) fn adhesion(
+    given: WorkOfAdhesion,
+    map: &HeightMap,
+    modulus: ContactModulus,
+    contacts: &[[f64; 2]],
+) -> Result<Adhesion, StatsError> {
+    let moments = moments_of(map)?;
+    let as_it_is = StatsOptions { level: Level::None, ..StatsOptions::default() };
+    let rough = Rough {
+        modulus: modulus.pascals(),
+        gradient: moments.rms_gradient(),
+        m4: moments.m4,
+        asperities: AsperityStatistics::from_moments(moments).ok(),
+        shortest: SpectralScales::of(map, &as_it_is)?.cutoff,
+    };
+    let spectrum = surface_stats::spectrum::radial(map).ok();
+    Ok(Adhesion::of(given, &rough, spectrum.as_ref(), contacts))
 }

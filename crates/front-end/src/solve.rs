@@ -1,6 +1,5 @@
 //! The deterministic solution of one map at many loads: what `rough-contact solve` answers.
 
-use crate::adhesion;
 use crate::failure::Failure;
 use crate::hardness;
 use crate::loads::{Spread, rising};
@@ -8,7 +7,7 @@ use crate::planned;
 use crate::point::Point;
 use crate::scene;
 use crate::watch::Watch;
-use crate::work::Work;
+use crate::work::SolvedLoads;
 use contact_accuracy::{Aim, Ladder, LadderError, Setup};
 use contact_compare::{
     AccuracyRequest, Adhesion, Body, EdgesName, Finding, Hardness, Joint, LeakRequest, Level,
@@ -172,7 +171,8 @@ impl SolveRequest {
         }
         watch.levelled(&surface);
         let sticking = self.adhesion.map(|given| (given, surface.clone()));
-        let mut work = Work::new(self.loads.len(), self.method.to_string(), level, surface.grid());
+        let mut work =
+            SolvedLoads::new(self.loads.len(), self.method.to_string(), level, surface.grid());
         work.spikes = spikes;
         let repeats = self.boundary == Boundary::Periodic && self.edges == EdgesName::Periodic;
         work.leak = self.leak;
@@ -207,7 +207,7 @@ impl SolveRequest {
             (None, false) => None,
         };
         if let Some(aim) = aim {
-            let climbed = planned::Asked { surface: &surface, setup, aim, materials, part };
+            let climbed = planned::PlannedSolve { surface: &surface, setup, aim, materials, part };
             plan = climbed.solve(&self.loads, &mut work, watch)?;
             is_stopped = plan.is_none();
         } else {
@@ -242,7 +242,7 @@ impl SolveRequest {
         solved.spike_share = work.spike_share;
         if let Some((given, map)) = &sticking {
             let contacts = work.contacts();
-            let found = adhesion::of_map(*given, map, self.modulus, &contacts).map_err(refused)?;
+            let found = scene::adhesion(*given, map, self.modulus, &contacts).map_err(refused)?;
             solved.adhesion = Some(found);
         }
         solved.plan = plan.as_ref();
@@ -261,7 +261,7 @@ impl SolveRequest {
     /// What scripts see, and the points that were taken.
     fn object(
         &self,
-        work: Work,
+        work: SolvedLoads,
         findings: &[Finding],
         plan: Option<&Reached>,
         (hardness, adhesion): (Option<Hardness>, Option<Adhesion>),

@@ -1,8 +1,8 @@
 //! Roughness statistics of one map: what `rough-contact stats` answers.
 
-use crate::adhesion;
 use crate::failure::Failure;
 use crate::iso::Iso;
+use crate::scene;
 use contact_compare::{Finding, Level, PairOrigin, Spikes, WorkOfAdhesion};
 use contact_types::{ContactModulus, HeightMap};
 use serde_json::{Value, json};
@@ -51,7 +51,7 @@ impl Statistics {
     ) -> Result<(), Failure> {
         let refused = |e: StatsError| Failure::in_file(path, &e);
         let map = level(map, form).map_err(refused)?;
-        let found = adhesion::of_map(given, &map, modulus, &[]).map_err(refused)?;
+        let found = scene::adhesion(given, &map, modulus, &[]).map_err(refused)?;
         self.findings.push(contact_compare::sticking(found));
         self.findings.sort_by_key(|f| f.weight);
         self.json["findings"] = contact_report::findings_json(&self.findings);
@@ -74,9 +74,7 @@ pub fn statistics(
     let refused = |e: StatsError| Failure::in_file(path, &e);
     let s = SurfaceStatistics::of(map, options).map_err(refused)?;
     let spikes = Spikes::left(map, cleaned, pair);
-    let mut findings = contact_compare::measured(&s, &spikes);
-    findings.extend(pair.map(contact_compare::of_pair).into_iter().flatten());
-    findings.sort_by_key(|f| f.weight);
+    let findings = contact_compare::measured(&s, &spikes, pair);
     let mut json = contact_report::statistics_json(&s);
     json["findings"] = contact_report::findings_json(&findings);
     json["cleaning"] = contact_report::cleaning_json(cleaned);

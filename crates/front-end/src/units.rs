@@ -26,10 +26,10 @@ pub enum Dimension {
 }
 
 /// A unit: its name, and a factor and a power of ten that make it one of SI.
-type Unit = (&'static str, f64, i32);
+type UnitScale = (&'static str, f64, i32);
 
 /// Length units.
-const LENGTHS: &[Unit] = &[
+const LENGTHS: &[UnitScale] = &[
     ("m", 1.0, 0),
     ("cm", 1.0, -2),
     ("mm", 1.0, -3),
@@ -51,7 +51,7 @@ const LENGTHS: &[Unit] = &[
 ];
 
 /// Pressure units.
-const PRESSURES: &[Unit] = &[
+const PRESSURES: &[UnitScale] = &[
     ("Pa", 1.0, 0),
     ("hPa", 1.0, 2),
     ("kPa", 1.0, 3),
@@ -74,7 +74,7 @@ const PRESSURES: &[Unit] = &[
 ];
 
 /// Force units.
-const FORCES: &[Unit] = &[
+const FORCES: &[UnitScale] = &[
     ("N", 1.0, 0),
     ("kN", 1.0, 3),
     ("MN", 1.0, 6),
@@ -88,7 +88,7 @@ const FORCES: &[Unit] = &[
 ];
 
 /// Units of resistivity, written without what stands between their parts.
-const RESISTIVITIES: &[Unit] = &[
+const RESISTIVITIES: &[UnitScale] = &[
     ("ohmm", 1.0, 0),
     ("mohmm", 1.0, -3),
     ("uohmm", 1.0, -6),
@@ -98,7 +98,7 @@ const RESISTIVITIES: &[Unit] = &[
 ];
 
 /// Units of thermal conductivity, likewise.
-const CONDUCTIVITIES: &[Unit] = &[
+const CONDUCTIVITIES: &[UnitScale] = &[
     ("W/m/K", 1.0, 0),
     ("W/mK", 1.0, 0),
     ("mW/m/K", 1.0, -3),
@@ -107,7 +107,7 @@ const CONDUCTIVITIES: &[Unit] = &[
 ];
 
 /// Units of a work of adhesion.
-const ADHESIONS: &[Unit] = &[
+const ADHESIONS: &[UnitScale] = &[
     ("J/m^2", 1.0, 0),
     ("mJ/m^2", 1.0, -3),
     ("uJ/m^2", 1.0, -6),
@@ -117,7 +117,7 @@ const ADHESIONS: &[Unit] = &[
 ];
 
 /// Units of viscosity, written without what stands between their parts.
-const VISCOSITIES: &[Unit] = &[
+const VISCOSITIES: &[UnitScale] = &[
     ("Pas", 1.0, 0),
     ("mPas", 1.0, -3),
     ("uPas", 1.0, -6),
@@ -137,74 +137,56 @@ const MEANT: &[(Dimension, &str, &str)] = &[
     (Dimension::Pressure, "kpsi", "ksi"),
 ];
 
-impl Dimension {
+/// How quantities of a dimension are written.
+#[derive(Debug, Clone, Copy)]
+pub(crate) struct Spelling {
     /// What people call it.
-    pub(crate) fn kind(self) -> &'static str {
-        match self {
-            Self::Number => "a pure number",
-            Self::Length => "length",
-            Self::Area => "area",
-            Self::PerArea => "number per area",
-            Self::Pressure => "pressure",
-            Self::Force => "force",
-            Self::Resistivity => "resistivity",
-            Self::Conductivity => "thermal conductivity",
-            Self::Adhesion => "work of adhesion",
-            Self::Viscosity => "viscosity",
-        }
-    }
-
-    /// Units to offer.
-    pub(crate) fn units(self) -> &'static str {
-        match self {
-            Self::Number => "no unit, or %",
-            Self::Length => "m, mm, um, nm, A, inch or mil",
-            Self::Area => "m^2, mm^2, um^2 or nm^2",
-            Self::PerArea => "m^-2, mm^-2, um^-2 or nm^-2",
-            Self::Pressure => "Pa, kPa, MPa, GPa, bar, psi, kgf/mm^2 or N/mm^2",
-            Self::Force => "N, kN, mN, uN, nN, kgf or lbf",
-            Self::Resistivity => "ohm.m, uohm.m, nohm.m or uohm.cm",
-            Self::Conductivity => "W/m/K",
-            Self::Adhesion => "J/m^2, mJ/m^2 or mN/m",
-            Self::Viscosity => "Pa.s, mPa.s, uPa.s or cP",
-        }
-    }
-
+    pub(crate) kind: &'static str,
     /// The unit of SI.
-    pub(crate) fn si(self) -> &'static str {
-        match self {
-            Self::Number => "",
-            Self::Length => "m",
-            Self::Area => "m^2",
-            Self::PerArea => "m^-2",
-            Self::Pressure => "Pa",
-            Self::Force => "N",
-            Self::Resistivity => "ohm.m",
-            Self::Conductivity => "W/m/K",
-            Self::Adhesion => "J/m^2",
-            Self::Viscosity => "Pa.s",
-        }
-    }
+    pub(crate) si: &'static str,
+    /// Units to offer.
+    pub(crate) units: &'static str,
+    /// Units for a number that has none, parted by spaces.
+    pub(crate) suggested: &'static str,
+    /// One quantity that works.
+    pub(crate) example: &'static str,
+    /// One range that works.
+    pub(crate) range: &'static str,
+}
 
-    /// One spelling that works.
-    pub(crate) fn example(self) -> &'static str {
-        match self {
-            Self::Number => "for example 0.8",
-            Self::Length => "for example 1.5um",
-            Self::Area => "for example 0.2nm^2",
-            Self::PerArea => "for example 3e12m^-2",
-            Self::Pressure => "for example 50MPa",
-            Self::Force => "for example 10N",
-            Self::Resistivity => "for example 22nohm.m",
-            Self::Conductivity => "for example 50W/m/K",
-            Self::Adhesion => "for example 50mJ/m^2",
-            Self::Viscosity => "for example 1mPa.s",
-        }
+impl Dimension {
+    /// How its quantities are written.
+    pub(crate) fn spelling(self) -> Spelling {
+        let [kind, si, units] = match self {
+            Self::Number => ["a pure number", "", "no unit, or %"],
+            Self::Length => ["length", "m", "m, mm, um, nm, A, inch or mil"],
+            Self::Area => ["area", "m^2", "m^2, mm^2, um^2 or nm^2"],
+            Self::PerArea => ["number per area", "m^-2", "m^-2, mm^-2, um^-2 or nm^-2"],
+            Self::Pressure => ["pressure", "Pa", "Pa, kPa, MPa, GPa, bar, psi, kgf/mm^2 or N/mm^2"],
+            Self::Force => ["force", "N", "N, kN, mN, uN, nN, kgf or lbf"],
+            Self::Resistivity => ["resistivity", "ohm.m", "ohm.m, uohm.m, nohm.m or uohm.cm"],
+            Self::Conductivity => ["thermal conductivity", "W/m/K", "W/m/K"],
+            Self::Adhesion => ["work of adhesion", "J/m^2", "J/m^2, mJ/m^2 or mN/m"],
+            Self::Viscosity => ["viscosity", "Pa.s", "Pa.s, mPa.s, uPa.s or cP"],
+        };
+        let [suggested, example, range] = match self {
+            Self::Number => ["", "for example 0.8", "0.1..10:5"],
+            Self::Length => ["um nm", "for example 1.5um", "1nm..1um:16"],
+            Self::Area => ["um^2 nm^2", "for example 0.2nm^2", "1nm^2..1um^2:16"],
+            Self::PerArea => ["m^-2 um^-2", "for example 3e12m^-2", "1mm^-2..1um^-2:16"],
+            Self::Pressure => ["MPa GPa", "for example 50MPa", "1kPa..1GPa:16"],
+            Self::Force => ["N kN", "for example 10N", "1N..1kN:16"],
+            Self::Resistivity => ["nohm.m uohm.cm", "for example 22nohm.m", "10nohm.m..1uohm.m:16"],
+            Self::Conductivity => ["W/m/K", "for example 50W/m/K", "1W/m/K..100W/m/K:16"],
+            Self::Adhesion => ["mJ/m^2", "for example 50mJ/m^2", "1mJ/m^2..1J/m^2:16"],
+            Self::Viscosity => ["mPa.s Pa.s", "for example 1mPa.s", "1mPa.s..1Pa.s:16"],
+        };
+        Spelling { kind, si, units, suggested, example, range }
     }
 
     /// Factor and power of ten of a unit; `None` if it is not a unit of this dimension.
     pub(crate) fn scale(self, unit: &str) -> Option<(f64, i32)> {
-        let find = |table: &[Unit], unit: &str| {
+        let find = |table: &[UnitScale], unit: &str| {
             table.iter().find(|(name, _, _)| *name == unit).map(|&(_, f, e)| (f, e))
         };
         match self {
@@ -255,7 +237,7 @@ impl Dimension {
 }
 
 /// A unit in one spelling: `µm²` is `um^2`.
-pub fn plain(unit: &str) -> String {
+pub(crate) fn plain(unit: &str) -> String {
     let mut out = String::new();
     for c in unit.chars().filter(|c| !c.is_whitespace()) {
         match c {

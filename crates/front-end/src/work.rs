@@ -1,22 +1,21 @@
 //! What is collected while loads are solved: one point each, and what went wrong.
 
-use crate::conduction;
 use crate::failure::{Failure, variant};
 use crate::loads::shown;
 use crate::point::Point;
 use crate::watch::Watch;
 use contact_accuracy::{Answered, Leaks, Map};
 use contact_compare::{
-    Budget, Distributions, Joint, LeakRequest, NoUncertainty, Pressed, Spikes, is_below_a_point,
-    spot_list,
+    Budget, Conducted, Distributions, Joint, LeakRequest, NoUncertainty, Pressed, Spikes,
+    is_below_a_point, spot_list,
 };
 use contact_types::{ContactModulus, Grid};
-use fft_bem_solver::{Load, Solution, SolverError};
-use serde_json::json;
+use fft_bem_solver::{Load, SetStiffness, Solution, SolverError};
+use serde_json::{Value, json};
 use surface_stats::Level;
 
 /// What is collected while the loads are solved. Fields go to who watches and are dropped.
-pub(crate) struct Work {
+pub(crate) struct SolvedLoads {
     /// Distributions are wanted: whether a spot at one edge goes on at the other.
     pub(crate) distributions: Option<bool>,
     /// The leak is wanted.
@@ -34,7 +33,7 @@ pub(crate) struct Work {
     pub(crate) spike_share: Option<f64>,
 }
 
-impl Work {
+impl SolvedLoads {
     /// Nothing yet, of so many loads.
     pub(crate) fn new(loads: usize, method: String, level: Level, grid: Grid) -> Self {
         Self {
@@ -116,7 +115,7 @@ impl Work {
             Err(error) => (Point::of_error(load, error, known), None),
         };
         if let (Some(set), Some(part), Some(budget)) = (&set, part, &point.budget) {
-            point.conducted = conduction::add(part, &mut point.json, set, budget);
+            point.conducted = conducted(part, &mut point.json, set, budget);
         }
         if let Some(asked) = &self.leak {
             point.leak = result.as_mut().ok().and_then(|answered| answered.leak.take());
@@ -173,6 +172,35 @@ impl Work {
             Some(earlier) => earlier.and(failure),
         });
     }
+}
+
+/// Adds what the contact of a solution conducts to its point, if that was asked for.
+fn conducted(
+    (joint, modulus): (&Joint, ContactModulus),
+    point: &mut Value,
+    set: &SetStiffness,
+    budget: &Budget,
+) -> Option<Conducted> {
+    if !joint.is_asked() {
+        return None;
+    }
+    let found = joint.of_budget(set.per_area, budget, modulus);
+    if let Value::Object(keys) = point {
+        let of_set = match set.per_area {
+            k if k <= 0.0 => "none",
+            k if k.is_finite() => "part",
+            _ => "everything",
+        };
+        let conduction = json!({
+            "residual": set.residual, "transforms": set.transforms, "iterations": set.iterations,
+        });
+        let stiffness = Some(set.per_area).filter(|k| k.is_finite());
+        keys.extend(contact_report::conducted_keys(&found));
+        keys.insert("stiffness".into(), json!(stiffness));
+        keys.insert("contact_set".into(), json!(of_set));
+        keys.insert("conduction".into(), conduction);
+    }
+    Some(found)
 }
 
 /// The iterate that an error carries.

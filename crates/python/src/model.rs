@@ -5,7 +5,7 @@ use crate::surface::{HeightFacts, LaidBody, Second, surface_of};
 use crate::watched::quietly;
 use contact_compare::{
     Body, BuildError, Card, ContactModel, ContactModulus, Input, Inputs, Joint, Level, MaterialUse,
-    PairOrigin, Spikes, Surface, Theory,
+    PairOrigin, Solved, Spikes, Surface, Theory,
 };
 use contact_front_end::model::{
     ModelLoad, ModelResult, Unasked, answers as asked, failure, measured, object, scene,
@@ -201,10 +201,9 @@ fn answer(
     let joint = request.joint()?;
     let found = asked(theory, &inputs, &questions, joint).map_err(|e| e.failure(WAY_OUT))?;
     let mut json = object(card, (&inputs, joint), &questions, &found, None);
-    let mut findings = scene(theory.card(), &inputs, &found, rows).findings();
-    findings.extend(contact_compare::spiky(&spikes, None));
-    findings.extend(pair.as_ref().map(contact_compare::of_pair).into_iter().flatten());
-    findings.sort_by_key(|f| f.weight);
+    let scene = scene(theory.card(), &inputs, &found, rows);
+    let known = Solved { scene, spikes, pair: pair.as_ref(), ..Solved::default() };
+    let findings = known.findings();
     json["findings"] = contact_report::findings_json(&findings);
     json["level"] = json!(level);
     json["cleaning"] = contact_report::cleaning_json(&cleaned);

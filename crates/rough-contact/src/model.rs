@@ -17,7 +17,7 @@ use clap::Args;
 use multiscale_models::Persson;
 use rough_contact::compare::survey::SIMILAR;
 use rough_contact::compare::{
-    Card, Conducted, Input, Inputs, Joint, PairOrigin, Spikes, Theory, built_in,
+    Card, Conducted, Input, Inputs, Joint, PairOrigin, Solved, Spikes, Theory, built_in,
 };
 use rough_contact::contact_types::{Citation, ContactState, Named};
 use rough_contact::front_end::bodies::Bodies;
@@ -121,10 +121,9 @@ impl Model {
         let answers = model::answers(theory, &inputs, &questions, &joint)
             .map_err(|unasked| no_answer(theory, &unasked))?;
         let mut reply = reply(card, (&inputs, &joint), &questions, &answers, spread.as_ref());
-        let mut findings = model::scene(card, &inputs, &answers, rows).findings();
-        findings.extend(compare::spiky(&spikes, None));
-        findings.extend(pair.as_ref().map(compare::of_pair).into_iter().flatten());
-        findings.sort_by_key(|f| f.weight);
+        let scene = model::scene(card, &inputs, &answers, rows);
+        let known = Solved { scene, spikes, pair: pair.as_ref(), ..Solved::default() };
+        let findings = known.findings();
         let first = text::cleaning(&cleaned) + &text::findings(&findings);
         reply.text.insert_str(0, &first);
         reply.json["findings"] = report::findings_json(&findings);

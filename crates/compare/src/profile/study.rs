@@ -1,6 +1,6 @@
 //! The study of a surface of which only profiles are known: statistics and every model.
 
-use crate::ask::{at_pressure, timed};
+use crate::ask::{at_pressure, curve_of};
 use crate::finding::{Finding, Pressed};
 use crate::inputs::{Inputs, MomentSource};
 use crate::profile::findings::profile_findings;
@@ -276,16 +276,8 @@ fn ask(
     statistics: &ProfileStatistics,
 ) -> ProfileModel {
     let card = theory.card().clone();
-    let outcome = theory.build(inputs).and_then(|model| {
-        let pressures: Vec<f64> = loads.iter().map(|p| p.mean_pressure).collect();
-        let (points, seconds) = timed(&card.title, model.as_ref(), &pressures);
-        if let Some(Err(first)) = points.first()
-            && points.iter().all(Result::is_err)
-        {
-            return Err(BuildError::Model(first.clone()));
-        }
-        Ok(ModelCurve::of(model.as_ref(), points, seconds))
-    });
+    let pressures: Vec<f64> = loads.iter().map(|p| p.mean_pressure).collect();
+    let outcome = curve_of(theory, inputs, &pressures);
     let intervals = match &outcome {
         Ok(curve) => loads
             .iter()

@@ -247,6 +247,8 @@ pub(crate) fn sampling() -> String {
         .chain(["waves, many"])
         .filter(|name| !name.starts_with("egg box") && *name != "sawtooth" && *name != "turned")
         .collect();
+    let builder = || Solver::builder().tolerance(1e-3).threads(1);
+    let modulus = ContactModulus::from_pascals(1.0).unwrap();
     let mut all: [Vec<[f64; 2]>; 3] = Default::default(); // distance over half width, half width
     let mut worst = [(1.0, ""); 3];
     for name in families {
@@ -254,20 +256,12 @@ pub(crate) fn sampling() -> String {
         let pressures: Vec<f64> = {
             let given = map(POINTS, &family(name, 100).unwrap());
             let unit = Map::of(&given).rms_height;
-            let builder = Solver::builder().tolerance(1e-3).threads(1);
-            let mut probe =
-                builder.build(given.grid(), ContactModulus::from_pascals(1.0).unwrap()).unwrap();
+            let mut probe = builder().build(given.grid(), modulus).unwrap();
             probe.take_surface(given).unwrap();
             [0.01, 0.1, 0.5].map(|a| pressure_for(&mut probe, a, 10.0 * unit)).to_vec()
         };
         for seed in 100..100 + MAPS {
-            let setup = Setup {
-                finer: Finer::Never,
-                ..Setup::new(
-                    Solver::builder().tolerance(1e-3).threads(1),
-                    ContactModulus::from_pascals(1.0).unwrap(),
-                )
-            };
+            let setup = Setup { finer: Finer::Never, ..Setup::new(builder(), modulus) };
             let mut ladder = Ladder::new(map(POINTS, &family(name, seed).unwrap()), setup).unwrap();
             for (k, p) in pressures.iter().enumerate() {
                 let b = ladder.solve(Load::MeanPressure(*p), true, |_| ()).unwrap().budget;

@@ -97,7 +97,7 @@ pub(crate) fn materials_words(settings: &Settings) -> String {
 /// The hardness, and what else a theory of yield was given.
 pub(crate) fn hardness_words(settings: &Settings) -> Option<String> {
     let hardness = settings.hardness?;
-    let poisson = significant(settings.poisson(), 2);
+    let poisson = significant(contact_compare::poisson(&settings.bodies), 2);
     let whose = if settings.bodies.is_empty() {
         format!("CEB assumes ν = {poisson}")
     } else {
