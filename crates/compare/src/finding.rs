@@ -2,13 +2,21 @@
 
 use crate::EdgesName;
 use crate::adhesion::Adhesion;
-use crate::profile::Unevenness;
 use contact_accuracy::{EdgeShare, NoUncertainty, Reached};
 use contact_types::Named;
-use serde::Serialize;
+use serde::{Deserialize, Serialize};
 use surface_stats::Warning;
 use surface_stats::clean::Record;
 use surface_stats::pair::Independence;
+
+/// How uneven the points of a file were before they were put at equal distances.
+#[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
+pub struct Unevenness {
+    /// Shortest and longest distance of neighbouring points (m).
+    pub steps: [f64; 2],
+    /// Their distance now (m).
+    pub spacing: f64,
+}
 
 /// How much a finding matters.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Serialize)]

@@ -59,7 +59,7 @@ pub use distribution::{Distributions, GapDistribution, PressureHistogram, SpotDi
 pub use fft_bem_solver::{
     Iteration, Load, Method, ObserverResult, Precision, Solution, Solver, SolverError, Yielded,
 };
-pub use finding::{Fact, Finding, Passed, Pressed, Seam, Weight, Yield, Yielding};
+pub use finding::{Fact, Finding, Passed, Pressed, Seam, Unevenness, Weight, Yield, Yielding};
 pub use findings::{Solved, findings, is_below_a_point, measured, seam, sticking};
 pub use first_contact::FirstContact;
 pub use gas::{GapGas, Gas};
@@ -72,7 +72,7 @@ pub use materials::{
 pub use needs::{INPUTS, Input, InputFact, InputSet, InputUnit, OfMap};
 pub use pressure_maps::{PressureMap, PressureMaps, pressure_class, pressure_top};
 pub use profile::{
-    ProfileComparison, ProfileModel, ProfileSurface, Unevenness, area_interval, profile_findings,
+    ProfileComparison, ProfileModel, ProfileSurface, area_interval, profile_findings,
     profile_inputs,
 };
 pub use progress::{Listener, Progress, StudyError};

@@ -9,8 +9,8 @@ use contact_types::{Axis, ContactModulus, Grid, HeightMap, SurfaceError};
 use fft_bem_solver::{
     Iteration, Load, ObserverResult, SetStiffness, Solution, Solver, SolverBuilder, SolverError,
 };
-use surface_stats::clean::{mirrored, resample, resample_mirrored};
 use surface_stats::StatsError;
+use surface_stats::clean::{mirrored, resample, resample_mirrored};
 
 /// First row and column of each thinned map.
 const PHASES: [[usize; 2]; 2] = [[0, 0], [1, 1]];

@@ -1,8 +1,7 @@
 //! What may change a conclusion drawn from profiles.
 
-use crate::finding::{Fact, Finding};
+use crate::finding::{Fact, Finding, Unevenness};
 use crate::findings::{cleaned, filled};
-use crate::profile::Unevenness;
 use crate::scene::Scene;
 use crate::{FileOrigin, Origin};
 use surface_stats::Warning;

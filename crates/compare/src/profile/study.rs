@@ -1,7 +1,7 @@
 //! The study of a surface of which only profiles are known: statistics and every model.
 
 use crate::ask::{at_pressure, curve_of};
-use crate::finding::{Finding, Pressed};
+use crate::finding::{Finding, Pressed, Unevenness};
 use crate::inputs::{Inputs, MomentSource};
 use crate::profile::findings::profile_findings;
 use crate::reason::Verdict;
@@ -12,7 +12,6 @@ use crate::theory::{BuildError, Card, Theory};
 use crate::verdict::{Judged, verdict};
 use crate::{Origin, Registry, Settings, StudyError};
 use contact_types::{Clock, ContactModulus, ContactState, SpectralMoments};
-use serde::{Deserialize, Serialize};
 use surface_stats::StatsError;
 use surface_stats::profile::{ProfileOptions, ProfileStatistics, Trace, TraceSpectrum};
 
@@ -20,15 +19,6 @@ use surface_stats::profile::{ProfileOptions, ProfileStatistics, Trace, TraceSpec
 const TYPICAL_LOAD: f64 = 0.01;
 /// Step of the logarithm of a moment by which the answer of a model is differentiated.
 const STEP: f64 = 0.05;
-
-/// How uneven the points of a file were before they were put at equal distances.
-#[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
-pub struct Unevenness {
-    /// Shortest and longest distance of neighbouring points (m).
-    pub steps: [f64; 2],
-    /// Their distance now (m).
-    pub spacing: f64,
-}
 
 /// Traces of one surface, with a name and where they came from.
 #[derive(Debug, Clone)]

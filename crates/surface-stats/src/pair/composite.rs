@@ -2,7 +2,7 @@
 
 use super::independence::Independence;
 use super::overlay::{Overlap, Placed, common, interpolated};
-use super::{Flip, PairError, Placing};
+use super::placing::{Flip, PairError, Placing};
 use crate::clean::resample;
 use crate::{Edges, Level, StatsError, repeats};
 use contact_types::{Grid, HeightMap};

@@ -1,6 +1,6 @@
 //! Which points of two maps lie on each other.
 
-use super::PairError;
+use super::placing::PairError;
 use contact_types::Grid;
 
 /// How two maps were laid on each other.
