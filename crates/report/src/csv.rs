@@ -2,20 +2,11 @@
 
 use crate::lines::Lines;
 use crate::messages::conduction::{conductance, kinds};
-use contact_compare::{Comparison, Conductance, Settings, SurfaceComparison};
-use contact_types::Named;
-use std::fmt::Write as _;
+use contact_compare::{
+    Comparison, ModelComparison, ProfileComparison, ProfileModel, Settings, SurfaceComparison,
+};
+use contact_types::{ContactState, Named};
 use std::io::{self, Write};
-
-/// Columns of bodies that yield, and of elastic ones beside them.
-const YIELDING: &str = ",area_fraction_at_hardness [-],load_share_at_hardness [-],area_fraction_elastic [-],\
-                        real_pressure_elastic [Pa]";
-
-/// Columns of a gas in the gap.
-const GAS: &str = ",gas_conductance [W/m^2/K],joint_conductance [W/m^2/K]";
-
-/// Columns of closed forms of the leak.
-const LEAK: &str = ",permeability_mean_gap_cubed [m^3],permeability_bruggeman [m^3]";
 
 /// Writes one row per surface and load. SI units; a missing number is an empty cell. Columns of
 /// a model are `area_fraction_NAME` and `real_pressure_NAME [Pa]`, with its signed relative error.
@@ -23,115 +14,129 @@ const LEAK: &str = ",permeability_mean_gap_cubed [m^3],permeability_bruggeman [m
 /// # Errors
 /// Whatever the writer reports.
 pub fn write(comparison: &Comparison, out: &mut impl Write) -> io::Result<()> {
-    let mut header = String::from(
-        "surface,mean_pressure [Pa],load [N],area_fraction_deterministic [-],area_fraction_low [-],\
-         area_fraction_high [-],touching_fraction [-],real_pressure_deterministic [Pa],\
-         real_pressure_low [Pa],real_pressure_high [Pa],mean_gap_deterministic [m],\
-         area_fraction_prediction_low [-],area_fraction_prediction_high [-],mean_gap_low [m],\
-         mean_gap_high [m]",
-    );
-    let yields = comparison.settings.hardness.is_some();
-    if yields {
-        header.push_str(YIELDING);
-    }
-    let conducts = comparison.surfaces.iter().find_map(|s| s.conduction.as_ref());
-    if let Some(found) = conducts {
-        header.push_str(",stiffness [Pa/m]");
-        for kind in kinds(found) {
-            let _ = write!(header, ",{}_conductance [{}]", kind.name, kind.plain_unit);
-        }
-        header.push_str(if found.joint.gas.is_some() { GAS } else { "" });
-    }
-    let axes = comparison.settings.leak.map_or(&[][..], |leak| leak.along.axes());
-    for axis in axes {
-        let _ = write!(header, ",permeability_{} [m^3]", axis.name());
-    }
-    header.push_str(if axes.is_empty() { "" } else { LEAK });
-    let asked = comparison.surfaces.first().map_or(&[][..], |s| &s.models);
-    let models: Vec<&str> = asked.iter().map(|m| m.card.name.as_ref()).collect();
-    for model in &models {
-        let name = model.replace('-', "_");
-        let _ = write!(
-            header,
-            ",area_fraction_{name} [-],real_pressure_{name} [Pa],area_error_{name} [-]"
-        );
-    }
-    writeln!(out, "{header}")?;
+    let models = comparison.surfaces.first().map_or(&[][..], |s| &s.models);
+    let mut is_headed = false;
     for surface in &comparison.surfaces {
-        write_surface(surface, &models, &comparison.settings, out)?;
+        let panels = Lines::panels(surface);
+        for load in 0..surface.deterministic.len() {
+            let cells = cells(surface, &panels, load, models, &comparison.settings);
+            let (heads, values): (Vec<String>, Vec<String>) =
+                cells.into_iter().map(|(head, value)| (head, cell(value))).unzip();
+            if !is_headed {
+                writeln!(out, "surface,{}", heads.join(","))?;
+                is_headed = true;
+            }
+            writeln!(out, "{},{}", quoted(&surface.name), values.join(","))?;
+        }
     }
     Ok(())
 }
 
-fn write_surface(
+/// The columns of a surface at a load, each with its unit, and its numbers there.
+fn cells(
     surface: &SurfaceComparison,
-    models: &[&str],
+    panels: &[Lines],
+    i: usize,
+    models: &[ModelComparison],
     settings: &Settings,
-    out: &mut impl Write,
-) -> io::Result<()> {
-    let (yields, leak) = (settings.hardness.is_some(), settings.leak);
-    let panels = Lines::panels(surface);
+) -> Vec<(String, Option<f64>)> {
     let lines = &panels[0];
-    let name = quoted(&surface.name);
-    let nominal_area = surface.nominal_area();
-    for (i, &p) in lines.pressures.iter().enumerate() {
-        let area = lines.area[i];
-        let interval = lines.interval[i];
-        let answer = surface.deterministic[i].answer.as_ref();
-        let real = |a: Option<f64>| a.filter(|a| *a > 0.0).map(|a| p / a);
-        let mut cells = vec![
-            Some(p),
-            Some(p * nominal_area),
-            area,
-            interval.map(|b| b[0]),
-            interval.map(|b| b[1]),
-            answer.map(|a| a.touching_fraction),
-            real(area),
-            real(interval.map(|b| b[1])),
-            real(interval.map(|b| b[0])),
-            answer.and_then(|a| a.mean_gap),
-        ];
-        let prediction = answer.and_then(|a| a.budget.area.prediction());
-        let gap = answer.and_then(|a| a.budget.mean_gap?.interval().ok());
-        for range in [prediction, gap] {
-            cells.extend([range.map(|r| r[0]), range.map(|r| r[1])]);
+    let (p, area, interval) = (lines.pressures[i], lines.area[i], lines.interval[i]);
+    let answer = surface.deterministic[i].answer.as_ref();
+    let real = |a: Option<f64>| a.filter(|a| *a > 0.0).map(|a| p / a);
+    let [low, high] = [0, 1].map(|k| interval.map(|b| b[k]));
+    let prediction = answer.and_then(|a| a.budget.area.prediction());
+    let gap = answer.and_then(|a| a.budget.mean_gap?.interval().ok());
+    let mut cells: Vec<(String, Option<f64>)> = Vec::new();
+    let mut add = |head: &str, value| cells.push((head.to_owned(), value));
+    add("mean_pressure [Pa]", Some(p));
+    add("load [N]", Some(p * surface.nominal_area()));
+    add("area_fraction_deterministic [-]", area);
+    add("area_fraction_low [-]", low);
+    add("area_fraction_high [-]", high);
+    add("touching_fraction [-]", answer.map(|a| a.touching_fraction));
+    add("real_pressure_deterministic [Pa]", real(area));
+    add("real_pressure_low [Pa]", real(high));
+    add("real_pressure_high [Pa]", real(low));
+    add("mean_gap_deterministic [m]", answer.and_then(|a| a.mean_gap));
+    add("area_fraction_prediction_low [-]", prediction.map(|r| r[0]));
+    add("area_fraction_prediction_high [-]", prediction.map(|r| r[1]));
+    add("mean_gap_low [m]", gap.map(|r| r[0]));
+    add("mean_gap_high [m]", gap.map(|r| r[1]));
+    if settings.hardness.is_some() {
+        let yielded = answer.and_then(|a| a.yielded);
+        let elastic = surface.elastic.get(i).and_then(|p| Some(p.answer.as_ref()?.area_fraction));
+        add("area_fraction_at_hardness [-]", yielded.map(|y| y.area_fraction));
+        add("load_share_at_hardness [-]", yielded.map(|y| y.load_share));
+        add("area_fraction_elastic [-]", elastic);
+        add("real_pressure_elastic [Pa]", real(elastic));
+    }
+    if let Some(found) = &surface.conduction {
+        let stiffness = found.stiffness[i];
+        add("stiffness [Pa/m]", stiffness);
+        for kind in kinds(found) {
+            let head = format!("{}_conductance [{}]", kind.name, kind.plain_unit);
+            add(&head, stiffness.map(|k| conductance(kind, k)));
         }
-        if yields {
-            let yielded = answer.and_then(|a| a.yielded);
-            let elastic = surface.elastic.get(i).and_then(|p| p.answer.as_ref());
-            let elastic = elastic.map(|a| a.area_fraction);
-            cells.extend([
-                yielded.map(|y| y.area_fraction),
-                yielded.map(|y| y.load_share),
-                elastic,
-                real(elastic),
-            ]);
+        if found.joint.gas.is_some() {
+            let of = surface.conducted(i);
+            add("gas_conductance [W/m^2/K]", of.and_then(|c| Some(c.gas?.value)));
+            add("joint_conductance [W/m^2/K]", of.and_then(|c| Some(c.joint?.value)));
         }
-        if let Some(found) = &surface.conduction {
-            let stiffness = found.stiffness[i];
-            cells.push(stiffness);
-            cells.extend(kinds(found).into_iter().map(|kind| Some(conductance(kind, stiffness?))));
-            if found.joint.gas.is_some() {
-                let of = surface.conducted(i);
-                let value = |h: Option<Conductance>| h.map(|h| h.value);
-                cells.extend([of.and_then(|c| value(c.gas)), of.and_then(|c| value(c.joint))]);
+    }
+    if let Some(asked) = settings.leak {
+        let leaks = surface.leaks.get(i).and_then(Option::as_ref);
+        for (k, axis) in asked.along.axes().iter().enumerate() {
+            let along = leaks.and_then(|l| l.along.get(k)?.1.as_ref().ok()?.permeability());
+            add(&format!("permeability_{} [m^3]", axis.name()), along);
+        }
+        let [plates, bruggeman] = [0, 1].map(|k| leaks.map(|l| l.closed_forms()[k].1));
+        add("permeability_mean_gap_cubed [m^3]", plates);
+        add("permeability_bruggeman [m^3]", bruggeman);
+    }
+    for model in models {
+        let mut all = panels.iter().flat_map(|p| p.models.iter().map(move |line| (p, line)));
+        let found = all.find(|(_, line)| line.name == model.card.name);
+        let area = found.and_then(|(_, line)| line.area[i]);
+        let error = found.and_then(|(panel, line)| panel.errors(line)[i]);
+        let name = model.card.name.replace('-', "_");
+        add(&format!("area_fraction_{name} [-]"), area);
+        add(&format!("real_pressure_{name} [Pa]"), real(area));
+        add(&format!("area_error_{name} [-]"), error);
+    }
+    cells
+}
+
+/// Writes one row per surface and load. SI units; a missing number is an empty cell. Columns of a
+/// model are its area fraction with the ends of its interval, and its real pressure.
+///
+/// # Errors
+/// Whatever the writer reports.
+pub fn write_profiles(studies: &[ProfileComparison], out: &mut impl Write) -> io::Result<()> {
+    let models = studies.first().map_or(&[][..], |study| &study.models);
+    let columns = |model: &ProfileModel| {
+        let name = model.card.name.replace('-', "_");
+        format!(
+            ",area_fraction_{name} [-],area_fraction_low_{name} [-],area_fraction_high_{name} [-],\
+             real_pressure_{name} [Pa]"
+        )
+    };
+    let heads: String = models.iter().map(columns).collect();
+    writeln!(out, "surface,mean_pressure [Pa]{heads}")?;
+    for study in studies {
+        for (i, p) in study.pressures.iter().enumerate() {
+            write!(out, "{},{p:e}", quoted(&study.name))?;
+            for model in &study.models {
+                let state = model.outcome.as_ref().ok().and_then(|c| c.points[i].as_ref().ok());
+                let [low, high] = [0, 1].map(|k| model.intervals[i].map(|ends| ends[k]));
+                let area = state.map(|s| s.area_fraction);
+                for value in [area, low, high, state.and_then(ContactState::real_pressure)] {
+                    let cell = value.map_or(String::new(), |v| format!("{v:e}"));
+                    write!(out, ",{cell}")?;
+                }
             }
+            writeln!(out)?;
         }
-        if let Some(asked) = leak {
-            let leaks = surface.leaks.get(i).and_then(Option::as_ref);
-            let along = |k: usize| leaks?.along.get(k)?.1.as_ref().ok()?.permeability();
-            cells.extend((0..asked.along.axes().len()).map(along));
-            cells.extend([0, 1].map(|k| Some(leaks?.closed_forms()[k].1)));
-        }
-        for model in models {
-            let mut all = panels.iter().flat_map(|p| p.models.iter().map(move |line| (p, line)));
-            let found = all.find(|(_, line)| line.name == *model);
-            let area = found.and_then(|(_, line)| line.area[i]);
-            let error = found.and_then(|(panel, line)| panel.errors(line)[i]);
-            cells.extend([area, real(area), error]);
-        }
-        let row: Vec<String> = cells.into_iter().map(cell).collect();
-        writeln!(out, "{name},{}", row.join(","))?;
     }
     Ok(())
 }

@@ -44,12 +44,12 @@ pub fn comparison(comparison: &Comparison, provenance: &Provenance) -> Value {
 /// Findings with their words.
 pub fn findings(found: &[Finding]) -> Value {
     let one = |f: &Finding| {
-        let words = finding(f);
+        let [claim, text] = finding(f);
         json!({
             "weight": f.weight.name(),
             "subject": f.subject(),
-            "claim": words.claim,
-            "text": words.text,
+            "claim": claim,
+            "text": text,
             "fact": match &f.body {
                 Some(body) => json!({ "of_body": { "body": body, "fact": f.fact } }),
                 None => json!(f.fact),
@@ -77,7 +77,7 @@ pub fn surface(s: &SurfaceComparison, comparison: &Comparison) -> Value {
         "findings": findings(&contact_compare::findings(s)),
         "statistics": statistics(&s.statistics),
         "inputs": {
-            "moments": s.inputs.moments.map(|m| json!({ "m0": m.m0, "m2": m.m2, "m4": m.m4 })),
+            "moments": s.inputs.moments,
             "source": s.inputs.source.name(),
             "gamma": s.inputs.has_gap().then(|| s.inputs.gamma()),
         },
@@ -155,33 +155,33 @@ fn point(p: &DeterministicPoint) -> Value {
         });
     };
     let mut point = json!({
-    "mean_pressure": p.mean_pressure,
-    "touching_fraction": a.touching_fraction,
-    "area_fraction": a.area_fraction,
-    "area_interval_covers": "this map",
-    "no_interval_because": a.budget.area.half_width().err().map(|r| r.to_string()),
-    "mean_gap": a.mean_gap,
-    "approach": a.approach,
-    "max_pressure": a.max_pressure,
-    "converged": a.converged,
+        "mean_pressure": p.mean_pressure,
+        "touching_fraction": a.touching_fraction,
+        "area_fraction": a.area_fraction,
+        "area_interval_covers": "this map",
+        "no_interval_because": a.budget.area.half_width().err().map(|r| r.to_string()),
+        "mean_gap": a.mean_gap,
+        "approach": a.approach,
+        "max_pressure": a.max_pressure,
+        "converged": a.converged,
         "stopped_at_rounding": a.stopped_at_rounding,
-    "trouble": p.trouble,
-    "iterations": a.iterations,
-    "transforms": a.transforms,
-    "seconds": a.seconds,
-    "residuals": {
-        "preconditioned": a.residuals.preconditioned,
-        "complementarity": a.residuals.complementarity,
-        "penetration": a.residuals.penetration,
-    },
-    "duality_gap": a.duality_gap,
-    "energy_bound": a.energy_bound,
-    "contact_pixels": a.contact_pixels,
-    "contact_perimeter": a.contact_perimeter,
+        "trouble": p.trouble,
+        "iterations": a.iterations,
+        "transforms": a.transforms,
+        "seconds": a.seconds,
+        "residuals": {
+            "preconditioned": a.residuals.preconditioned,
+            "complementarity": a.residuals.complementarity,
+            "penetration": a.residuals.penetration,
+        },
+        "duality_gap": a.duality_gap,
+        "energy_bound": a.energy_bound,
+        "contact_pixels": a.contact_pixels,
+        "contact_perimeter": a.contact_perimeter,
     });
     if let Value::Object(keys) = &mut point {
-        keys.extend(crate::budget_json::keys(Some(&a.budget)));
-        keys.extend(crate::yield_json::yield_keys(a.yielded, a.touching_fraction));
+        keys.extend(crate::point_json::budget_keys(Some(&a.budget)));
+        keys.extend(crate::point_json::yield_keys(a.yielded, a.touching_fraction));
     }
     point
 }
@@ -190,7 +190,7 @@ fn model(m: &ModelComparison, surface: &SurfaceComparison) -> Value {
     let curve = m.outcome.as_ref().ok();
     json!({
         "model": m.card.name,
-        "citation": citation(m),
+        "citation": m.card.citation,
         "applicable": m.outcome.is_ok(),
         "verdict": m.verdict.answer.word(),
         "reason": messages::reason(m),
@@ -202,11 +202,6 @@ fn model(m: &ModelComparison, surface: &SurfaceComparison) -> Value {
             points.map(|(k, (r, p))| answer(p.mean_pressure, r, c.area_intervals.get(k).copied().flatten())).collect()
         }),
     })
-}
-
-fn citation(m: &ModelComparison) -> Value {
-    let c = m.card.citation.clone();
-    json!({ "authors": c.authors, "year": c.year, "title": c.title, "journal": c.journal, "doi": c.doi })
 }
 
 fn area_error(curve: &ModelCurve, m: &ModelComparison, surface: &SurfaceComparison) -> Value {
@@ -221,7 +216,8 @@ fn area_error(curve: &ModelCurve, m: &ModelComparison, surface: &SurfaceComparis
     })
 }
 
-fn answer(
+/// What a model says at a load.
+pub(crate) fn answer(
     mean_pressure: f64,
     result: &Result<ContactState, ModelError>,
     interval: Option<[f64; 2]>,

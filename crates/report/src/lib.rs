@@ -5,13 +5,12 @@
     reason = "a page is text put together from pieces, once"
 )]
 
-mod budget_json;
 mod conduction_json;
 mod csv;
 mod digest;
-pub mod draw;
+mod draw;
 mod error;
-pub mod figures;
+mod figures;
 mod json;
 mod leak_json;
 mod lines;
@@ -19,21 +18,23 @@ mod messages;
 pub mod numbers;
 mod page;
 mod pair_json;
-pub mod plot_styles;
-mod profile_csv;
+mod plot_styles;
+mod point_json;
 mod profile_json;
 mod provenance;
 mod sources;
 mod table_csv;
-mod yield_json;
 
 pub use contact_compare as compare; // whose results are written here
 
-pub use budget_json::keys as budget_keys;
 pub use conduction_json::{gas as gas_json, keys as conducted_keys};
-pub use csv::{write as write_csv, write_spots as write_spots_csv};
+pub use csv::{
+    write as write_csv, write_profiles as write_profile_csv, write_spots as write_spots_csv,
+};
 pub use digest::digest;
+pub use draw::{palette::Style, png::Picture, svg::Figure};
 pub use error::ReportError;
+pub use figures::cost_plot::{CostLabel, CostPlot};
 pub use figures::heights::{heights as height_map, thumbnail};
 pub use figures::maps::pressures as pressure_picture;
 pub use figures::panels::{write_area_svg, write_pressure_svg};
@@ -49,7 +50,7 @@ pub use json::{
 pub use leak_json::{leak as leak_json, point as leak_point_json};
 pub use lines::{Reference, references};
 pub use messages::conduction::{ResistanceWords, joint_words, resistance_lines, resistances};
-pub use messages::finding::{Worded, finding};
+pub use messages::finding::finding;
 pub use messages::headline_line;
 pub use messages::leak::leak_notes;
 pub use messages::loads::loads_line;
@@ -63,11 +64,11 @@ pub use page::profile::write as write_profile_html;
 pub use page::profile_tables::setting_words;
 pub use page::summary::{Summary, write as write_summary_html};
 pub use pair_json::{bodies as bodies_json, pair as pair_json};
-pub use profile_csv::write as write_profile_csv;
+pub use plot_styles::plot_style;
+pub use point_json::{YIELD_KEYS, budget_keys, yield_keys};
 pub use profile_json::{
     profile_comparison as profile_comparison_json, profile_statistics as profile_statistics_json,
     unevenness as unevenness_json,
 };
 pub use provenance::Provenance;
 pub use table_csv::write as write_table_csv;
-pub use yield_json::{YIELD_KEYS, yield_keys};

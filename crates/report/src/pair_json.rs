@@ -1,7 +1,7 @@
 //! A pair of bodies as an object.
 
 use contact_compare::{Body, PairOrigin};
-use contact_types::{Named, SpectralMoments};
+use contact_types::Named;
 use serde_json::{Value, json};
 
 /// Both bodies, how they lie, and how far their moments are from adding up. Lengths `[y, x]`.
@@ -20,7 +20,7 @@ pub fn pair(pair: &PairOrigin) -> Value {
         body["pixel"] = json!(placed.grids[k].pixel());
         body["share"] = json!(placed.shares()[k]);
         body["interpolated"] = json!(placed.resampled[k]);
-        body["moments"] = moments(&independence.bodies[k]);
+        body["moments"] = json!(independence.bodies[k]);
     }
     object["shift"] = json!(placed.shift);
     object["is_rolled"] = json!(placed.is_rolled);
@@ -28,17 +28,13 @@ pub fn pair(pair: &PairOrigin) -> Value {
     object["pixel"] = json!(placed.common.pixel());
     object["moments"] = json!({
         "of_the_models": "composite",
-        "composite": moments(&independence.composite),
-        "sum": moments(&independence.sum()),
+        "composite": independence.composite,
+        "sum": independence.sum(),
         "composite_over_sum_less_1": independence.excess,
         "by_chance": independence.chance,
         "independent": independence.holds(),
     });
     object
-}
-
-fn moments(m: &SpectralMoments) -> Value {
-    json!({ "m0": m.m0, "m2": m.m2, "m4": m.m4 })
 }
 
 /// The elastic bodies, of a pair by their names; null where only E* was given.

@@ -2,8 +2,8 @@
 //! by the name of the model; one that is not in this list is drawn in a reserve.
 
 use crate::draw::palette::{
-    BGT, ELLIPTICAL, EQUATION, GW, INK2, MAJUMDAR_BHUSHAN, MULTISCALE, Marker, PERSSON, STACKED,
-    Style,
+    BGT, DETERMINISTIC, DETERMINISTIC_STYLE, ELLIPTICAL, EQUATION, GW, INK2, MAJUMDAR_BHUSHAN,
+    MULTISCALE, Marker, PERSSON, STACKED, Style, WARN,
 };
 use crate::draw::svg::escape;
 use contact_compare::Card;
@@ -31,11 +31,7 @@ const STYLES: [(&str, Style, &str); 14] = [
         Style::model(MAJUMDAR_BHUSHAN, "6 1 1 1", Marker::Square, 2),
         "<i>D</i>, <i>G</i>",
     ),
-    (
-        "equation",
-        Style::model(EQUATION, "", Marker::Hexagon, 1),
-        "<i>m</i><sub>0</sub>, <i>m</i><sub>2</sub>, <i>m</i><sub>4</sub>",
-    ),
+    ("equation", Style::model(EQUATION, "", Marker::Hexagon, 1), MOMENTS),
     (
         "ceb",
         Style::model(GW, "3 1.5", Marker::Plus, 3),
@@ -52,6 +48,17 @@ const STYLES: [(&str, Style, &str); 14] = [
 
 const MOMENTS: &str = "<i>m</i><sub>0</sub>, <i>m</i><sub>2</sub>, <i>m</i><sub>4</sub>";
 
+/// Methods of the solver by precision, and the area as its pixels are counted.
+const SOLVER: [(&str, Style); 7] = [
+    ("chord f64", DETERMINISTIC_STYLE),
+    ("chord f32", Style { width: 1.2, ..Style::model(DETERMINISTIC, "3 2", Marker::Ring, 0) }),
+    ("chord counted", Style::model(INK2, "4 2", Marker::Ring, 0)),
+    ("polonsky-keer f64", Style::model(INK2, "", Marker::Square, 0)),
+    ("polonsky-keer f32", Style::model(INK2, "3 2", Marker::Diamond, 0)),
+    ("stanley-kato f64", Style::model(WARN, "", Marker::TriangleUp, 0)),
+    ("stanley-kato f32", Style::model(WARN, "3 2", Marker::TriangleDown, 0)),
+];
+
 /// For models that are not in the list, in their order in the study.
 const RESERVE: [Style; 4] = [
     Style::model(INK2, "5 2", Marker::Square, 1),
@@ -60,10 +67,11 @@ const RESERVE: [Style; 4] = [
     Style::model(INK2, "1 1.5", Marker::TriangleDown, 0),
 ];
 
-/// How a model is drawn; one of the reserve by its `place` in the study if its name is not known.
+/// How a model, or a method of the solver with its precision, is drawn; one of the reserve by its `place` in the study if
+/// its name is not known.
 pub fn plot_style(name: &str, place: usize) -> Style {
-    let known = STYLES.iter().find(|row| row.0 == name);
-    known.map_or(RESERVE[place % RESERVE.len()], |row| row.1)
+    let mut known = STYLES.iter().map(|row| (row.0, row.1)).chain(SOLVER);
+    known.find(|row| row.0 == name).map_or(RESERVE[place % RESERVE.len()], |row| row.1)
 }
 
 /// What a model is made of, as HTML symbols; in its own words if its name is not known.

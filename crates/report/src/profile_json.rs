@@ -1,16 +1,11 @@
 //! Profiles as JSON: SI units, absent numbers `null`.
 
-use crate::json::{cleaning, findings, warned};
+use crate::json::{answer, cleaning, findings, warned};
 use crate::messages::reason_of;
 use crate::provenance::Provenance;
 use contact_compare::{ProfileComparison, ProfileModel, Unevenness};
-use contact_types::SpectralMoments;
 use serde_json::{Value, json};
 use surface_stats::profile::{ParameterMean, ProfileStatistics, Setting, SettingSource};
-
-fn moments(m: &SpectralMoments) -> Value {
-    json!({ "m0": m.m0, "m2": m.m2, "m4": m.m4 })
-}
 
 /// Mean and standard deviation of every parameter by its symbol.
 fn parameters(all: &[ParameterMean]) -> Value {
@@ -69,9 +64,9 @@ pub fn profile_statistics(s: &ProfileStatistics) -> Value {
         "m0_interval": s.interval(0),
         "m2_interval": s.interval(1),
         "m4_interval": s.interval(2),
-        "each": s.each.iter().map(moments).collect::<Vec<_>>(),
+        "each": s.each,
         "between_traces": s.scatter.between,
-        "spectral": moments(&s.spectral),
+        "spectral": s.spectral,
         "seen": s.seen,
         "by_spacing": s.by_spacing.iter().map(|p| json!({
             "spacing": p.spacing, "m2": p.moments.m2, "m4": p.moments.m4,
@@ -80,10 +75,7 @@ pub fn profile_statistics(s: &ProfileStatistics) -> Value {
         "kurtosis": s.kurtosis,
         "rms_gradient": s.moments.rms_gradient(),
         "bandwidth": s.bandwidth,
-        "asperities": s.asperities.map(|a| json!({
-            "density": a.density, "radius": a.radius,
-            "height_std": a.height_std, "mean_offset": a.mean_offset,
-        })),
+        "asperities": s.asperities,
         "hurst": s.hurst,
         "dimension": s.hurst.map(|h| 2.0 - h),
         "fractal_roughness": s.fractal.map(|f| f.roughness),
@@ -98,32 +90,16 @@ pub fn profile_statistics(s: &ProfileStatistics) -> Value {
 }
 
 fn model(m: &ProfileModel, pressures: &[f64]) -> Value {
-    let c = &m.card.citation;
     let points: Vec<Value> = m.outcome.as_ref().map_or_else(
         |_| Vec::new(),
         |curve| {
             let rows = pressures.iter().zip(&curve.points).zip(&m.intervals);
-            rows.map(|((p, point), interval)| match point {
-                Ok(s) => json!({
-                    "mean_pressure": p, "area_fraction": s.area_fraction,
-                    "area_interval": interval, "real_pressure": s.real_pressure(),
-                    "separation": s.separation, "mean_gap": s.mean_gap,
-                    "caveat": s.caveat.as_ref().map(ToString::to_string), "error": null,
-                }),
-                Err(e) => json!({
-                    "mean_pressure": p, "area_fraction": null,
-                    "error": { "message": e.to_string() },
-                }),
-            })
-            .collect()
+            rows.map(|((p, point), interval)| answer(*p, point, *interval)).collect()
         },
     );
     json!({
         "model": m.card.name,
-        "citation": {
-            "authors": c.authors, "year": c.year, "title": c.title, "journal": c.journal,
-            "doi": c.doi,
-        },
+        "citation": m.card.citation,
         "applicable": m.outcome.is_ok(),
         "verdict": m.verdict.answer.word(),
         "reason": reason_of(&m.card, &m.verdict),

@@ -92,8 +92,8 @@ pub(crate) fn all_findings(found: &[Finding]) -> String {
 }
 
 fn finding_line(finding: &Finding) -> String {
-    let words = report::finding(finding);
-    let line = format!("{}: {} {}", finding.weight.name(), words.claim, words.text);
+    let [claim, text] = report::finding(finding);
+    let line = format!("{}: {claim} {text}", finding.weight.name());
     format!("{}\n", plain(&line).trim_end())
 }
 

@@ -4,10 +4,9 @@
 //! The table is a CSV whose lines beginning with `#` say where it comes from.
 
 use contact_accuracy::{median, round_to_digits};
-use std::fmt::Write as _;
 
 /// One way to an answer, in one case: a surface at a load.
-#[derive(Debug, Clone, PartialEq)]
+#[derive(Debug, Clone, Default, PartialEq)]
 pub struct TradeoffRow {
     /// Name of the surface.
     pub surface: String,
@@ -54,24 +53,24 @@ impl TradeoffRow {
     /// The row as a line of the table, six digits each; empty cells where there is nothing.
     pub fn line(&self) -> String {
         let number = |value: Option<f64>| value.map_or(String::new(), six);
-        let mut line = format!("{},{},{}", self.surface, number(self.load), self.method);
-        let points = self.points.map_or(String::new(), |n| n.to_string());
-        let precision = self.precision.as_deref().unwrap_or_default();
-        // Writing to a String cannot fail.
-        let _ = write!(line, ",{},{points},{precision}", number(self.scale));
-        for value in [
-            self.tolerance,
-            self.area,
-            self.corrected,
-            self.truth,
-            self.bar,
-            self.pressure_error,
-            self.pairs,
-            Some(self.seconds),
-        ] {
-            let _ = write!(line, ",{}", number(value));
-        }
-        line + if self.is_capped { ",yes" } else { ",no" }
+        let cells = [
+            self.surface.clone(),
+            number(self.load),
+            self.method.clone(),
+            number(self.scale),
+            self.points.map_or(String::new(), |n| n.to_string()),
+            self.precision.clone().unwrap_or_default(),
+            number(self.tolerance),
+            number(self.area),
+            number(self.corrected),
+            number(self.truth),
+            number(self.bar),
+            number(self.pressure_error),
+            number(self.pairs),
+            six(self.seconds),
+            if self.is_capped { "yes" } else { "no" }.to_owned(),
+        ];
+        cells.join(",")
     }
 
     fn parse(line: &str) -> Option<Self> {
@@ -121,21 +120,21 @@ fn six(value: f64) -> String {
 }
 
 /// The whole table.
-#[derive(Debug, Clone, PartialEq)]
-pub struct Table {
+#[derive(Debug, Clone, Default, PartialEq)]
+pub struct TradeoffTable {
     /// The lines that say where it comes from, without `#`.
     pub origin: Vec<String>,
     /// The rows.
     pub rows: Vec<TradeoffRow>,
 }
 
-impl Table {
+impl TradeoffTable {
     /// Reads a table.
     ///
     /// # Errors
     /// The first line that is not one of a table.
     pub fn parse(text: &str) -> Result<Self, String> {
-        let mut table = Self { origin: Vec::new(), rows: Vec::new() };
+        let mut table = Self::default();
         let mut is_headed = false;
         for line in text.lines().filter(|line| !line.trim().is_empty()) {
             if let Some(words) = line.strip_prefix('#') {
@@ -225,12 +224,13 @@ fn way<'a>(group: &[&'a TradeoffRow], area: AreaOf) -> Option<Way<'a>> {
     })
 }
 
+/// Whether a number is there and this one.
+pub fn is(value: Option<f64>, wanted: f64) -> bool {
+    value.is_some_and(|v| (v / wanted - 1.0).abs() < 1e-6)
+}
+
 fn same(a: Option<f64>, b: Option<f64>) -> bool {
-    match (a, b) {
-        (Some(a), Some(b)) => (a / b - 1.0).abs() < 1e-6,
-        (None, None) => true,
-        _ => false,
-    }
+    b.map_or(a.is_none(), |b| is(a, b))
 }
 
 #[cfg(test)]
@@ -265,7 +265,7 @@ mod tests {
         let pair = TradeoffRow { load: None, area: None, truth: None, is_capped: true, ..row() };
         let rows = vec![full, model, pair];
         let text: String = rows.iter().map(|row| row.line() + "\n").collect();
-        let table = Table::parse(&format!("# made here\n{HEADER}\n{text}")).unwrap();
+        let table = TradeoffTable::parse(&format!("# made here\n{HEADER}\n{text}")).unwrap();
         assert_eq!(table.origin, ["made here"]);
         assert_eq!(table.rows, rows);
         assert!(
@@ -278,10 +278,10 @@ mod tests {
         let line = row().line();
         for bad in [line.replace("0.0912", "x"), format!("{line},"), line.replace(",no", ",maybe")]
         {
-            let error = Table::parse(&format!("{HEADER}\n{bad}")).unwrap_err();
+            let error = TradeoffTable::parse(&format!("{HEADER}\n{bad}")).unwrap_err();
             assert!(error.contains("ground"), "{error}");
         }
-        assert!(Table::parse(&line).is_err()); // no header
+        assert!(TradeoffTable::parse(&line).is_err()); // no header
     }
 
     #[test]

@@ -6,7 +6,7 @@ use crate::numbers::{fixed, power_of_ten};
 
 /// Spacing of an axis.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub enum Spacing {
+pub(crate) enum Spacing {
     /// Equal differences are equally far apart.
     Linear,
     /// Equal ratios are equally far apart.
@@ -15,18 +15,18 @@ pub enum Spacing {
 
 /// One axis: data `[lo, hi]` onto figure units `[start, end]`.
 #[derive(Debug, Clone, Copy)]
-pub struct PlotAxis {
+pub(crate) struct PlotAxis {
     /// Spacing.
-    pub spacing: Spacing,
+    pub(crate) spacing: Spacing,
     /// Data limits.
-    pub data: [f64; 2],
+    pub(crate) data: [f64; 2],
     /// Where they lie in the figure.
-    pub units: [f64; 2],
+    pub(crate) units: [f64; 2],
 }
 
 impl PlotAxis {
     /// A logarithmic axis; both limits above 0.
-    pub fn log(data: [f64; 2], units: [f64; 2]) -> Self {
+    pub(crate) fn log(data: [f64; 2], units: [f64; 2]) -> Self {
         Self { spacing: Spacing::Log, data, units }
     }
 
@@ -43,7 +43,7 @@ impl PlotAxis {
     }
 
     /// Position of a value.
-    pub fn at(&self, value: f64) -> f64 {
+    pub(crate) fn at(&self, value: f64) -> f64 {
         let (lo, hi) = (self.warp(self.data[0]), self.warp(self.data[1]));
         self.units[0] + (self.warp(value) - lo) / (hi - lo) * (self.units[1] - self.units[0])
     }
@@ -57,7 +57,7 @@ impl PlotAxis {
 
     /// Labelled ticks: decades over two decades or more, 1-2-5 or finer below, round steps when
     /// linear.
-    pub fn major(&self) -> Vec<f64> {
+    pub(crate) fn major(&self) -> Vec<f64> {
         let (lo, hi) = (self.data[0].min(self.data[1]), self.data[0].max(self.data[1]));
         let candidates: Vec<f64> = match self.spacing {
             Spacing::Linear => {
@@ -104,6 +104,16 @@ impl PlotAxis {
         candidates.into_iter().filter(|&v| self.holds(v)).collect()
     }
 
+    /// The labelled ticks with their texts.
+    pub(crate) fn ticks(&self) -> Vec<(f64, String)> {
+        self.ticks_as(|value| self.tick_text(value))
+    }
+
+    /// The same with other texts.
+    pub(crate) fn ticks_as(&self, text: impl Fn(f64) -> String) -> Vec<(f64, String)> {
+        self.major().into_iter().map(|value| (value, text(value))).collect()
+    }
+
     /// Unlabelled ticks of a logarithmic axis, 2 to 9 of every decade.
     pub(crate) fn minor(&self) -> Vec<f64> {
         if self.spacing == Spacing::Linear {
@@ -117,7 +127,7 @@ impl PlotAxis {
     }
 
     /// How a tick is written: 0.01, 1, 100; a power only beyond 10³ or below 10⁻³.
-    pub fn tick_text(&self, value: f64) -> String {
+    pub(crate) fn tick_text(&self, value: f64) -> String {
         if self.spacing == Spacing::Log {
             let e = value.log10().round() as i32;
             let is_decade = (value / 10f64.powi(e) - 1.0).abs() < 1e-9;
@@ -164,34 +174,30 @@ pub(crate) fn round_step(about: f64) -> f64 {
 
 /// A plot box with its two axes.
 #[derive(Debug, Clone)]
-pub struct Frame {
+pub(crate) struct Frame {
     /// Horizontal axis.
-    pub x: PlotAxis,
+    pub(crate) x: PlotAxis,
     /// Vertical axis; `units` run from bottom to top.
-    pub y: PlotAxis,
+    pub(crate) y: PlotAxis,
     /// Title of the horizontal axis, "Quantity (unit)".
-    pub x_title: String,
+    pub(crate) x_title: String,
     /// Title of the vertical axis.
-    pub y_title: String,
+    pub(crate) y_title: String,
 }
 
 impl Frame {
     /// Position of a point.
-    pub fn at(&self, [x, y]: [f64; 2]) -> [f64; 2] {
+    pub(crate) fn at(&self, [x, y]: [f64; 2]) -> [f64; 2] {
         [self.x.at(x), self.y.at(y)]
     }
 
     /// Grid, ticks, axes, numbers and titles.
     pub(crate) fn draw(&self, canvas: &mut Canvas) {
-        let x_ticks: Vec<_> =
-            self.x.major().into_iter().map(|v| (v, self.x.tick_text(v))).collect();
-        let y_ticks: Vec<_> =
-            self.y.major().into_iter().map(|v| (v, self.y.tick_text(v))).collect();
-        self.draw_with(canvas, &x_ticks, &y_ticks);
+        self.draw_with(canvas, &self.x.ticks(), &self.y.ticks());
     }
 
     /// The same with ticks chosen by the caller.
-    pub fn draw_with(
+    pub(crate) fn draw_with(
         &self,
         canvas: &mut Canvas,
         x_ticks: &[(f64, String)],

@@ -1,7 +1,8 @@
 //! Direct labels: names beside the ends of lines, pushed apart until all can be read.
 
-use crate::draw::palette::Colour;
+use crate::draw::palette::{Colour, DETERMINISTIC};
 use crate::draw::svg::{Canvas, Rect, Stroke, Text, overlap};
+use crate::lines::ModelLine;
 
 /// Distance between base lines of neighbouring labels, in units.
 pub(crate) const PITCH: f64 = 11.5;
@@ -10,23 +11,37 @@ pub(crate) const ROOM: f64 = 90.0;
 
 /// A name for the right end of a line.
 #[derive(Debug, Clone)]
-pub struct EndLabel {
+pub(crate) struct EndLabel {
     /// Where the line ends.
-    pub y: f64,
+    pub(crate) y: f64,
     /// The name.
-    pub text: String,
+    pub(crate) text: String,
     /// Its colour.
-    pub colour: Colour,
+    pub(crate) colour: Colour,
     /// Bold.
-    pub bold: bool,
+    pub(crate) bold: bool,
     /// The series it names; may be empty.
-    pub series: String,
+    pub(crate) series: String,
+}
+
+impl EndLabel {
+    /// The name of a closed form.
+    pub(crate) fn of_model(y: f64, model: &ModelLine) -> Self {
+        let (text, series) = (model.label.clone(), model.name.clone());
+        Self { y, text, colour: model.look.colour, bold: false, series }
+    }
+
+    /// The name of the solution.
+    pub(crate) fn deterministic(y: f64) -> Self {
+        let (text, series) = ("Deterministic".into(), String::new());
+        Self { y, text, colour: DETERMINISTIC, bold: true, series }
+    }
 }
 
 /// Moves `wanted` positions apart to at least `pitch`, within `[lo, hi]`, staying as near as
 /// they can: neighbours that collide form a block, and each block sits at the mean of what its
 /// members want (pool-adjacent-violators). The order of the input is kept in the output.
-pub fn push_apart(wanted: &[f64], pitch: f64, [lo, hi]: [f64; 2]) -> Vec<f64> {
+pub(crate) fn push_apart(wanted: &[f64], pitch: f64, [lo, hi]: [f64; 2]) -> Vec<f64> {
     let mut order: Vec<usize> = (0..wanted.len()).collect();
     order.sort_by(|&a, &b| wanted[a].total_cmp(&wanted[b]));
     // In coordinates y_k - k pitch the labels need only be non-decreasing.
@@ -73,7 +88,7 @@ pub(crate) fn draw_end_labels(
 
 /// A free place for a label around a point: the first of right, left, above, below and the
 /// diagonals that stays inside `frame` and clear of everything in `taken`.
-pub fn place_near(
+pub(crate) fn place_near(
     [x, y]: [f64; 2],
     [width, height]: [f64; 2],
     taken: &[Rect],

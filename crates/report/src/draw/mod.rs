@@ -1,7 +1,7 @@
 //! The drawing kit: colours, marks, texts, axes; every figure is made of these.
 
-pub mod axes;
-pub mod labels;
-pub mod palette;
-pub mod png;
-pub mod svg;
+pub(crate) mod axes;
+pub(crate) mod labels;
+pub(crate) mod palette;
+pub(crate) mod png;
+pub(crate) mod svg;

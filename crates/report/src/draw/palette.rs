@@ -3,15 +3,17 @@
 //! The light value is written into every mark, so a figure file stands alone; the class beside
 //! it lets the report's stylesheet put the dark value in its place.
 
+use crate::draw::svg::Stroke;
+
 /// A colour with a role.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub struct Colour {
+pub(crate) struct Colour {
     /// Name of the CSS variable and end of the class name.
-    pub class: &'static str,
+    pub(crate) class: &'static str,
     /// On white.
-    pub light: &'static str,
+    pub(crate) light: &'static str,
     /// On the dark page.
-    pub dark: &'static str,
+    pub(crate) dark: &'static str,
 }
 
 const fn colour(class: &'static str, light: &'static str, dark: &'static str) -> Colour {
@@ -23,22 +25,22 @@ pub(crate) const PAPER: Colour = colour("paper", "#FFFFFF", "#15181B");
 /// Text.
 pub(crate) const INK: Colour = colour("ink", "#111418", "#F2F4F5");
 /// Ticks and notes.
-pub const INK2: Colour = colour("ink2", "#4A5259", "#B4BCC3");
+pub(crate) const INK2: Colour = colour("ink2", "#4A5259", "#B4BCC3");
 /// Axes.
-pub const LINE: Colour = colour("line", "#868F97", "#5D676F");
+pub(crate) const LINE: Colour = colour("line", "#868F97", "#5D676F");
 /// Grid lines.
-pub const GRID: Colour = colour("grid", "#E3E6E9", "#2A3035");
+pub(crate) const GRID: Colour = colour("grid", "#E3E6E9", "#2A3035");
 /// Tolerance bands.
-pub const BAND: Colour = colour("band", "#EEF1F3", "#20262A");
+pub(crate) const BAND: Colour = colour("band", "#EEF1F3", "#20262A");
 /// Warnings.
-pub const WARN: Colour = colour("warn", "#9A4B00", "#FFB066");
+pub(crate) const WARN: Colour = colour("warn", "#9A4B00", "#FFB066");
 /// The deterministic solution.
-pub const DETERMINISTIC: Colour = colour("det", "#111418", "#FFFFFF");
+pub(crate) const DETERMINISTIC: Colour = colour("det", "#111418", "#FFFFFF");
 /// Greenwood–Williamson. Colours of two models are at least 8 OKLab units (ΔE in hundredths) apart, also for readers without
 /// red, green or blue cones, and have a contrast of 4.5:1 on the page.
-pub const GW: Colour = colour("gw", "#8C001A", "#F86237");
+pub(crate) const GW: Colour = colour("gw", "#8C001A", "#F86237");
 /// Bush–Gibson–Thomas.
-pub const BGT: Colour = colour("bgt", "#3C26AE", "#909FFA");
+pub(crate) const BGT: Colour = colour("bgt", "#3C26AE", "#909FFA");
 /// Greenwood's simplified elliptical model.
 pub(crate) const ELLIPTICAL: Colour = colour("sge", "#13836F", "#30E4F5");
 /// Persson.
@@ -74,7 +76,7 @@ pub(crate) const COLOURS: [Colour; 16] = [
 
 /// Shape that marks a series where colour is not seen.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub enum Marker {
+pub(crate) enum Marker {
     /// Filled dot.
     Dot,
     /// Open circle.
@@ -99,20 +101,20 @@ pub enum Marker {
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Style {
     /// Colour of line, marker and label.
-    pub colour: Colour,
+    pub(crate) colour: Colour,
     /// Line width in figure units.
-    pub width: f64,
+    pub(crate) width: f64,
     /// SVG dash pattern; empty for a solid line.
-    pub dash: &'static str,
+    pub(crate) dash: &'static str,
     /// Marker.
-    pub marker: Marker,
+    pub(crate) marker: Marker,
     /// The marker sits on loads `i` with `i % 4 == marker_offset`.
-    pub marker_offset: usize,
+    pub(crate) marker_offset: usize,
 }
 
 impl Style {
     /// A model's line.
-    pub const fn model(
+    pub(crate) const fn model(
         colour: Colour,
         dash: &'static str,
         marker: Marker,
@@ -120,10 +122,15 @@ impl Style {
     ) -> Self {
         Self { colour, width: 1.35, dash, marker, marker_offset }
     }
+
+    /// Its line.
+    pub(crate) fn stroke(self) -> Stroke {
+        Stroke { colour: self.colour, width: self.width, dash: self.dash }
+    }
 }
 
 /// The deterministic solution: the heaviest line, a dot at every computed load.
-pub const DETERMINISTIC_STYLE: Style =
+pub(crate) const DETERMINISTIC_STYLE: Style =
     Style { colour: DETERMINISTIC, width: 2.0, dash: "", marker: Marker::Dot, marker_offset: 0 };
 
 /// The solution of elastic bodies beside that of bodies that yield: thin.
@@ -144,7 +151,7 @@ pub(crate) const FLOW_RAMP: [u32; 9] =
 
 /// A colour as OKLab lightness and the two opponent axes (Ottosson 2020).
 #[derive(Debug, Clone, Copy)]
-pub struct OkLab(pub f64, pub f64, pub f64);
+pub(crate) struct OkLab(pub f64, pub f64, pub f64);
 
 fn linear(channel: u32) -> f64 {
     let c = f64::from(channel & 0xFF) / 255.0;
@@ -274,17 +281,7 @@ mod tests {
     /// Persson and the equation, which are often the two nearest to the solution, are farther apart than others.
     #[test]
     fn models_are_told_apart_without_red_green_or_blue_cones() {
-        let models = [
-            DETERMINISTIC,
-            GW,
-            BGT,
-            ELLIPTICAL,
-            PERSSON,
-            STACKED,
-            MAJUMDAR_BHUSHAN,
-            MULTISCALE,
-            EQUATION,
-        ];
+        let models = &COLOURS[7..]; // with the solution
         for of in [|c: Colour| c.light, |c: Colour| c.dark] {
             for (i, one) in models.iter().enumerate() {
                 assert!(contrast(of(*one), of(PAPER)) >= 4.5, "{}", one.class);
@@ -295,7 +292,7 @@ mod tests {
             }
             assert!(apart(of(PERSSON), of(EQUATION)) >= 14.0);
         }
-        assert!(apart("#B542B5", "#005A9C") < 5.0, "as they were");
+        assert!(apart("#B542B5", "#005A9C") < 5.0, "two that look alike");
     }
 
     #[test]

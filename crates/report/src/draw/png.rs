@@ -17,11 +17,11 @@ const EFFORT: png::DeflateCompression = png::DeflateCompression::Level(3);
 #[derive(Debug, Clone)]
 pub struct Picture {
     /// Pixels along x.
-    pub width: usize,
+    pub(crate) width: usize,
     /// Pixels along y.
-    pub height: usize,
+    pub(crate) height: usize,
     /// Three bytes per pixel.
-    pub rgb: Vec<u8>,
+    pub(crate) rgb: Vec<u8>,
 }
 
 impl Picture {

@@ -7,22 +7,22 @@ use std::fmt::Write as _;
 use std::io;
 
 /// Width of a one-column figure in units.
-pub const COLUMN: f64 = 340.0;
+pub(crate) const COLUMN: f64 = 340.0;
 /// Millimetres per unit.
 const MM: f64 = 0.25;
 /// The type of every figure.
 const FONT: &str = "'Helvetica Neue',Helvetica,Arial,'Liberation Sans',sans-serif";
 
 /// A rectangle `[left, top, right, bottom]` in figure units.
-pub type Rect = [f64; 4];
+pub(crate) type Rect = [f64; 4];
 
 /// True if two rectangles share more than an edge.
-pub fn overlap(a: Rect, b: Rect) -> bool {
+pub(crate) fn overlap(a: Rect, b: Rect) -> bool {
     a[0] < b[2] && b[0] < a[2] && a[1] < b[3] && b[1] < a[3]
 }
 
 /// Escapes text for element content and attributes of HTML and XML.
-pub fn escape(text: &str) -> String {
+pub(crate) fn escape(text: &str) -> String {
     let mut out = String::with_capacity(text.len());
     for c in text.chars() {
         match c {
@@ -41,7 +41,7 @@ pub fn escape(text: &str) -> String {
 }
 
 /// A coordinate: two decimals, no trailing zeros, never "-0".
-pub fn num(value: f64) -> String {
+pub(crate) fn num(value: f64) -> String {
     let mut text = format!("{value:.2}");
     if text.contains('.') {
         text.truncate(text.trim_end_matches('0').trim_end_matches('.').len());
@@ -51,7 +51,7 @@ pub fn num(value: f64) -> String {
 
 /// Where a text hangs on its point.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
-pub enum Anchor {
+pub(crate) enum Anchor {
     /// Begins there.
     #[default]
     Start,
@@ -63,26 +63,26 @@ pub enum Anchor {
 
 /// A text to place.
 #[derive(Debug, Clone)]
-pub struct Text<'a> {
+pub(crate) struct Text<'a> {
     /// Position of the anchor on the base line.
-    pub at: [f64; 2],
+    pub(crate) at: [f64; 2],
     /// Content, not escaped.
-    pub content: &'a str,
+    pub(crate) content: &'a str,
     /// Colour.
-    pub colour: Colour,
+    pub(crate) colour: Colour,
     /// Anchor.
-    pub anchor: Anchor,
+    pub(crate) anchor: Anchor,
     /// Type size in units.
-    pub size: f64,
+    pub(crate) size: f64,
     /// Bold.
-    pub bold: bool,
+    pub(crate) bold: bool,
     /// A page-coloured rim, for texts that cross lines.
-    pub halo: bool,
+    pub(crate) halo: bool,
 }
 
 impl<'a> Text<'a> {
     /// Ten-unit text in ink, beginning at `at`.
-    pub fn new(at: [f64; 2], content: &'a str) -> Self {
+    pub(crate) fn new(at: [f64; 2], content: &'a str) -> Self {
         Self {
             at,
             content,
@@ -95,7 +95,7 @@ impl<'a> Text<'a> {
     }
 
     /// The rectangle the text covers, from average widths of Helvetica.
-    pub fn bounds(&self) -> Rect {
+    pub(crate) fn bounds(&self) -> Rect {
         let width = text_width(self.content, self.size, self.bold);
         let left = match self.anchor {
             Anchor::Start => self.at[0],
@@ -107,7 +107,7 @@ impl<'a> Text<'a> {
 }
 
 /// Width of a text in units: Helvetica's advance widths by class of character.
-pub fn text_width(content: &str, size: f64, bold: bool) -> f64 {
+pub(crate) fn text_width(content: &str, size: f64, bold: bool) -> f64 {
     let ems: f64 = content
         .chars()
         .map(|c| match c {
@@ -128,18 +128,18 @@ pub fn text_width(content: &str, size: f64, bold: bool) -> f64 {
 
 /// How a line is drawn.
 #[derive(Debug, Clone, Copy)]
-pub struct Stroke {
+pub(crate) struct Stroke {
     /// Colour.
-    pub colour: Colour,
+    pub(crate) colour: Colour,
     /// Width in units.
-    pub width: f64,
+    pub(crate) width: f64,
     /// Dash pattern; empty for solid.
-    pub dash: &'static str,
+    pub(crate) dash: &'static str,
 }
 
 impl Stroke {
     /// A solid line.
-    pub const fn solid(colour: Colour, width: f64) -> Self {
+    pub(crate) const fn solid(colour: Colour, width: f64) -> Self {
         Self { colour, width, dash: "" }
     }
 
@@ -155,7 +155,7 @@ impl Stroke {
 
 /// Marks and texts of a figure, in drawing order.
 #[derive(Debug, Clone, Default)]
-pub struct Canvas {
+pub(crate) struct Canvas {
     body: String,
 }
 
@@ -173,18 +173,39 @@ impl Canvas {
 
     /// What belongs to one series of the study, by its name, so that a page can follow it through all its
     /// figures; marks of none if the name is empty.
-    pub(crate) fn series(&mut self, name: &str, draw: impl FnOnce(&mut Self)) {
+    pub(crate) fn series<T>(&mut self, name: &str, draw: impl FnOnce(&mut Self) -> T) -> T {
         if !name.is_empty() {
             let _ = write!(self.body, "<g data-m=\"{}\">", escape(name));
         }
-        draw(self);
+        let drawn = draw(self);
         if !name.is_empty() {
             self.body.push_str("</g>");
         }
+        drawn
+    }
+
+    /// What is drawn only inside a rectangle; `id` is unique in the page.
+    pub(crate) fn clipped(
+        &mut self,
+        id: &str,
+        [left, top, right, bottom]: Rect,
+        draw: impl FnOnce(&mut Self),
+    ) {
+        let _ = write!(
+            self.body,
+            "<clipPath id=\"{id}\"><rect x=\"{}\" y=\"{}\" width=\"{}\" height=\"{}\"/></clipPath>\
+             <g clip-path=\"url(#{id})\">",
+            num(left),
+            num(top),
+            num(right - left),
+            num(bottom - top)
+        );
+        draw(self);
+        self.body.push_str("</g>");
     }
 
     /// A straight line.
-    pub fn line(&mut self, [x1, y1]: [f64; 2], [x2, y2]: [f64; 2], stroke: Stroke) {
+    pub(crate) fn line(&mut self, [x1, y1]: [f64; 2], [x2, y2]: [f64; 2], stroke: Stroke) {
         let _ = write!(
             self.body,
             "<line class=\"s-{}\" x1=\"{}\" y1=\"{}\" x2=\"{}\" y2=\"{}\" {}/>",
@@ -220,7 +241,7 @@ impl Canvas {
     }
 
     /// A polyline.
-    pub fn polyline(&mut self, points: &[[f64; 2]], stroke: Stroke) {
+    pub(crate) fn polyline(&mut self, points: &[[f64; 2]], stroke: Stroke) {
         if points.len() > 1 {
             self.path(&path_data(points), stroke);
         }
@@ -241,7 +262,7 @@ impl Canvas {
     }
 
     /// A filled rectangle.
-    pub fn rect(&mut self, [left, top, right, bottom]: Rect, colour: Colour, opacity: f64) {
+    pub(crate) fn rect(&mut self, [left, top, right, bottom]: Rect, colour: Colour, opacity: f64) {
         let _ = write!(
             self.body,
             "<rect class=\"f-{}\" x=\"{}\" y=\"{}\" width=\"{}\" height=\"{}\" fill=\"{}\" \
@@ -280,7 +301,7 @@ impl Canvas {
     }
 
     /// A direct label, which may overlap no other; its class says so.
-    pub fn label(&mut self, text: &Text<'_>) {
+    pub(crate) fn label(&mut self, text: &Text<'_>) {
         self.write_text(text, " label", "");
     }
 
@@ -321,7 +342,7 @@ impl Canvas {
     }
 
     /// A marker of nominal radius `r`.
-    pub fn marker(&mut self, [x, y]: [f64; 2], r: f64, look: Style) {
+    pub(crate) fn marker(&mut self, [x, y]: [f64; 2], r: f64, look: Style) {
         let polygon = |corners: &[(f64, f64)]| {
             let points: Vec<[f64; 2]> =
                 corners.iter().map(|(dx, dy)| [x + r * dx, y + r * dy]).collect();
@@ -405,15 +426,15 @@ fn path_data(points: &[[f64; 2]]) -> String {
 #[derive(Debug, Clone)]
 pub struct Figure {
     /// Unique key: prefix of every id inside.
-    pub key: String,
+    pub(crate) key: String,
     /// What it shows.
-    pub title: String,
+    pub(crate) title: String,
     /// What it finds, with numbers.
-    pub description: String,
+    pub(crate) description: String,
     /// Width and height in units.
-    pub size: [f64; 2],
+    pub(crate) size: [f64; 2],
     /// What is drawn.
-    pub canvas: Canvas,
+    pub(crate) canvas: Canvas,
 }
 
 impl Figure {
@@ -439,7 +460,7 @@ impl Figure {
     ///
     /// # Errors
     /// Whatever the writer reports.
-    pub fn write_standalone(&self, out: &mut impl io::Write) -> io::Result<()> {
+    pub(crate) fn write_standalone(&self, out: &mut impl io::Write) -> io::Result<()> {
         let [width, height] = self.size;
         let size = format!(" width=\"{}mm\" height=\"{}mm\"", num(MM * width), num(MM * height));
         let ground = format!(

@@ -2,9 +2,7 @@
 
 use crate::draw::axes::{Frame, PlotAxis};
 use crate::draw::labels::{EndLabel, ROOM, draw_end_labels};
-use crate::draw::palette::{
-    Colour, DETERMINISTIC, DETERMINISTIC_STYLE, INK2, Marker, PERSSON, Style,
-};
+use crate::draw::palette::{DETERMINISTIC_STYLE, INK2, Marker, PERSSON, Style};
 use crate::draw::svg::{COLUMN, Canvas, Figure, Stroke};
 use crate::figures::curves::log_limits;
 use crate::lines::load_axis;
@@ -18,7 +16,7 @@ const BOTTOM: f64 = 226.0;
 const HEIGHT: f64 = 262.0;
 
 /// One line over the loads.
-pub(crate) struct Line {
+pub(crate) struct LoadLine {
     pub(crate) label: String,
     /// The series it is, see [`Canvas::series`]; may be empty.
     pub(crate) series: String,
@@ -30,7 +28,7 @@ pub(crate) struct Line {
 pub(crate) fn over_load(
     (pressures, area): (&[f64], Option<f64>),
     deterministic: &[Option<f64>],
-    lines: &[Line],
+    lines: &[LoadLine],
     (title, unit_name): (&str, &str),
     key: &str,
 ) -> Figure {
@@ -53,15 +51,20 @@ pub(crate) fn over_load(
     let mut canvas = Canvas::default();
     frame.draw(&mut canvas);
     let mut labels = Vec::new();
+    let loads = (pressures, unit.scale);
     for (line, values) in lines.iter().zip(&others) {
-        canvas.series(&line.series, |canvas| {
-            draw(canvas, &frame, (pressures, unit.scale), values, line.look);
-        });
-        let end = end(&frame, values, &line.label, line.look.colour, false);
-        labels.extend(end.map(|end| EndLabel { series: line.series.clone(), ..end }));
+        let end =
+            canvas.series(&line.series, |canvas| draw(canvas, &frame, loads, values, line.look));
+        labels.extend(end.filter(|_| !line.label.is_empty()).map(|y| EndLabel {
+            y,
+            text: line.label.clone(),
+            colour: line.look.colour,
+            bold: false,
+            series: line.series.clone(),
+        }));
     }
-    draw(&mut canvas, &frame, (pressures, unit.scale), &reference, DETERMINISTIC_STYLE);
-    labels.extend(end(&frame, &reference, "Deterministic", DETERMINISTIC, true));
+    let end = draw(&mut canvas, &frame, loads, &reference, DETERMINISTIC_STYLE);
+    labels.extend(end.map(EndLabel::deterministic));
     draw_end_labels(&mut canvas, RIGHT, [TOP + 2.0, BOTTOM - 2.0], &labels);
     let range = crate::lines::range_words(&reference, &format!(" {unit_name}"));
     Figure {
@@ -98,9 +101,9 @@ pub(crate) fn octaves(octaves: &[Octave], key: &str) -> Figure {
         ("Conductance", &conductance, DETERMINISTIC_STYLE),
     ] {
         let values: Vec<Option<f64>> = values.iter().map(|v| Some(*v)).collect();
-        let every = Style { marker_offset: 0, ..look };
-        draw(&mut canvas, &frame, (&waves, unit.scale), &values, every);
-        labels.extend(end(&frame, &values, label, look.colour, label == "Conductance"));
+        let end = draw(&mut canvas, &frame, (&waves, unit.scale), &values, look);
+        let (text, colour, bold) = (label.into(), look.colour, label == "Conductance");
+        labels.extend(end.map(|y| EndLabel { y, text, colour, bold, series: String::new() }));
     }
     draw_end_labels(&mut canvas, RIGHT, [TOP + 2.0, BOTTOM - 2.0], &labels);
     let last = octaves.len() - 1;
@@ -119,41 +122,23 @@ pub(crate) fn octaves(octaves: &[Octave], key: &str) -> Figure {
     }
 }
 
-/// A line with a marker at every value.
+/// A line with a marker at every value; answers with the height of its end.
 fn draw(
     canvas: &mut Canvas,
     frame: &Frame,
     (x, scale): (&[f64], f64),
     values: &[Option<f64>],
     look: Style,
-) {
+) -> Option<f64> {
     let points: Vec<[f64; 2]> = x
         .iter()
         .zip(values)
         .filter_map(|(x, v)| Some(frame.at([x / scale, (*v)?])))
         .filter(|[_, y]| (TOP..=BOTTOM).contains(y))
         .collect();
-    let stroke = Stroke { colour: look.colour, width: look.width, dash: look.dash };
-    canvas.polyline(&points, stroke);
+    canvas.polyline(&points, look.stroke());
     for point in points {
         canvas.marker(point, 2.4, look);
     }
-}
-
-fn end(
-    frame: &Frame,
-    values: &[Option<f64>],
-    label: &str,
-    colour: Colour,
-    bold: bool,
-) -> Option<EndLabel> {
-    let last = values.iter().flatten().last().filter(|_| !label.is_empty())?;
-    let series = String::new();
-    Some(EndLabel {
-        y: frame.y.at(*last).clamp(TOP, BOTTOM),
-        text: label.into(),
-        colour,
-        bold,
-        series,
-    })
+    values.iter().flatten().last().map(|last| frame.y.at(*last).clamp(TOP, BOTTOM))
 }

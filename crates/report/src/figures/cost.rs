@@ -1,15 +1,14 @@
 //! Fig. 4: what accuracy costs, error against time.
 
-use crate::draw::axes::{Frame, PlotAxis};
 use crate::draw::labels::place_near;
-use crate::draw::palette::{BAND, DETERMINISTIC_STYLE, INK2, LINE, Style};
-use crate::draw::svg::{COLUMN, Canvas, Figure, Rect, Stroke, Text, text_width};
-use crate::figures::front::front;
-use crate::numbers::{duration, percent, time_tick};
+use crate::draw::palette::{DETERMINISTIC_STYLE, Style};
+use crate::draw::svg::{COLUMN, Figure, Rect, Stroke, Text, text_width};
+use crate::figures::cost_plot::CostPlot;
+use crate::numbers::{duration, percent};
 
 /// One way to an answer.
 #[derive(Debug, Clone)]
-pub(crate) struct Route {
+pub(crate) struct CostRoute {
     /// Short name.
     pub label: String,
     /// The series it is, see [`Canvas::series`]; may be empty.
@@ -29,7 +28,7 @@ pub(crate) struct Route {
 /// Error against a time. `floor` is the uncertainty of the reference; `None` if it has
 /// no bar.
 pub(crate) fn figure(
-    routes: &[Route],
+    routes: &[CostRoute],
     floor: Option<f64>,
     (of, at): (&str, &str),
     time: &str,
@@ -48,46 +47,22 @@ pub(crate) fn figure(
     }
     lo = lo.min(hi);
     hi = hi.max(10.0 * lo);
-    let frame = Frame {
-        x: PlotAxis::log([fastest / 3.0, slowest * 4.0], [FRAME[0], FRAME[2]]),
-        y: PlotAxis::log([lo / 6.0, hi * 1.8], [FRAME[3], FRAME[1]]),
-        x_title: time.into(),
-        y_title: format!("|Error| in {of} at {at} (%)"),
+    let limits = [[fastest / 3.0, slowest * 4.0], [lo / 6.0, hi * 1.8]];
+    let titles = [time, &format!("|Error| in {of} at {at} (%)")];
+    let whose = floor.map(|floor| (floor, "solver’s"));
+    let mut plot = CostPlot::framed(FRAME, limits, titles, whose);
+    let place = |r: &CostRoute| {
+        plot.frame.at([r.seconds.max(fastest / 3.0), (100.0 * r.error).max(lo / 2.5)])
     };
-    let mut canvas = Canvas::default();
-    let mut taken: Vec<Rect> = Vec::new();
-    if let Some(floor) = floor {
-        canvas.rect([FRAME[0], frame.y.at(100.0 * floor), FRAME[2], FRAME[3]], BAND, 1.0);
-    }
-    let x_ticks: Vec<_> = frame.x.major().into_iter().map(|s| (s, time_tick(s))).collect();
-    let y_ticks: Vec<_> = frame.y.major().into_iter().map(|v| (v, frame.y.tick_text(v))).collect();
-    frame.draw_with(&mut canvas, &x_ticks, &y_ticks);
-    if let Some(floor) = floor {
-        let note = format!("within the solver’s own ±{}: not ranked", percent(floor));
-        let text =
-            Text { colour: INK2, size: 9.0, ..Text::new([FRAME[0] + 4.0, FRAME[3] - 5.0], &note) };
-        taken.push(text.bounds());
-        canvas.label(&text);
-    }
-    let place = |r: &Route| {
-        let y = frame.y.at((100.0 * r.error).max(lo / 2.5));
-        [frame.x.at(r.seconds.max(fastest / 3.0)), y]
-    };
+    let places: Vec<[f64; 2]> = routes.iter().map(place).collect();
     let costs: Vec<[f64; 2]> = routes.iter().map(|r| [r.seconds, r.error]).collect();
-    let steps: Vec<[f64; 2]> = front(&costs, floor.unwrap_or(0.0))
-        .windows(2)
-        .flat_map(|w| {
-            let (a, b) = (place(&routes[w[0]]), place(&routes[w[1]]));
-            [a, [b[0], a[1]], b]
-        })
-        .collect();
-    canvas.polyline(&steps, Stroke { colour: LINE, width: 1.1, dash: "3 2" });
-    for route in routes {
-        let [x, y] = place(route);
+    plot.draw_front(&costs, &places, floor.unwrap_or(0.0), 1.1);
+    let CostPlot { frame, mut canvas, mut taken, .. } = plot;
+    for (route, &[x, y]) in routes.iter().zip(&places) {
         canvas.series(&route.series, |canvas| {
             if let Some(typed) = route.typed {
                 let end = frame.x.at(typed.max(fastest / 3.0));
-                let stroke = Stroke { colour: route.look.colour, width: 0.7, dash: "" };
+                let stroke = Stroke::solid(route.look.colour, 0.7);
                 canvas.polyline(&[[x, y], [end, y]], stroke);
                 canvas.polyline(&[[end, y - 3.0], [end, y + 3.0]], stroke);
             }
@@ -95,11 +70,11 @@ pub(crate) fn figure(
         });
         taken.push([x - 4.0, y - 4.0, x + 4.0, y + 4.0]);
     }
-    for route in routes {
+    for (route, place) in routes.iter().zip(places) {
         // A little room beside it, so that neighbours do not read as one word.
         let size = [text_width(&route.label, 10.0, route.bold) + 4.0, 10.0];
         let inside = [FRAME[0], FRAME[1] - 8.0, COLUMN - 2.0, FRAME[3]];
-        if let Some(r) = place_near(place(route), size, &taken, inside) {
+        if let Some(r) = place_near(place, size, &taken, inside) {
             taken.push(r);
             let text = Text {
                 colour: route.look.colour,
@@ -130,15 +105,16 @@ pub(crate) fn figure(
     }
 }
 
-/// The deterministic solution, by which the others are judged.
-pub(crate) fn deterministic(seconds: f64) -> Route {
-    Route {
-        label: "Deterministic (0)".into(),
-        series: String::new(),
-        look: DETERMINISTIC_STYLE,
-        seconds,
-        typed: None,
-        error: 0.0,
-        bold: true,
+impl CostRoute {
+    /// A way that is no model of the study.
+    pub(crate) fn new(label: impl Into<String>, look: Style, seconds: f64, error: f64) -> Self {
+        let (label, series) = (label.into(), String::new());
+        Self { label, series, look, seconds, typed: None, error: error.abs(), bold: false }
+    }
+
+    /// The deterministic solution, by which the others are judged.
+    pub(crate) fn deterministic(seconds: f64) -> Self {
+        let route = Self::new("Deterministic (0)", DETERMINISTIC_STYLE, seconds, 0.0);
+        Self { bold: true, ..route }
     }
 }

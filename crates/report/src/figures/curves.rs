@@ -1,6 +1,6 @@
 //! The figures over the load: real area, real pressure, error of each closed form.
 
-use crate::draw::axes::{Frame, PlotAxis};
+use crate::draw::axes::{Frame, PlotAxis, Spacing};
 use crate::draw::labels::{EndLabel, ROOM, draw_end_labels};
 use crate::draw::palette::{BAND, DETERMINISTIC, DETERMINISTIC_STYLE, INK2};
 use crate::draw::svg::{COLUMN, Canvas, Figure, Stroke, Text, num};
@@ -40,20 +40,12 @@ pub(crate) fn area(lines: &Lines, key: &str, usage: Use) -> Figure {
         range_words(&reference, " %"),
         compared(lines)
     );
-    Plot {
-        lines,
-        reference,
-        band,
-        models,
-        ceiling: 100.0,
-        cells: 'a',
-        key,
-        usage,
-        title: "Real contact area over the load",
-        y_title: "Real contact area (% of nominal)".into(),
-        description,
-    }
-    .draw()
+    let title = "Real contact area over the load";
+    let y_title = "Real contact area (% of nominal)".into();
+    let y = log_axis(&reference, &band, &models, 100.0);
+    let notes = load_notes(lines, &models, y.data);
+    Plot { lines, reference, band, models, y, notes, cells: 'a', title, y_title, description }
+        .draw(key, usage)
 }
 
 /// Fig. 2 of the source paper: mean real pressure over nominal pressure, both logarithmic.
@@ -68,126 +60,153 @@ pub(crate) fn pressure(lines: &Lines, key: &str, usage: Use) -> Figure {
     let scaled = |values: Vec<Option<f64>>| -> Vec<Option<f64>> {
         values.into_iter().map(|v| v.map(|v| v / unit.scale)).collect()
     };
-    let band = lines
-        .pressures
-        .iter()
-        .zip(&lines.interval)
-        .map(|(&p, i)| {
-            let [lo, hi] = (*i)?;
-            (lo > 0.0).then(|| [p / hi / unit.scale, p / lo / unit.scale])
-        })
-        .collect();
+    let between = |(&p, i): (&f64, &Option<[f64; 2]>)| {
+        let [lo, hi] = (*i)?;
+        (lo > 0.0).then(|| [p / hi / unit.scale, p / lo / unit.scale])
+    };
+    let band: Vec<_> = lines.pressures.iter().zip(&lines.interval).map(between).collect();
     let reference = scaled(reference);
     let description = format!(
         "Log-log plot. Deterministic mean real pressure: {} while load rises {:.0} times.",
         range_words(&reference, &format!(" {}", unit.name)),
         lines.pressures[lines.pressures.len() - 1] / lines.pressures[0]
     );
-    Plot {
-        lines,
-        reference,
-        band,
-        models: lines.models.iter().map(|m| scaled(over(&m.area))).collect(),
-        ceiling: f64::INFINITY,
-        cells: 'p',
-        key,
-        usage,
-        title: "Mean real pressure over the load",
-        y_title: format!("Mean real pressure ({})", unit.name),
-        description,
-    }
-    .draw()
+    let models: Vec<_> = lines.models.iter().map(|m| scaled(over(&m.area))).collect();
+    let title = "Mean real pressure over the load";
+    let y_title = format!("Mean real pressure ({})", unit.name);
+    let y = log_axis(&reference, &band, &models, f64::INFINITY);
+    let notes = load_notes(lines, &models, y.data);
+    Plot { lines, reference, band, models, y, notes, cells: 'p', title, y_title, description }
+        .draw(key, usage)
 }
 
-/// A log-log plot of one quantity of the reference and of every model.
+/// A plot over the loads of one quantity of the reference and of every model; of errors, on a linear axis, the
+/// reference is the line at 0.
 struct Plot<'a> {
     lines: &'a Lines,
+    /// Empty of errors.
     reference: Vec<Option<f64>>,
     band: Vec<Option<[f64; 2]>>,
     models: Vec<Vec<Option<f64>>>,
-    ceiling: f64,
+    /// Its data alone.
+    y: PlotAxis,
+    /// Models that leave the axis, with what is said of them above the frame.
+    notes: Vec<(&'a ModelLine, String)>,
+    /// Letter of what the slider lists.
     cells: char,
-    key: &'a str,
-    usage: Use,
     title: &'a str,
     y_title: String,
     description: String,
 }
 
 impl Plot<'_> {
-    fn draw(self) -> Figure {
+    fn draw(self, key: &str, usage: Use) -> Figure {
         let lines = self.lines;
+        let is_error = self.y.spacing == Spacing::Linear;
         let (unit, x_title) = lines.load_axis();
-        let mut reference = self.reference.clone();
-        // The band belongs to the reference.
-        reference.extend(self.band.iter().flatten().flatten().map(|v| Some(*v)));
-        let [lo, hi] = log_limits(&reference, &self.models, self.ceiling);
-        let off = |v: f64| v < lo || v > hi * (1.0 + 1e-9);
-        let outside: Vec<usize> = (0..self.models.len())
-            .filter(|&k| self.models[k].iter().flatten().any(|v| off(*v)))
-            .collect();
-        let top = TOP + if outside.is_empty() { 0.0 } else { NOTE * outside.len() as f64 - 2.0 };
+        let [lo, hi] = self.y.data;
+        let notes = NOTE * self.notes.len() as f64;
+        let top = TOP + if is_error || self.notes.is_empty() { notes } else { notes - 2.0 };
         let bottom = HEIGHT - BOTTOM_MARGIN;
         let frame = Frame {
             x: x_axis(lines, unit),
-            y: PlotAxis::log([lo, hi], [bottom, top]),
+            y: PlotAxis { units: [bottom, top], ..self.y },
             x_title,
-            y_title: self.y_title.clone(),
+            y_title: self.y_title,
         };
         let mut canvas = Canvas::default();
-        frame.draw(&mut canvas);
-        self.off_scale_notes(&mut canvas, &outside, [lo, hi]);
-        if self.usage == Use::Page {
+        let tolerance = [LEFT, frame.y.at(10.0), RIGHT, frame.y.at(-10.0)];
+        if is_error {
+            canvas.rect(tolerance, BAND, 1.0);
+        }
+        let sign = |v: f64| if is_error && v > 0.0 { "+" } else { "" };
+        let y_ticks = frame.y.ticks_as(|v| format!("{}{}", sign(v), frame.y.tick_text(v)));
+        frame.draw_with(&mut canvas, &frame.x.ticks(), &y_ticks);
+        for (row, (model, note)) in self.notes.iter().enumerate() {
+            let at = [LEFT + 4.0, 10.0 + NOTE * row as f64];
+            let text = Text { colour: model.look.colour, size: 9.0, ..Text::new(at, note) };
+            canvas.series(&model.name, |canvas| canvas.label(&text));
+        }
+        if usage == Use::Page {
             cursor(&mut canvas, lines, &frame, self.cells);
         }
-        let clip = open_clip(&mut canvas, self.key, &frame);
         let x = |i: usize| lines.pressures[i] / unit.scale;
-        let bands: Vec<_> =
-            self.band.iter().map(|b| b.map(|b| b.map(|v| v.clamp(lo, hi)))).collect();
-        draw_band(&mut canvas, &frame, &x, &bands, 0.16);
         let mut ends = Vec::new();
-        for (model, values) in lines.models.iter().zip(&self.models) {
-            if let Some(y) = draw_model(&mut canvas, &frame, &x, values, model) {
-                ends.push(of_model(&frame, y, model));
+        // A little wider than the frame, for markers on its edge.
+        let clip = [LEFT - 4.0, top - 4.0, RIGHT + 4.0, bottom];
+        canvas.clipped(&format!("{key}-c"), clip, |canvas| {
+            let band: Vec<_> =
+                self.band.iter().map(|b| b.map(|b| b.map(|v| v.clamp(lo, hi)))).collect();
+            draw_band(canvas, &frame, &x, &band, if is_error { 0.28 } else { 0.16 });
+            if is_error {
+                let zero = [LEFT, RIGHT].map(|x| [x, frame.y.at(0.0)]);
+                canvas.line(zero[0], zero[1], Stroke::solid(DETERMINISTIC, 1.6));
+                ends.push(EndLabel::deterministic(frame.y.at(0.0)));
             }
-        }
-        let last = draw_reference(&mut canvas, &frame, &x, &self.reference);
-        canvas.raw(clip);
-        if let Some(y) = last {
-            ends.push(deterministic(&frame, y));
+            for (model, values) in lines.models.iter().zip(&self.models) {
+                let end = draw_model(canvas, &frame, &x, values, model);
+                if let Some(y) = end.filter(|y| !is_error || (lo..=hi).contains(y)) {
+                    ends.push(EndLabel::of_model(frame.y.at(y).clamp(top, bottom), model));
+                }
+            }
+            let end = draw_reference(canvas, &frame, &x, &self.reference);
+            let end = end.map(|y| EndLabel::deterministic(frame.y.at(y).clamp(top, bottom)));
+            ends.extend(end);
+        });
+        // A band too narrow for its name is named in the caption alone.
+        if is_error && tolerance[3] - tolerance[1] > 26.0 {
+            canvas.text(&Text {
+                colour: INK2,
+                size: 9.0,
+                halo: true,
+                ..Text::new([LEFT + 4.0, tolerance[1] + 9.5], "within 10\u{202F}%")
+            });
         }
         draw_end_labels(&mut canvas, RIGHT, [top + 2.0, bottom - 2.0], &ends);
         Figure {
-            key: self.key.into(),
+            key: key.into(),
             title: self.title.into(),
             description: self.description,
             size: [COLUMN, HEIGHT],
             canvas,
         }
     }
+}
 
-    /// "▲ MB off scale from 400 MPa", one line per model, above the frame.
-    fn off_scale_notes(&self, canvas: &mut Canvas, outside: &[usize], [lo, hi]: [f64; 2]) {
-        let lines = self.lines;
-        for (row, &k) in outside.iter().enumerate() {
-            let off =
-                |i: &usize| self.models[k][*i].is_some_and(|v| v < lo || v > hi * (1.0 + 1e-9));
-            let loads: Vec<usize> = (0..lines.pressures.len()).filter(off).collect();
-            let (Some(&first), Some(&last)) = (loads.first(), loads.last()) else { continue };
-            let high = self.models[k][first].is_some_and(|v| v > hi);
-            let at = |i: usize| load(lines.pressures[i], lines.load_area);
-            let whole = loads.len() == lines.pressures.len();
-            let range = match (first, last + 1 == lines.pressures.len()) {
-                _ if whole => "at every load".into(),
-                (0, _) => format!("up to {}", at(last)),
-                (_, true) => format!("from {}", at(first)),
-                _ => format!("between {} and {}", at(first), at(last)),
-            };
-            let sign = if high { '▲' } else { '▼' };
-            let note = format!("{sign} {} off scale {range}", lines.models[k].label);
-            note_above(canvas, row, &lines.models[k], &note);
-        }
-    }
+/// A logarithmic axis for the reference with its band, and models.
+fn log_axis(
+    reference: &[Option<f64>],
+    band: &[Option<[f64; 2]>],
+    models: &[Vec<Option<f64>>],
+    ceiling: f64,
+) -> PlotAxis {
+    let band = band.iter().flatten().flatten().map(|v| Some(*v));
+    let reference: Vec<Option<f64>> = reference.iter().copied().chain(band).collect();
+    PlotAxis::log(log_limits(&reference, models, ceiling), [0.0, 1.0])
+}
+
+/// "▲ MB off scale from 400 MPa" of each model that leaves the axis.
+fn load_notes<'a>(
+    lines: &'a Lines,
+    models: &[Vec<Option<f64>>],
+    [lo, hi]: [f64; 2],
+) -> Vec<(&'a ModelLine, String)> {
+    let note = |(model, values): (&'a ModelLine, &Vec<Option<f64>>)| {
+        let off = |i: &usize| values[*i].is_some_and(|v| v < lo || v > hi * (1.0 + 1e-9));
+        let loads: Vec<usize> = (0..lines.pressures.len()).filter(off).collect();
+        let (&first, &last) = (loads.first()?, loads.last()?);
+        let at = |i: usize| load(lines.pressures[i], lines.load_area);
+        let whole = loads.len() == lines.pressures.len();
+        let range = match (first, last + 1 == lines.pressures.len()) {
+            _ if whole => "at every load".into(),
+            (0, _) => format!("up to {}", at(last)),
+            (_, true) => format!("from {}", at(first)),
+            _ => format!("between {} and {}", at(first), at(last)),
+        };
+        let sign = if values[first].is_some_and(|v| v > hi) { '▲' } else { '▼' };
+        Some((model, format!("{sign} {} off scale {range}", model.label)))
+    };
+    lines.models.iter().zip(models).filter_map(note).collect()
 }
 
 /// Limits of a logarithmic axis: all of the reference, and every model value within a factor of
@@ -226,7 +245,6 @@ const MOST_ERROR: f64 = 150.0;
 
 /// Fig. 3: signed error of the area of each closed form against the deterministic solution.
 pub(crate) fn error(lines: &Lines, key: &str) -> Figure {
-    let (unit, x_title) = lines.load_axis();
     let errors: Vec<Vec<Option<f64>>> = lines
         .models
         .iter()
@@ -253,114 +271,36 @@ pub(crate) fn error(lines: &Lines, key: &str) -> Figure {
             .fold(12.0_f64, |w, e| w.max((sign * e).min(MOST_ERROR)))
     };
     let (lo, hi) = (-1.06 * extent(-1.0), 1.06 * extent(1.0));
-    let outside: Vec<&ModelLine> = lines
-        .models
-        .iter()
-        .zip(&errors)
-        .filter(|(_, e)| e.iter().flatten().any(|e| *e < lo || *e > hi))
-        .map(|(m, _)| m)
-        .collect();
-
-    let top = TOP + if outside.is_empty() { 0.0 } else { NOTE * outside.len() as f64 };
-    let bottom = HEIGHT - BOTTOM_MARGIN;
-    let frame = Frame {
-        x: x_axis(lines, unit),
-        y: PlotAxis::linear([lo, hi], [bottom, top]),
-        x_title,
-        y_title: "Error in area (%)".into(),
+    // "▲ Stacked off scale: +141 to +434 %".
+    let note = |(model, errors): (&'_ ModelLine, &Vec<Option<f64>>)| {
+        errors.iter().flatten().find(|e| **e < lo || **e > hi)?;
+        let errors: Vec<f64> = lines.errors(model).into_iter().flatten().collect();
+        let (low, high) = min_max(&errors)?;
+        let sign = if high + low > 0.0 { '▲' } else { '▼' };
+        Some(format!("{sign} {} off scale: {}", model.label, signed_range(low, high)))
     };
-    let mut canvas = Canvas::default();
-    let tolerance = [LEFT, frame.y.at(10.0), RIGHT, frame.y.at(-10.0)];
-    canvas.rect(tolerance, BAND, 1.0);
-    let x_ticks: Vec<_> = frame.x.major().into_iter().map(|v| (v, frame.x.tick_text(v))).collect();
-    let y_ticks: Vec<_> = frame
-        .y
-        .major()
-        .into_iter()
-        .map(|v| {
-            (v, if v > 0.0 { format!("+{}", frame.y.tick_text(v)) } else { frame.y.tick_text(v) })
-        })
-        .collect();
-    frame.draw_with(&mut canvas, &x_ticks, &y_ticks);
-    off_scale_notes(&mut canvas, lines, &outside);
-    cursor(&mut canvas, lines, &frame, 'e');
-    let clip = open_clip(&mut canvas, key, &frame);
-    let x = |i: usize| lines.pressures[i] / unit.scale;
-    let band: Vec<_> = lines
-        .interval
-        .iter()
-        .zip(&lines.area)
-        .map(|(i, a)| Some((*i)?.map(|v| (100.0 * (v / a.unwrap_or(v) - 1.0)).clamp(lo, hi))))
-        .collect();
-    draw_band(&mut canvas, &frame, &x, &band, 0.28);
-    canvas.line(
-        [LEFT, frame.y.at(0.0)],
-        [RIGHT, frame.y.at(0.0)],
-        Stroke::solid(DETERMINISTIC, 1.6),
-    );
-    let mut ends = vec![deterministic(&frame, 0.0)];
-    for (model, values) in lines.models.iter().zip(&errors) {
-        if let Some(y) = draw_model(&mut canvas, &frame, &x, values, model)
-            && (lo..=hi).contains(&y)
-        {
-            ends.push(of_model(&frame, y, model));
-        }
-    }
-    canvas.raw(clip);
-    // A band too narrow for its name is named in the caption alone.
-    if tolerance[3] - tolerance[1] > 26.0 {
-        canvas.text(&Text {
-            colour: INK2,
-            size: 9.0,
-            halo: true,
-            ..Text::new([LEFT + 4.0, tolerance[1] + 9.5], "within 10\u{202F}%")
-        });
-    }
-    draw_end_labels(&mut canvas, RIGHT, [top + 2.0, bottom - 2.0], &ends);
-    Figure {
-        key: key.into(),
-        title: "Signed error of each closed form against load".into(),
+    let each = lines.models.iter().zip(&errors);
+    let notes = each.filter_map(|of| Some((of.0, note(of)?))).collect();
+    let between = |(i, a): (&Option<[f64; 2]>, &Option<f64>)| {
+        Some((*i)?.map(|v| 100.0 * (v / a.unwrap_or(v) - 1.0)))
+    };
+    let band = lines.interval.iter().zip(&lines.area).map(between).collect();
+    Plot {
+        lines,
+        reference: Vec::new(),
+        band,
+        models: errors,
+        y: PlotAxis::linear([lo, hi], [0.0, 1.0]),
+        notes,
+        cells: 'e',
+        title: "Signed error of each closed form against load",
+        y_title: "Error in area (%)".into(),
         description: format!(
             "Per cent error of the area relative to the deterministic solution of the same map. {}",
             compared(lines)
         ),
-        size: [COLUMN, HEIGHT],
-        canvas,
     }
-}
-
-fn of_model(frame: &Frame, y: f64, model: &ModelLine) -> EndLabel {
-    let (text, series) = (model.label.clone(), model.name.clone());
-    let colour = model.look.colour;
-    EndLabel { y: within(frame, y), text, colour, bold: false, series }
-}
-
-fn deterministic(frame: &Frame, y: f64) -> EndLabel {
-    let (text, series) = ("Deterministic".into(), String::new());
-    EndLabel { y: within(frame, y), text, colour: DETERMINISTIC, bold: true, series }
-}
-
-fn within(frame: &Frame, y: f64) -> f64 {
-    let [bottom, top] = frame.y.units;
-    frame.y.at(y).clamp(top, bottom)
-}
-
-/// "▲ Stacked off scale: +141 to +434 %", one line per model, above the frame.
-fn off_scale_notes(canvas: &mut Canvas, lines: &Lines, outside: &[&ModelLine]) {
-    for (row, model) in outside.iter().enumerate() {
-        let errors: Vec<f64> = lines.errors(model).into_iter().flatten().collect();
-        let (lo, hi) = min_max(&errors).unwrap_or((0.0, 0.0));
-        let sign = if hi + lo > 0.0 { '▲' } else { '▼' };
-        let note = format!("{sign} {} off scale: {}", model.label, signed_range(lo, hi));
-        note_above(canvas, row, model, &note);
-    }
-}
-
-/// A line of notes above the frame, in the colour of a model.
-fn note_above(canvas: &mut Canvas, row: usize, model: &ModelLine, note: &str) {
-    let at = [LEFT + 4.0, 10.0 + NOTE * row as f64];
-    let text = Text { colour: model.look.colour, size: 9.0, ..Text::new(at, note) };
-    canvas.series(&model.name, |canvas| canvas.label(&text));
+    .draw(key, Use::Page)
 }
 
 /// The dotted line at the load read off; the report's script moves it, and lists beside it what `cells` of
@@ -379,22 +319,6 @@ fn cursor(canvas: &mut Canvas, lines: &Lines, frame: &Frame, cells: char) {
     let stroke = Stroke { colour: INK2, width: 0.8, dash: "1.5 1.5" };
     canvas.line([0.0, top], [0.0, bottom], stroke);
     canvas.raw("</g>");
-}
-
-/// Opens a group clipped to the frame (a little wider, for markers on its edge) and returns its
-/// closing tag.
-fn open_clip(canvas: &mut Canvas, key: &str, frame: &Frame) -> &'static str {
-    let [bottom, top] = frame.y.units;
-    let [left, right] = frame.x.units;
-    canvas.raw(&format!(
-        "<clipPath id=\"{key}-c\"><rect x=\"{}\" y=\"{}\" width=\"{}\" height=\"{}\"/></clipPath>\
-         <g clip-path=\"url(#{key}-c)\">",
-        num(left - 4.0),
-        num(top - 4.0),
-        num(right - left + 8.0),
-        num(bottom - top + 4.0)
-    ));
-    "</g>"
 }
 
 /// Draws a band between low and high values, in pieces where values are missing.
@@ -423,13 +347,12 @@ fn draw_model(
     model: &ModelLine,
 ) -> Option<f64> {
     let look = model.look;
-    let stroke = Stroke { colour: look.colour, width: look.width, dash: look.dash };
     let present: Vec<(usize, f64)> =
         values.iter().enumerate().filter_map(|(i, v)| Some((i, (*v)?))).collect();
     canvas.series(&model.name, |canvas| {
         for run in runs(values) {
             let points: Vec<[f64; 2]> = run.iter().map(|(i, v)| frame.at([x(*i), *v])).collect();
-            canvas.polyline(&points, stroke);
+            canvas.polyline(&points, look.stroke());
         }
         for &(i, v) in &present {
             if (i % 4 == look.marker_offset || present.len() < 3) && frame.y.holds(v) {
@@ -450,7 +373,7 @@ fn draw_reference(
     let positive: Vec<Option<f64>> = values.iter().map(|v| v.filter(|v| *v > 0.0)).collect();
     for run in runs(&positive) {
         let points: Vec<[f64; 2]> = run.iter().map(|(i, v)| frame.at([x(*i), *v])).collect();
-        canvas.polyline(&points, Stroke::solid(DETERMINISTIC, DETERMINISTIC_STYLE.width));
+        canvas.polyline(&points, DETERMINISTIC_STYLE.stroke());
         for point in points {
             canvas.marker(point, 2.6, DETERMINISTIC_STYLE);
         }

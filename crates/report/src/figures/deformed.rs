@@ -94,38 +94,32 @@ pub(crate) fn section(cut: &Cut, load: usize, description: String, key: &str) ->
     let mut filled = body.clone();
     filled.extend([[x(n as f64 - 0.5), bottom], [x(0.5), bottom]]);
     let mut canvas = Canvas::default();
-    let y_ticks: Vec<_> = frame.y.major().into_iter().map(|v| (v, frame.y.tick_text(v))).collect();
     group(&mut canvas, "across", |canvas| across(canvas, &frame));
-    frame.draw_with(&mut canvas, &[], &y_ticks);
-    canvas.raw(&format!(
-        "<clipPath id=\"{key}-c\"><rect x=\"{left}\" y=\"{top}\" width=\"{}\" height=\"{}\"/></clipPath>\
-         <g clip-path=\"url(#{key}-c)\">",
-        right - left,
-        bottom - top
-    ));
-    group(&mut canvas, "above", |canvas| canvas.rect([left, top, right, flat], GRID, 1.0));
-    group(&mut canvas, "body", |canvas| canvas.area(&filled, BAND, 1.0));
-    group(&mut canvas, "before", |canvas| {
-        let stroke = Stroke { colour: INK2, width: 0.8, dash: "1.5 1.5" };
-        canvas.polyline(&line(&cut.heights), stroke);
+    frame.draw_with(&mut canvas, &[], &frame.y.ticks());
+    canvas.clipped(&format!("{key}-c"), FRAME, |canvas| {
+        group(canvas, "above", |canvas| canvas.rect([left, top, right, flat], GRID, 1.0));
+        group(canvas, "body", |canvas| canvas.area(&filled, BAND, 1.0));
+        group(canvas, "before", |canvas| {
+            let stroke = Stroke { colour: INK2, width: 0.8, dash: "1.5 1.5" };
+            canvas.polyline(&line(&cut.heights), stroke);
+        });
+        group(canvas, "pressed", |canvas| {
+            canvas.polyline(&body, Stroke::solid(DETERMINISTIC, 1.2));
+        });
+        group(canvas, "flat", |canvas| {
+            canvas.line([left, flat], [right, flat], Stroke::solid(INK, 0.8));
+        });
+        group(canvas, "touching px", |canvas| {
+            for (first, last, colour) in runs(&pressed.pressure) {
+                canvas.raw(&format!(
+                    "<path d=\"M{} {}H{}\" stroke=\"{colour}\" stroke-width=\"5\"/>",
+                    num(x(first as f64)),
+                    num(flat),
+                    num(x(last as f64 + 1.0))
+                ));
+            }
+        });
     });
-    group(&mut canvas, "pressed", |canvas| {
-        canvas.polyline(&body, Stroke::solid(DETERMINISTIC, 1.2));
-    });
-    group(&mut canvas, "flat", |canvas| {
-        canvas.line([left, flat], [right, flat], Stroke::solid(INK, 0.8));
-    });
-    group(&mut canvas, "touching px", |canvas| {
-        for (first, last, colour) in runs(&pressed.pressure) {
-            canvas.raw(&format!(
-                "<path d=\"M{} {}H{}\" stroke=\"{colour}\" stroke-width=\"5\"/>",
-                num(x(first as f64)),
-                num(flat),
-                num(x(last as f64 + 1.0))
-            ));
-        }
-    });
-    canvas.raw("</g>");
     group(&mut canvas, "name", |canvas| {
         let at = [right - 4.0, (flat - 6.0).max(top + 9.0)];
         canvas.text(&Text { anchor: Anchor::End, ..Text::new(at, "flat") });

@@ -14,39 +14,66 @@ const HEIGHT: f64 = 232.0;
 const ROOM: f64 = 66.0;
 
 /// One of the three figures.
-#[derive(Clone, Copy)]
-pub(crate) enum Kind {
-    /// Density of the pressure over the contact.
-    Pressure,
-    /// Share of the contact in spots of at least an area.
-    Spots,
-    /// Share of the nominal area with less gap.
-    Gap,
+pub(crate) struct DistributionFigure {
+    title: &'static str,
+    /// Axes that hold all of them; `None` without any.
+    axes: fn(&[&Distributions]) -> Option<Axes>,
+    marks: fn(&mut Canvas, &Axes, &Distributions),
+    /// What is the same at every load, above the marks.
+    over: fn(&mut Canvas, &Axes),
+    /// What it finds; `None` where it is not.
+    description: fn(&Distributions) -> Option<String>,
 }
 
-impl Kind {
+/// Density of the pressure over the contact.
+pub(crate) const PRESSURE: DistributionFigure = DistributionFigure {
+    title: "Distribution of the pressure",
+    axes: pressure_axes,
+    marks: pressure,
+    over: persson,
+    description: |found| Some(of_pressure(&found.pressure)),
+};
+
+/// Share of the contact in spots of at least an area.
+pub(crate) const SPOTS: DistributionFigure = DistributionFigure {
+    title: "Contact spots by their area",
+    axes: spot_axes,
+    marks: spots,
+    over: |_, _| (),
+    description: |found| Some(of_spots(&found.spots)),
+};
+
+/// Share of the nominal area with less gap.
+pub(crate) const GAP: DistributionFigure = DistributionFigure {
+    title: "Distribution of the gap",
+    axes: gap_axes,
+    marks: gap,
+    over: |_, _| (),
+    description: |found| Some(of_gap(found.gap.as_ref()?, 1.0 - found.pressure.apart)),
+};
+
+impl DistributionFigure {
+    pub(crate) fn is_in(&self, found: &Distributions) -> bool {
+        (self.description)(found).is_some()
+    }
+
     /// Of one load; `None` if it has no such distribution.
-    pub(crate) fn figure(self, found: &Distributions, key: &str) -> Option<Figure> {
-        let axes = self.axes(&[found])?;
+    pub(crate) fn figure(&self, found: &Distributions, key: &str) -> Option<Figure> {
+        let axes = (self.axes)(&[found])?;
         let mut canvas = Canvas::default();
         axes.frame.draw(&mut canvas);
-        self.marks(&mut canvas, &axes, found);
-        self.over(&mut canvas, &axes);
-        let description = self.description(found);
-        Some(Figure {
-            key: key.into(),
-            title: self.title().into(),
-            description,
-            size: [COLUMN, HEIGHT],
-            canvas,
-        })
+        (self.marks)(&mut canvas, &axes, found);
+        (self.over)(&mut canvas, &axes);
+        let description = (self.description)(found)?;
+        let (key, title, size) = (key.into(), self.title.into(), [COLUMN, HEIGHT]);
+        Some(Figure { key, title, description, size, canvas })
     }
 
     /// What the script draws at each load, on axes wide enough for all of them; at a load without a distribution `why`.
-    pub(crate) fn moving(self, loads: &[Option<&Distributions>], why: &str) -> Option<Value> {
+    pub(crate) fn moving(&self, loads: &[Option<&Distributions>], why: &str) -> Option<Value> {
         let there: Vec<&Distributions> =
             loads.iter().flatten().copied().filter(|d| self.is_in(d)).collect();
-        let axes = self.axes(&there)?;
+        let axes = (self.axes)(&there)?;
         let drawn = |draw: &dyn Fn(&mut Canvas)| {
             let mut canvas = Canvas::default();
             draw(&mut canvas);
@@ -57,64 +84,17 @@ impl Kind {
         let of = |load: Option<&Distributions>| {
             let found = load.filter(|d| self.is_in(d));
             let marks = drawn(&|canvas| match found {
-                Some(found) => self.marks(canvas, &axes, found),
+                Some(found) => (self.marks)(canvas, &axes, found),
                 None => canvas.text(&none),
             });
-            let title = found.map_or_else(|| why.to_owned(), |found| self.description(found));
-            json!({ "marks": marks, "title": title })
+            let title = found.and_then(self.description);
+            json!({ "marks": marks, "title": title.unwrap_or_else(|| why.to_owned()) })
         };
         Some(json!({
             "under": drawn(&|canvas| axes.frame.draw(canvas)),
-            "over": drawn(&|canvas| self.over(canvas, &axes)),
+            "over": drawn(&|canvas| (self.over)(canvas, &axes)),
             "loads": loads.iter().copied().map(of).collect::<Vec<_>>(),
         }))
-    }
-
-    fn is_in(self, found: &Distributions) -> bool {
-        !matches!(self, Self::Gap) || found.gap.is_some()
-    }
-
-    fn title(self) -> &'static str {
-        match self {
-            Self::Pressure => "Distribution of the pressure",
-            Self::Spots => "Contact spots by their area",
-            Self::Gap => "Distribution of the gap",
-        }
-    }
-
-    /// What it finds; asked only of what it is in.
-    fn description(self, found: &Distributions) -> String {
-        match (self, &found.gap) {
-            (Self::Pressure, _) => of_pressure(&found.pressure),
-            (Self::Spots, _) => of_spots(&found.spots),
-            (Self::Gap, Some(gap)) => of_gap(gap, 1.0 - found.pressure.apart),
-            (Self::Gap, None) => String::new(),
-        }
-    }
-
-    /// Axes that hold all of them; `None` without any.
-    fn axes(self, all: &[&Distributions]) -> Option<Axes> {
-        match self {
-            Self::Pressure => pressure_axes(all),
-            Self::Spots => spot_axes(all),
-            Self::Gap => gap_axes(all),
-        }
-    }
-
-    fn marks(self, canvas: &mut Canvas, axes: &Axes, found: &Distributions) {
-        match (self, &found.gap) {
-            (Self::Pressure, _) => pressure(canvas, axes, &found.pressure),
-            (Self::Spots, _) => spots(canvas, axes, &found.spots),
-            (Self::Gap, Some(gap)) => self::gap(canvas, axes, gap, 1.0 - found.pressure.apart),
-            (Self::Gap, None) => {}
-        }
-    }
-
-    /// What is the same at every load, above the marks.
-    fn over(self, canvas: &mut Canvas, axes: &Axes) {
-        if matches!(self, Self::Pressure) {
-            persson(canvas, axes);
-        }
     }
 }
 
@@ -154,8 +134,8 @@ fn pressure_axes(all: &[&Distributions]) -> Option<Axes> {
 }
 
 /// Density of the pressure over the contact, in units of its mean.
-fn pressure(canvas: &mut Canvas, Axes { frame, .. }: &Axes, found: &PressureHistogram) {
-    let (edges, density) = over_the_mean(found);
+fn pressure(canvas: &mut Canvas, Axes { frame, .. }: &Axes, found: &Distributions) {
+    let (edges, density) = over_the_mean(&found.pressure);
     let right = frame.x.data[1];
     let seen = edges.windows(2).zip(&density).filter(|(edge, d)| **d > 0.0 && edge[0] < right);
     let bars: Vec<_> = seen
@@ -209,7 +189,9 @@ fn gap_axes(all: &[&Distributions]) -> Option<Axes> {
 }
 
 /// Share of the nominal area that stands less than a gap apart; from below, what touches.
-fn gap(canvas: &mut Canvas, Axes { frame, unit }: &Axes, found: &GapDistribution, touching: f64) {
+fn gap(canvas: &mut Canvas, Axes { frame, unit }: &Axes, found: &Distributions) {
+    let touching = 1.0 - found.pressure.apart;
+    let Some(found) = &found.gap else { return };
     let level = frame.y.at(100.0 * touching);
     canvas.rect([FRAME[0], level, FRAME[2], FRAME[3]], INK2, 0.5);
     let line: Vec<[f64; 2]> = found
@@ -250,7 +232,8 @@ fn spot_axes(all: &[&Distributions]) -> Option<Axes> {
 }
 
 /// Share of the contact area, and of the number of spots, in spots of at least an area.
-fn spots(canvas: &mut Canvas, Axes { frame, unit }: &Axes, found: &SpotDistribution) {
+fn spots(canvas: &mut Canvas, Axes { frame, unit }: &Axes, found: &Distributions) {
+    let found = &found.spots;
     let numbers: Vec<f64> =
         found.count_at_least.iter().map(|&n| n as f64 / found.count.max(1) as f64).collect();
     let line = |shares: &[f64]| -> Vec<[f64; 2]> {

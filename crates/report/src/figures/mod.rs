@@ -2,11 +2,11 @@
 
 pub(crate) mod conduction;
 pub(crate) mod cost;
+pub(crate) mod cost_plot;
 pub(crate) mod curves;
 pub(crate) mod deformed;
 pub(crate) mod distributions;
 pub(crate) mod flow;
-pub mod front;
 pub(crate) mod heights;
 pub(crate) mod maps;
 pub(crate) mod multiples;

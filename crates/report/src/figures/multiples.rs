@@ -3,7 +3,7 @@
 use crate::draw::axes::{Frame, PlotAxis};
 use crate::draw::labels::{EndLabel, draw_end_labels};
 use crate::draw::palette::{BAND, DETERMINISTIC, DETERMINISTIC_STYLE, INK};
-use crate::draw::svg::{Anchor, Canvas, Figure, Stroke, Text, num};
+use crate::draw::svg::{Anchor, Canvas, Figure, Stroke, Text};
 use crate::figures::curves::log_limits;
 use crate::lines::{Lines, ModelLine};
 use crate::numbers::signed_range;
@@ -202,21 +202,11 @@ fn draw_panel(
     if quantity == Quantity::Error {
         canvas.rect([left, frame.y.at(10.0), right, frame.y.at(-10.0)], BAND, 1.0);
     }
-    let x_ticks: Vec<_> = frame.x.major().into_iter().map(|v| (v, frame.x.tick_text(v))).collect();
     let y_text = |v: f64| {
         let sign = if quantity == Quantity::Error && v > 0.0 { "+" } else { "" };
         if numbered { format!("{sign}{}", frame.y.tick_text(v)) } else { String::new() }
     };
-    let y_ticks: Vec<_> = frame.y.major().into_iter().map(|v| (v, y_text(v))).collect();
-    frame.draw_with(canvas, &x_ticks, &y_ticks);
-    canvas.raw(&format!(
-        "<clipPath id=\"{clip}\"><rect x=\"{}\" y=\"{}\" width=\"{}\" height=\"{}\"/></clipPath>\
-         <g clip-path=\"url(#{clip})\">",
-        num(left - 3.0),
-        num(top),
-        num(right - left + 6.0),
-        num(bottom - top + 3.0)
-    ));
+    frame.draw_with(canvas, &frame.x.ticks(), &frame.y.ticks_as(y_text));
     let points = |values: &[Option<f64>]| -> Vec<[f64; 2]> {
         values
             .iter()
@@ -227,45 +217,28 @@ fn draw_panel(
             .collect()
     };
     let mut ends = Vec::new();
-    for (model, values) in &panel.models {
-        let look = model.look;
-        let line = points(values);
-        let stroke = Stroke { colour: look.colour, width: look.width, dash: look.dash };
-        canvas.series(&model.name, |canvas| {
-            canvas.polyline(&line, stroke);
-            for (j, point) in line.iter().enumerate() {
-                if j % 4 == look.marker_offset {
+    let reference = points(&panel.reference);
+    canvas.clipped(clip, [left - 3.0, top, right + 3.0, bottom + 3.0], |canvas| {
+        for (model, values) in &panel.models {
+            let look = model.look;
+            let line = points(values);
+            canvas.series(&model.name, |canvas| {
+                canvas.polyline(&line, look.stroke());
+                for point in line.iter().skip(look.marker_offset).step_by(4) {
                     canvas.marker(*point, 2.3, look);
                 }
-            }
-        });
-        if let Some(last) = values.iter().flatten().last().filter(|v| frame.y.holds(**v)) {
-            ends.push(EndLabel {
-                y: frame.y.at(*last),
-                text: model.label.clone(),
-                colour: look.colour,
-                bold: false,
-                series: model.name.clone(),
             });
+            let last = values.iter().flatten().last().filter(|v| frame.y.holds(**v));
+            ends.extend(last.map(|last| EndLabel::of_model(frame.y.at(*last), model)));
         }
-    }
-    let reference = points(&panel.reference);
-    canvas.polyline(&reference, Stroke::solid(DETERMINISTIC, 1.6));
-    if quantity != Quantity::Error {
-        for point in &reference {
-            canvas.marker(*point, 2.0, DETERMINISTIC_STYLE);
+        canvas.polyline(&reference, Stroke::solid(DETERMINISTIC, 1.6));
+        if quantity != Quantity::Error {
+            for point in &reference {
+                canvas.marker(*point, 2.0, DETERMINISTIC_STYLE);
+            }
         }
-    }
-    canvas.raw("</g>");
-    if let Some([_, y]) = reference.last() {
-        ends.push(EndLabel {
-            y: *y,
-            text: "Deterministic".into(),
-            colour: DETERMINISTIC,
-            bold: true,
-            series: String::new(),
-        });
-    }
+    });
+    ends.extend(reference.last().map(|[_, y]| EndLabel::deterministic(*y)));
     ends
 }
 

@@ -147,8 +147,7 @@ pub(crate) fn strips(strips: &[Strip], key: &str) -> Figure {
     let mut canvas = Canvas::default();
     let within = [frame.x.at((-10.0_f64).max(x0)), frame.x.at(10.0_f64.min(x1))];
     canvas.rect([within[0], TOP, within[1], bottom], BAND, 1.0);
-    let ticks: Vec<_> = frame.x.major().into_iter().map(|v| (v, frame.x.tick_text(v))).collect();
-    frame.draw_with(&mut canvas, &ticks, &[]);
+    frame.draw_with(&mut canvas, &frame.x.ticks(), &[]);
     canvas.line([frame.x.at(0.0), TOP], [frame.x.at(0.0), bottom], Stroke::solid(LINE, 1.0));
     let mut said = Vec::new();
     for (row, strip) in strips.iter().enumerate() {

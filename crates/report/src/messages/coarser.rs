@@ -1,14 +1,13 @@
 //! What a coarser grid would have cost in accuracy: its place in Fig. 4 and on the first screen.
 
-use crate::draw::palette::{INK2, Marker, Style};
-use crate::figures::cost::Route;
+use crate::draw::palette::{DETERMINISTIC_STYLE, INK2, Style};
+use crate::figures::cost::CostRoute;
 use crate::lines::WANTED;
 use crate::numbers::{duration, signed_percent};
 use contact_compare::{Coarser, SurfaceComparison};
 
 /// A filled dot as the deterministic solution has, in the grey of notes.
-const LOOK: Style =
-    Style { colour: INK2, width: 2.0, dash: "", marker: Marker::Dot, marker_offset: 0 };
+const LOOK: Style = Style { colour: INK2, ..DETERMINISTIC_STYLE };
 
 /// "½ grid": half as many points along each side.
 fn label(factor: usize) -> String {
@@ -21,16 +20,8 @@ fn label(factor: usize) -> String {
 }
 
 /// The coarser grids as routes to an answer.
-pub(crate) fn routes(surface: &SurfaceComparison) -> impl Iterator<Item = Route> {
-    surface.coarser.iter().map(|c| Route {
-        label: label(c.factor),
-        series: String::new(),
-        look: LOOK,
-        seconds: c.seconds,
-        typed: None,
-        error: c.error.abs(),
-        bold: false,
-    })
+pub(crate) fn routes(surface: &SurfaceComparison) -> impl Iterator<Item = CostRoute> {
+    surface.coarser.iter().map(|c| CostRoute::new(label(c.factor), LOOK, c.seconds, c.error))
 }
 
 /// The coarsest grid that is within the wanted error together with all finer ones: a coarse grid

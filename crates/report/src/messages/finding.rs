@@ -12,45 +12,36 @@ use contact_accuracy::{INDICATOR_LIMIT, NoUncertainty, Reached};
 use contact_compare::{EdgesName, Fact, Finding, Passed, Seam, Yield};
 use surface_stats::clean::{FormParameters, Record};
 
-/// A finding in words, as plain text.
-#[derive(Debug, Clone, PartialEq, Eq)]
-#[non_exhaustive]
-pub struct Worded {
-    /// What was found, with its number.
-    pub claim: String,
-    /// Its effect, and what to do.
-    pub text: String,
+/// Claim and text.
+pub(crate) type Words = [String; 2];
+
+fn words(claim: impl Into<String>, text: impl Into<String>) -> Words {
+    [claim.into(), text.into()]
 }
 
-fn worded(claim: impl Into<String>, text: impl Into<String>) -> Worded {
-    Worded { claim: claim.into(), text: text.into() }
-}
-
-/// The words of a finding.
-pub fn finding(finding: &Finding) -> Worded {
-    let words = of_fact(&finding.fact);
+/// A finding as plain text: the claim, what was found with its number; and its effect with what to do.
+pub fn finding(finding: &Finding) -> [String; 2] {
+    let [claim, text] = of_fact(&finding.fact);
     match &finding.body {
-        Some(body) => worded(format!("{body}: {}", words.claim), words.text),
-        None => words,
+        Some(body) => [format!("{body}: {claim}"), text],
+        None => [claim, text],
     }
 }
 
-/// The words of a fact.
-pub(crate) fn of_fact(fact: &Fact) -> Worded {
+fn of_fact(fact: &Fact) -> Words {
     match fact {
         Fact::Unit { gradient, rms_height, radius } => unit([*gradient, *rms_height, *radius]),
         Fact::Yield(found) => beyond_yield(found),
-        Fact::Yielding(found) => of_two(yielding::headline(found)),
-        Fact::OddHardness { hardness, usual } => of_two(yielding::odd(*hardness, *usual)),
-        Fact::BulkYield { highest, hardness } => of_two(yielding::bulk(*highest, *hardness)),
-        Fact::Adhesion(found) => of_two(adhesion::verdict(found)),
+        Fact::Yielding(found) => yielding::headline(found),
+        Fact::OddHardness { hardness, usual } => yielding::odd(*hardness, *usual),
+        Fact::BulkYield { highest, hardness } => yielding::bulk(*highest, *hardness),
+        Fact::Adhesion(found) => adhesion::verdict(found),
         Fact::Steep { gradient, is_over } => steep(*gradient, *is_over),
         Fact::Spikes { count, of, largest, share, taken } => {
-            let [claim, text] = spikes([*count, *taken, *of], *largest, *share);
-            worded(claim, text)
+            spikes([*count, *taken, *of], *largest, *share)
         }
         Fact::PlanUnmet(outcome) => unmet(outcome),
-        Fact::Interpolation { indicator, loads, of, .. } => worded(
+        Fact::Interpolation { indicator, loads, of, .. } => words(
             format!(
                 "Result depends on interpolation between points (indicator {}, limit {INDICATOR_LIMIT}).",
                 significant(*indicator, 2)
@@ -64,7 +55,7 @@ pub(crate) fn of_fact(fact: &Fact) -> Worded {
                 },
             ),
         ),
-        Fact::BelowPoint { loads, of } => worded(
+        Fact::BelowPoint { loads, of } => words(
             format!(
                 "At {loads} of {} the contact is smaller than a point of the map.",
                 counted(*of, "load")
@@ -73,22 +64,22 @@ pub(crate) fn of_fact(fact: &Fact) -> Worded {
              unit of the load right? Raise the load, or measure finer.",
         ),
         Fact::NoUncertainty { why, loads, of } => no_uncertainty(*why, *loads, *of),
-        Fact::OneDirection => of_two(profile::one_direction()),
+        Fact::OneDirection => profile::one_direction(),
         Fact::Sample { traces, length, factors, between } => {
-            of_two(profile::sample(*traces, *length, *factors, *between))
+            profile::sample(*traces, *length, *factors, *between)
         }
-        Fact::Uneven(uneven) => of_two(profile::unevenly(*uneven)),
-        Fact::NoRoughness { why } => worded(
+        Fact::Uneven(uneven) => profile::unevenly(*uneven),
+        Fact::NoRoughness { why } => words(
             "There are no roughness parameters.",
             format!("{}. Moments and models are of all waves of the trace.", capital(why)),
         ),
         Fact::CoarserClass { cutoff, ra, length } => {
-            of_two(profile::coarser_class(*cutoff, *ra, *length))
+            profile::coarser_class(*cutoff, *ra, *length)
         }
-        Fact::NoShort { short, spacing } => of_two(profile::no_short(*short, *spacing)),
-        Fact::Warned(found) => of_two(found.words()),
+        Fact::NoShort { short, spacing } => profile::no_short(*short, *spacing),
+        Fact::Warned(found) => found.words(),
         Fact::EdgeJump { ratio, edges, seam } => edge_jump(*ratio, *edges, seam.as_ref()),
-        Fact::Filled { share, spikes, how } => worded(
+        Fact::Filled { share, spikes, how } => words(
             format!(
                 "{} of the points were {}.",
                 percent(*share),
@@ -99,28 +90,24 @@ pub(crate) fn of_fact(fact: &Fact) -> Worded {
                  the surface; contact there is a guess."
             ),
         ),
-        Fact::Cleaned(records) => worded(
+        Fact::Cleaned(records) => words(
             format!("The heights were cleaned: {}.", steps(records)),
             "What was taken off is in no answer here.",
         ),
-        Fact::Pair { names, moments } => of_two(pair::dependent(names, moments)),
-        Fact::PixelsDiffer { names, pixels } => of_two(pair::pixels_differ(names, *pixels)),
+        Fact::Pair { names, moments } => pair::dependent(names, moments),
+        Fact::PixelsDiffer { names, pixels } => pair::pixels_differ(names, *pixels),
         Fact::Passed(passed) => tested(passed),
     }
 }
 
-fn of_two([claim, text]: [String; 2]) -> Worded {
-    worded(claim, text)
-}
-
-fn unit([gradient, rms_height, radius]: [Option<f64>; 3]) -> Worded {
+fn unit([gradient, rms_height, radius]: [Option<f64>; 3]) -> Words {
     let found = [
         gradient.map(|g| format!("an rms gradient of {}", significant(g, 3))),
         rms_height.map(|h| format!("an rms height of {}", quantity(h, METRES, 3))),
         radius.map(|r| format!("asperities of radius {}", quantity(r, METRES, 3))),
     ];
     let found: Vec<String> = found.into_iter().flatten().collect();
-    worded(
+    words(
         "Is the unit right?",
         format!(
             "No rough surface has {}. Look at the unit of the heights and at the point spacing; \
@@ -130,23 +117,23 @@ fn unit([gradient, rms_height, radius]: [Option<f64>; 3]) -> Worded {
     )
 }
 
-fn steep(gradient: f64, is_over: bool) -> Worded {
+fn steep(gradient: f64, is_over: bool) -> Words {
     let gradient = significant(gradient, 2);
     if is_over {
-        worded(
+        words(
             format!("Slopes are too steep: the rms gradient is {gradient}."),
             "Small-slope elasticity ends near 0.5. Solver and models still answer, but for a flat \
              half-space, which this surface is not.",
         )
     } else {
-        worded(
+        words(
             format!("Slopes are steep: the rms gradient is {gradient}."),
             "Small-slope elasticity strains from 0.3 and ends near 0.5.",
         )
     }
 }
 
-fn beyond_yield(found: &Yield) -> Worded {
+fn beyond_yield(found: &Yield) -> Words {
     let show = |p: f64| quantity(p, PASCALS, 2);
     let [low, high] = found.hardness;
     let highest = found
@@ -181,7 +168,7 @@ fn beyond_yield(found: &Yield) -> Worded {
             show(full)
         )
     });
-    worded(
+    words(
         claim,
         format!(
             "At {} the mean real pressure is {}{highest}; {bear}.{ends} Where the contact yields, the area is \
@@ -192,15 +179,15 @@ fn beyond_yield(found: &Yield) -> Worded {
     )
 }
 
-fn unmet(outcome: &Reached) -> Worded {
+fn unmet(outcome: &Reached) -> Words {
     let asked = outcome.request.map_or_else(String::new, |request| percent(request.relative()));
-    worded(
+    words(
         format!("The accuracy of {asked} asked for is not met at every load."),
         plan::reason(outcome).map_or_else(String::new, |why| format!("{}.", capital(&why))),
     )
 }
 
-fn edge_jump(ratio: f64, edges: EdgesName, seam: Option<&Seam>) -> Worded {
+fn edge_jump(ratio: f64, edges: EdgesName, seam: Option<&Seam>) -> Words {
     let done = match edges {
         EdgesName::Periodic => {
             "The map was repeated as it is, jump included; with mirrored edges there is no jump."
@@ -209,7 +196,7 @@ fn edge_jump(ratio: f64, edges: EdgesName, seam: Option<&Seam>) -> Worded {
             "The map was continued by its mirror images, which leave a kink and no jump."
         }
     };
-    worded(
+    words(
         format!("Edges do not match: they jump {} times the inner step.", significant(ratio, 2)),
         seam.map_or_else(|| done.to_owned(), |s| format!("{done} {}", seam_effect(s))),
     )
@@ -249,17 +236,17 @@ pub(crate) fn capital(text: &str) -> String {
     text
 }
 
-fn no_uncertainty(why: NoUncertainty, loads: usize, of: usize) -> Worded {
+fn no_uncertainty(why: NoUncertainty, loads: usize, of: usize) -> Words {
     let advice = match why {
         NoUncertainty::NotConverged => {
-            return worded(
+            return words(
                 format!("{loads} of {} did not converge.", counted(of, "load")),
                 "They are without uncertainty estimate. Raise the number of iterations or loosen \
                  the tolerance.",
             );
         }
         NoUncertainty::AtRounding => {
-            return worded(
+            return words(
                 format!("{loads} of {} stopped at rounding.", counted(of, "load")),
                 "Their numbers are as good as this floating-point type gives them, short of the \
                  tolerance; they are without uncertainty estimate. Ask for a larger tolerance, or for \
@@ -271,14 +258,14 @@ fn no_uncertainty(why: NoUncertainty, loads: usize, of: usize) -> Worded {
         _ => "",
     };
     let at = if loads < of { format!(" at {loads} of {of} loads") } else { String::new() };
-    worded(
+    words(
         format!("The area is without uncertainty estimate{at}."),
         format!("{}.{advice}", capital(&why.to_string())),
     )
 }
 
 /// What was tested and is fine, in one entry.
-fn tested(passed: &Passed) -> Worded {
+fn tested(passed: &Passed) -> Words {
     let mut claims: Vec<&str> = Vec::new();
     let mut texts: Vec<String> = Vec::new();
     if let Some(bandwidth) = passed.bandwidth {
@@ -308,7 +295,7 @@ fn tested(passed: &Passed) -> Worded {
         claims.push("independence");
         texts.push(pair::independent(found));
     }
-    worded(format!("{}.", capital(&claims.join(", "))), format!("{}.", capital(&texts.join("; "))))
+    words(format!("{}.", capital(&claims.join(", "))), format!("{}.", capital(&texts.join("; "))))
 }
 
 #[cfg(test)]

@@ -1,5 +1,6 @@
 //! Two bodies pressed together, in words.
 
+use crate::messages::finding::Words;
 use crate::numbers::{
     METRES, PASCALS, SPACE, chosen, percent, quantity, signed_percent, significant,
 };
@@ -34,12 +35,8 @@ pub(crate) fn lying(pair: &PairOrigin) -> String {
             " (in whole points; only the part in common is kept)"
         };
     }
-    if placed
-        .shift
-        .iter()
-        .zip(pair.placing.shift)
-        .any(|(is, asked)| (is - asked).abs() > 1e-9 * asked.abs())
-    {
+    let differs = |(is, asked): (&f64, f64)| (is - asked).abs() > 1e-9 * asked.abs();
+    if placed.shift.iter().zip(pair.placing.shift).any(differs) {
         let [dy, dx] = pair.placing.shift;
         text += &format!("; {} and {} were asked for", moved(dx), moved(dy));
     }
@@ -87,7 +84,7 @@ pub(crate) fn moments(pair: &PairOrigin) -> Option<String> {
 }
 
 /// The finding that they do not add: claim and text.
-pub(crate) fn dependent([first, second]: &[String; 2], found: &Independence) -> [String; 2] {
+pub(crate) fn dependent([first, second]: &[String; 2], found: &Independence) -> Words {
     let mates = found.excess[1] < 0.0;
     let claim = if mates {
         format!("{first} and {second} fit into each other.")
@@ -106,7 +103,7 @@ pub(crate) fn dependent([first, second]: &[String; 2], found: &Independence) -> 
 }
 
 /// The finding that the points differ: claim and text.
-pub(crate) fn pixels_differ(names: &[String; 2], pixels: [[f64; 2]; 2]) -> [String; 2] {
+pub(crate) fn pixels_differ(names: &[String; 2], pixels: [[f64; 2]; 2]) -> Words {
     let size = |p: [f64; 2]| p[0].max(p[1]);
     let (fine, coarse) = if size(pixels[0]) < size(pixels[1]) { (0, 1) } else { (1, 0) };
     let points = |k: usize| quantity(size(pixels[k]), METRES, 3);
@@ -131,32 +128,30 @@ pub(crate) fn independent(found: &Independence) -> String {
     format!("moments of the two bodies add ({})", excess(found))
 }
 
+/// "E = 210 GPa, ν = 0.3".
+pub(crate) fn of_body(body: &Body) -> String {
+    let poisson = format!("{}", body.poisson).replace('-', "\u{2212}");
+    format!("E = {}, ν = {poisson}", chosen(body.young, PASCALS))
+}
+
 /// What each body of a pair is made of, with the modulus of both.
 pub(crate) fn bodies(names: [&str; 2], bodies: &[Body], modulus: f64) -> String {
-    let one = |name: &str, body: &Body| {
-        let poisson = format!("{}", body.poisson).replace('-', "\u{2212}");
-        format!("{name} E = {}, ν = {poisson}", chosen(body.young, PASCALS))
-    };
     let [first, second] = names;
     let modulus = quantity(modulus, PASCALS, 4);
     match bodies {
-        [a, b] => format!("{}; {} (E* = {modulus})", one(first, a), one(second, b)),
-        [a] => format!("{}; {second} rigid (E* = {modulus})", one(first, a)),
+        [a, b] => format!("{first} {}; {second} {} (E* = {modulus})", of_body(a), of_body(b)),
+        [a] => format!("{first} {}; {second} rigid (E* = {modulus})", of_body(a)),
         _ => format!("E* = {modulus} as given, without saying what each body is made of"),
     }
 }
 
 /// E*, and which bodies press on each other, as plain text.
 pub fn bodies_line(modulus: f64, bodies: &[Body]) -> String {
-    let one = |body: &Body| {
-        let poisson = format!("{}", body.poisson).replace('-', "\u{2212}");
-        format!("E = {}, ν = {poisson}", chosen(body.young, PASCALS))
-    };
     let modulus = quantity(modulus, PASCALS, 4);
     let line = match bodies {
         [] => format!("E* = {modulus} as given: of one body against a rigid flat, or of two"),
-        [body] => format!("E* = {modulus}: {}, against a rigid flat", one(body)),
-        [a, b, ..] => format!("E* = {modulus}: {}, against {}", one(a), one(b)),
+        [body] => format!("E* = {modulus}: {}, against a rigid flat", of_body(body)),
+        [a, b, ..] => format!("E* = {modulus}: {}, against {}", of_body(a), of_body(b)),
     };
     line.replace(SPACE, " ")
 }

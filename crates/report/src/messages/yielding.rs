@@ -1,5 +1,6 @@
 //! Sentences on bodies that yield: claim and text.
 
+use crate::messages::finding::Words;
 use crate::numbers::{PASCALS, SPACE, chosen, percent, quantity, signed_percent};
 use contact_compare::{BULK_YIELD, SurfaceComparison, Yielding, elastic_limit, typical_hardness};
 
@@ -8,7 +9,7 @@ pub(crate) const LEFT_OUT: &str =
     "One hardness at every scale; nothing hardens or piles up; loading only.";
 
 /// Of the headline.
-pub(crate) fn headline(found: &Yielding) -> [String; 2] {
+pub(crate) fn headline(found: &Yielding) -> Words {
     let claim = format!(
         "The contact yields: {} of it is at the hardness of {}.",
         percent(found.share),
@@ -30,7 +31,7 @@ pub(crate) fn headline(found: &Yielding) -> [String; 2] {
 }
 
 /// Of a hardness that no solid of this modulus has.
-pub(crate) fn odd(hardness: f64, [low, high]: [f64; 2]) -> [String; 2] {
+pub(crate) fn odd(hardness: f64, [low, high]: [f64; 2]) -> Words {
     let show = |p: f64| quantity(p, PASCALS, 2);
     [
         "Is the unit of the hardness right?".into(),
@@ -44,7 +45,7 @@ pub(crate) fn odd(hardness: f64, [low, high]: [f64; 2]) -> [String; 2] {
 }
 
 /// Of loads at which the body yields in its volume.
-pub(crate) fn bulk(highest: f64, hardness: f64) -> [String; 2] {
+pub(crate) fn bulk(highest: f64, hardness: f64) -> Words {
     [
         format!("Loads reach {} of the hardness.", percent(highest / hardness)),
         format!(

@@ -1,12 +1,12 @@
 //! Electrical and thermal contact conductance: where resistivities or conductivities were given.
 
 use crate::draw::svg::escape;
-use crate::figures::conduction::{self as figures, Line};
+use crate::figures::conduction::{self as figures, LoadLine};
 use crate::messages::conduction::{conductance, joint_words, kinds, scientific};
 use crate::messages::finding::capital;
 use crate::numbers::relative_interval;
 use crate::page::context::Page;
-use crate::page::sections::figure;
+use crate::page::phrases::key_table;
 use crate::plot_styles::plot_style;
 use crate::sources::CONDUCTANCE;
 use contact_compare::{SurfaceComparison, TheoryStiffness};
@@ -15,16 +15,11 @@ use contact_compare::{SurfaceComparison, TheoryStiffness};
 pub(crate) fn section(page: &mut Page<'_>, surface: &SurfaceComparison, id: &str) -> String {
     let Some(found) = &surface.conduction else { return String::new() };
     let h = page.heading();
-    let barber = page.source(CONDUCTANCE);
+    let barber = page.numbers.source(CONDUCTANCE);
     let p = crate::messages::headline_load(surface);
     let estimate = surface.headline_answer().and_then(|a| a.budget.stiffness);
     let stated = estimate.and_then(|k| k.stated());
-    let mut rows = String::new();
-    let mut row = |name: &str, value: String, why: &str| {
-        rows.push_str(&format!(
-            "<tr><th scope=\"row\">{name}</th><td class=\"n\">{value}</td><td class=\"why\">{why}</td></tr>\n"
-        ));
-    };
+    let mut rows: Vec<[String; 3]> = Vec::new();
     let conducted = surface.conducted(surface.headline);
     if let Some(all) = &conducted {
         let each = [
@@ -37,13 +32,14 @@ pub(crate) fn section(page: &mut Page<'_>, surface: &SurfaceComparison, id: &str
             let Some(found) = found else { continue };
             let spread = found.estimate.and_then(|e| Some(relative_interval(e.value, e.stated()?)));
             let spread = spread.map_or_else(String::new, |text| format!(" {}", escape(&text)));
-            row(name, format!("{}{spread}", scientific(found.value, unit)), why);
+            let value = format!("{}{spread}", scientific(found.value, unit));
+            rows.push([name.into(), value, why.into()]);
         }
         let gas = found.joint.gas.map(|gas| gas.conductivity());
         for (theory, k) in found.theories.iter().zip(gas.into_iter().cycle()) {
             let Some(at) = theory.gas.get(surface.headline).copied().flatten() else { continue };
             let name = format!("Gas by {}", theory.label);
-            row(&name, scientific(at * k, "W/m²/K"), "");
+            rows.push([name, scientific(at * k, "W/m²/K"), String::new()]);
         }
     }
     let covers = match (stated, estimate.and_then(|k| k.sampling)) {
@@ -54,13 +50,13 @@ pub(crate) fn section(page: &mut Page<'_>, surface: &SurfaceComparison, id: &str
     let gap = surface.headline_answer().and_then(|a| a.mean_gap);
     let gap = joint_words(&found.joint, gap.as_slice());
     let mut out = format!(
-        "<{h}>Electrical and thermal contact conductance at {p}</{h}>\n<table class=\"key\"><tbody>\n{rows}</tbody></table>\n\
+        "<{h}>Electrical and thermal contact conductance at {p}</{h}>\n{}\
          <p class=\"why\">{covers}{gap} From the stiffness at fixed contact area [<a href=\"#r{barber}\">{barber}</a>]; clean \
          bodies, no film or plating.</p>\n<div class=\"two\">\n",
+        key_table("", &rows)
     );
     let drawn = kinds(found).into_iter().find(|k| k.factor > 0.0 && k.factor.is_finite());
     if let Some(kind) = drawn {
-        let n = page.next_figure();
         let area = found.joint.area;
         let of = |values: &[Option<f64>]| -> Vec<Option<f64>> {
             let one = |k: f64| 1.0 / (conductance(kind, k) * area.unwrap_or(1.0));
@@ -72,34 +68,28 @@ pub(crate) fn section(page: &mut Page<'_>, surface: &SurfaceComparison, id: &str
             let (name, values) = (theory.name.clone(), of(&theory.stiffness));
             let is_correlation = ["mikic", "cmy"].contains(&name.as_str());
             let series = if is_correlation { String::new() } else { name.clone() };
-            Line { label: theory.label.clone(), series, look: plot_style(&name, 0), values }
+            LoadLine { label: theory.label.clone(), series, look: plot_style(&name, 0), values }
         };
-        let lines: Vec<Line> = found.theories.iter().map(theory).collect();
+        let lines: Vec<LoadLine> = found.theories.iter().map(theory).collect();
         let pressures: Vec<f64> = surface.deterministic.iter().map(|p| p.mean_pressure).collect();
         let deterministic = of(&found.stiffness);
-        let svg = figures::over_load(
-            (&pressures, surface.load_area),
-            &deterministic,
-            &lines,
-            (&format!("{} contact resistance", capital(kind.name)), unit),
-            &format!("{id}-f{n}"),
+        let loads = (&pressures[..], surface.load_area);
+        let title = format!("{} contact resistance", capital(kind.name));
+        let draw =
+            |key: &str| figures::over_load(loads, &deterministic, &lines, (&title, unit), key);
+        let caption = format!(
+            "{title}</b>{}. Dots: solver. Grey: correlations of Mikic{}.",
+            if area.is_some() { "" } else { " of unit nominal area" },
+            if found.yields() { " and of Cooper, Mikic and Yovanovich (CMY)" } else { "" }
         );
-        out.push_str(&figure(
-            &svg.inline(),
-            &format!(
-                "<b>Fig. {n}. {} contact resistance</b>{}. Dots: solver. Grey: correlations of Mikic{}.",
-                capital(kind.name),
-                if area.is_some() { "" } else { " of unit nominal area" },
-                if found.yields() { " and of Cooper, Mikic and Yovanovich (CMY)" } else { "" }
-            ),
-        ));
+        out.push_str(&page.numbers.figure(id, draw, &caption));
     }
     if found.octaves.len() > 1 {
-        let n = page.next_figure();
-        out.push_str(&figure(
-            &figures::octaves(&found.octaves, &format!("{id}-f{n}")).inline(),
+        out.push_str(&page.numbers.figure(
+            id,
+            |key| figures::octaves(&found.octaves, key),
             &format!(
-                "<b>Fig. {n}. Without the shortest waves</b> at {p}: area and conductance over those of the whole map."
+                "Without the shortest waves</b> at {p}: area and conductance over those of the whole map."
             ),
         ));
     }

@@ -3,10 +3,10 @@
 use crate::error::ReportError;
 use crate::figures::maps;
 use crate::numbers::significant;
-use crate::page::context::Page;
+use crate::page::context::{Page, figure};
 use crate::page::deformed;
 use crate::page::moving::Moving;
-use crate::page::sections::{figure, reduced_words};
+use crate::page::sections::reduced_words;
 use contact_compare::SurfaceComparison;
 use grid_fft::parallel::join;
 
@@ -24,7 +24,7 @@ pub(crate) fn where_it_touches(
     let p = crate::messages::headline_load(surface);
     let heights = surface.solved_map().heights();
     let window = maps::busiest_window(&surface.pressure, grid.shape());
-    let n = page.next_figure();
+    let n = page.numbers.next_figure();
     let key = format!("{id}-f{n}");
     let row = deformed::cut(surface).and(surface.sections.as_ref()).map(|s| s.row);
     let marks = maps::Marks { window, row };

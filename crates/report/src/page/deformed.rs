@@ -4,10 +4,9 @@ use crate::draw::palette::{PRESSURE_RAMP, ramp_table};
 use crate::figures::deformed::{Cut, Pressed, section};
 use crate::figures::maps::FEWEST_STEPS;
 use crate::numbers::{METRES, fixed, quantity, significant};
-use crate::page::context::Page;
+use crate::page::context::{Page, figure, wide};
 use crate::page::moving::LARGEST;
 use crate::page::phrases::{attribute, touching};
-use crate::page::sections::figure;
 use base64::Engine as _;
 use base64::engine::general_purpose::STANDARD;
 use contact_compare::SurfaceComparison;
@@ -63,7 +62,7 @@ pub(crate) fn through(
     let Some((cut, sections)) = cut(surface).zip(surface.sections.as_ref()) else {
         return String::new();
     };
-    let n = page.next_figure();
+    let n = page.numbers.next_figure();
     let touching = touching(surface);
     let titles: Vec<String> = surface
         .deterministic
@@ -96,7 +95,7 @@ pub(crate) fn through(
             touching[headline]
         ),
     );
-    shown.replacen("<figure>", "<figure class=\"wide scroll\" tabindex=\"0\">", 1)
+    wide(&shown)
 }
 
 /// Heights and gaps in 16 bits of one step, pressures in classes of the ramp; little end first, loads one after

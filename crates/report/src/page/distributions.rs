@@ -1,10 +1,9 @@
 //! How pressure and spots are distributed where it touches, and the gap where it does not.
 
-use crate::figures::distributions::Kind;
+use crate::figures::distributions::{GAP, PRESSURE, SPOTS as SPOT_AREAS};
 use crate::page::contact_map;
-use crate::page::context::Page;
+use crate::page::context::{Page, figure};
 use crate::page::phrases::attribute;
-use crate::page::sections::figure;
 use crate::page::spread::{HALF, HIGHEST, LEAST, MEAN_GAP, MOST_GAP, SPOTS, Say, TOUCHES, at};
 use contact_compare::SurfaceComparison;
 
@@ -18,14 +17,14 @@ pub(crate) fn section(page: &mut Page<'_>, surface: &SurfaceComparison, id: &str
     };
     let captions = [
         (
-            Kind::Pressure,
+            PRESSURE,
             format!(
                 "Pressure in contact</b>, at most {}. Dashed: Persson, light load.",
                 say(HIGHEST)
             ),
         ),
         (
-            Kind::Spots,
+            SPOT_AREAS,
             format!(
                 "Contact spots</b>: {}; half of the contact area in spots of at least {}.",
                 say(SPOTS),
@@ -33,7 +32,7 @@ pub(crate) fn section(page: &mut Page<'_>, surface: &SurfaceComparison, id: &str
             ),
         ),
         (
-            Kind::Gap,
+            GAP,
             format!(
                 "Gap</b>: none at {} of the points; elsewhere {} in the mean, {} at most.",
                 say(TOUCHES),
@@ -45,12 +44,13 @@ pub(crate) fn section(page: &mut Page<'_>, surface: &SurfaceComparison, id: &str
     let loads: Vec<_> = (0..surface.deterministic.len()).map(|i| at(surface, i)).collect();
     let why = format!("Fewer than {LEAST} points touch at this load.");
     let mut figures = String::new();
-    for (kind, caption) in captions {
-        let Some(still) = kind.figure(found, &format!("{id}-f{}", page.figures + 1)) else {
+    for (of, caption) in captions {
+        if !of.is_in(found) {
             continue;
-        };
-        let n = page.next_figure();
-        let facts = kind.moving(&loads, &why).filter(|_| moves).map(|facts| {
+        }
+        let n = page.numbers.next_figure();
+        let Some(still) = of.figure(found, &format!("{id}-f{n}")) else { continue };
+        let facts = of.moving(&loads, &why).filter(|_| moves).map(|facts| {
             format!("<span class=\"spread\" hidden data-facts='{}'></span>", attribute(&facts))
         });
         figures.push_str(&figure(

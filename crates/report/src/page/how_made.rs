@@ -3,11 +3,11 @@
 use crate::draw::svg::escape;
 use crate::messages::loads::loads_words;
 use crate::messages::materials::material_line;
-use crate::messages::pair::{bodies, lying, moments};
+use crate::messages::pair::{bodies, lying, moments, of_body};
 use crate::messages::plan as plan_messages;
 use crate::numbers::{METRES, PASCALS, SPACE, chosen, counted, duration, significant};
 use crate::page::context::Page;
-use crate::page::phrases::{levelled, tolerance_words};
+use crate::page::phrases::{levelled, terms, tolerance_words};
 use contact_accuracy::PERIMETER_CORRECTION;
 use contact_accuracy::Reached;
 use contact_compare::{
@@ -79,11 +79,10 @@ pub(crate) fn section(page: &Page<'_>) -> String {
         rows.push((term, plan_messages(plan)));
     }
     rows.push(("Solver".into(), solver_words(page)));
-    let list: String =
-        rows.iter().map(|(term, text)| format!("<dt>{term}</dt><dd>{text}</dd>\n")).collect();
     format!(
-        "<h2>How this was made</h2>\n<dl>{list}</dl>\n<pre>{}</pre>\n<p class=\"why\">All numbers: <code>curves.csv</code>, \
+        "<h2>How this was made</h2>\n{}<pre>{}</pre>\n<p class=\"why\">All numbers: <code>curves.csv</code>, \
          <code>results.json</code>; settings: <code>run.toml</code>.</p>\n",
+        terms(&rows),
         escape(&made.repeat)
     )
 }
@@ -126,10 +125,7 @@ pub(crate) fn modulus_in_head(settings: &Settings) -> String {
 
 /// What E* is made of. Contact is solved as that of one rough elastic half space and a rigid flat.
 pub(crate) fn bodies_words(bodies: &[Body]) -> String {
-    let one = |b: &Body| {
-        let poisson = format!("{}", b.poisson).replace('-', "\u{2212}");
-        format!("<i>E</i> = {}, ν = {poisson}", chosen(b.young, PASCALS))
-    };
+    let one = |body: &Body| of_body(body).replacen('E', "<i>E</i>", 1);
     match bodies {
         [] => "as given".into(),
         [body] => format!("elastic half space ({}) against a rigid flat", one(body)),

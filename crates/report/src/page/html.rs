@@ -5,7 +5,7 @@ use crate::draw::svg::escape;
 use crate::error::ReportError;
 use crate::messages;
 use crate::numbers::{PASCALS, chosen};
-use crate::page::context::Page;
+use crate::page::context::{Numbering, Page};
 use crate::page::{
     conduction, contact_map, distributions, how_made, leak, overview, sections, slider,
 };
@@ -41,8 +41,7 @@ pub fn write(
     let mut page = Page {
         comparison,
         provenance,
-        figures: 0,
-        sources: Vec::new(),
+        numbers: Numbering::default(),
         // Pictures take a byte and a half per pixel and colour noise does not compress: this
         // keeps those that stand still under 3 MB for up to ten surfaces. What moves adds 0.5 MB for each of up to four.
         map_limit: ((640.0 / (comparison.surfaces.len().max(1) as f64).sqrt()) as usize).max(160),
@@ -55,7 +54,7 @@ pub fn write(
         body.push_str(&surface_sections(&mut page, surface, index)?);
     }
     body.push_str(&how_made::section(&page));
-    body.push_str(&references(&page.sources));
+    body.push_str(&references(&page.numbers.sources));
 
     let title = title(comparison);
     document(&title, several, &body, &format!("<script>{SCRIPT}</script>"), out)

@@ -2,15 +2,15 @@
 
 use crate::draw::palette::{DETERMINISTIC_STYLE, ELASTIC_LOOK};
 use crate::error::ReportError;
-use crate::figures::conduction::{Line, over_load};
-use crate::figures::cost::{self, Route};
+use crate::figures::conduction::{LoadLine, over_load};
+use crate::figures::cost::{self, CostRoute};
 use crate::figures::flow;
 use crate::messages::conduction::scientific;
 use crate::messages::finding::capital;
 use crate::messages::leak::{known, leak_notes};
 use crate::numbers::{METRES, duration, quantity, signed_percent, signed_range};
-use crate::page::context::Page;
-use crate::page::sections::{figure, reduced_words};
+use crate::page::context::{Page, figure};
+use crate::page::sections::reduced_words;
 use crate::page::tables::swatch;
 use crate::plot_styles::plot_style;
 use contact_accuracy::{Axis, Leak, Leaks};
@@ -93,24 +93,16 @@ impl<'a> Curves<'a> {
     }
 
     /// Error against time at a load, if there is a permeability.
-    fn routes(&self, at: usize) -> Option<(Vec<Route>, Option<f64>)> {
+    fn routes(&self, at: usize) -> Option<(Vec<CostRoute>, Option<f64>)> {
         let (leaks, leak) = (self.loads[at]?, self.found[at]?);
         let k = leak.permeability()?;
+        let route = |(k, (name, permeability, seconds)): (usize, (&str, f64, f64))| {
+            let error = leak.error_of(permeability)?;
+            Some(CostRoute::new(FORMS[k][1], plot_style(name, k), seconds, error))
+        };
         let forms = leaks.closed_forms().into_iter().enumerate();
-        let mut routes = forms
-            .map(|(k, (name, permeability, seconds))| {
-                Some(Route {
-                    label: FORMS[k][1].into(),
-                    series: String::new(),
-                    look: plot_style(name, k),
-                    seconds,
-                    typed: None,
-                    error: leak.error_of(permeability)?.abs(),
-                    bold: false,
-                })
-            })
-            .collect::<Option<Vec<_>>>()?;
-        routes.push(cost::deterministic(leaks.seconds[0] / leaks.along.len() as f64));
+        let mut routes = forms.map(route).collect::<Option<Vec<_>>>()?;
+        routes.push(CostRoute::deterministic(leaks.seconds[0] / leaks.along.len() as f64));
         Some((routes, leak.interval().map(|[_, high]| high / k - 1.0)))
     }
 }
@@ -147,44 +139,36 @@ pub(crate) fn section(
          <p class=\"why\"><i>Q</i> = <i>K W</i> Δ<i>p</i>/(12 <i>η L</i>). ± of this map.{notes}</p>\n<div class=\"two\">\n"
     );
     let first = &curves[0];
+    let along = first.axis.name();
     let reference = first.permeability();
     if reference.iter().flatten().any(|k| *k > 0.0) {
-        let n = page.next_figure();
         let line = |k: usize| {
             let name = leaks.closed_forms()[k].0;
             let (label, values) = (FORMS[k][1].into(), first.form(k));
-            Line { label, series: String::new(), look: plot_style(name, k), values }
+            LoadLine { label, series: String::new(), look: plot_style(name, k), values }
         };
-        let other = curves.get(1).map(|curves| Line {
+        let other = curves.get(1).map(|curves| LoadLine {
             label: String::new(), // it may end before the others; the caption has it
             series: String::new(),
             look: ELASTIC_LOOK,
             values: curves.permeability(),
         });
-        let lines: Vec<Line> = other.into_iter().chain([0, 1].map(line)).collect();
+        let lines: Vec<LoadLine> = other.into_iter().chain([0, 1].map(line)).collect();
         let pressures: Vec<f64> = surface.deterministic.iter().map(|p| p.mean_pressure).collect();
-        let title = ("Permeability", "m³");
         let loads = (&pressures[..], surface.load_area);
-        let svg = over_load(loads, &reference, &lines, title, &format!("{id}-f{n}"));
         let rings = if curves.len() > 1 { "; rings: along y" } else { "" };
-        out.push_str(&figure(
-            &svg.inline(),
-            &format!(
-                "<b>Fig. {n}. Permeability of the gap</b> along {}. Dots: solver{rings}.",
-                first.axis.name()
-            ),
+        out.push_str(&page.numbers.figure(
+            id,
+            |key| over_load(loads, &reference, &lines, ("Permeability", "m³"), key),
+            &format!("Permeability of the gap</b> along {along}. Dots: solver{rings}."),
         ));
     }
     if let Some((routes, floor)) = first.routes(at) {
-        let n = page.next_figure();
-        let key = format!("{id}-f{n}");
-        let svg =
-            cost::figure(&routes, floor, ("permeability", &p), "Time per load", &key).inline();
-        out.push_str(&figure(
-            &svg,
+        out.push_str(&page.numbers.figure(
+            id,
+            |key| cost::figure(&routes, floor, ("permeability", &p), "Time per load", key),
             &format!(
-                "<b>Fig. {n}. Error against time</b> of the permeability along {}, once the gap is known.",
-                first.axis.name()
+                "Error against time</b> of the permeability along {along}, once the gap is known."
             ),
         ));
     }
@@ -195,7 +179,7 @@ pub(crate) fn section(
         if flow.flux.len() != grid.len() || surface.pressure.len() != grid.len() {
             continue;
         }
-        let n = page.next_figure();
+        let n = page.numbers.next_figure();
         let key = format!("{id}-f{n}");
         let svg = flow::flux(flow, &surface.pressure, grid, page.map_limit, &key)?;
         out.push_str(&figure(

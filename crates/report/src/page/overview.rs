@@ -5,7 +5,7 @@ use crate::figures::multiples::{self, Quantity};
 use crate::lines::WANTED;
 use crate::messages;
 use crate::numbers::{METRES, SPACE, counted, duration, quantity, signed_percent, significant};
-use crate::page::context::Page;
+use crate::page::context::{Page, wide};
 use crate::page::how_made::modulus_in_head;
 use contact_compare::{ModelComparison, SurfaceComparison, elastic_holds};
 
@@ -34,14 +34,9 @@ pub(crate) fn section(page: &mut Page<'_>) -> String {
             format!("Error of each closed form</b>. Grey: within 10{SPACE}%."),
         ),
     ] {
-        let n = page.next_figure();
         let description = format!("{title}: {}.", names.join(", "));
-        let svg =
-            multiples::figure(surfaces, quantity, title, description, &format!("o-f{n}")).inline();
-        out.push_str(&format!(
-            "<figure class=\"wide scroll\" tabindex=\"0\">{svg}<figcaption><b>Fig. {n}. {caption}</figcaption>\
-             </figure>\n"
-        ));
+        let draw = |key: &str| multiples::figure(surfaces, quantity, title, description, key);
+        out.push_str(&wide(&page.numbers.figure("o", draw, &caption)));
     }
     out.push_str("<div class=\"page1\"></div>\n");
     out

@@ -55,3 +55,24 @@ pub(crate) fn touching(surface: &SurfaceComparison) -> Vec<String> {
 pub(crate) fn attribute(data: &serde_json::Value) -> String {
     data.to_string().replace('&', "&amp;").replace('\'', "&#39;").replace('<', "&lt;")
 }
+
+/// A table of a name, its value and a note in each row; the caption may be empty.
+pub(crate) fn key_table(caption: &str, rows: &[[String; 3]]) -> String {
+    let caption = match caption {
+        "" => String::new(),
+        words => format!("<caption>{words}</caption>"),
+    };
+    let row = |[name, value, why]: &[String; 3]| {
+        format!(
+            "<tr><th scope=\"row\">{name}</th><td class=\"n\">{value}</td><td class=\"why\">{why}</td></tr>\n"
+        )
+    };
+    let rows: String = rows.iter().map(row).collect();
+    format!("<table class=\"key\">{caption}<tbody>\n{rows}</tbody></table>\n")
+}
+
+/// A list of terms, each with what is said of it.
+pub(crate) fn terms(rows: &[(String, String)]) -> String {
+    let row = |(term, text): &(String, String)| format!("<dt>{term}</dt><dd>{text}</dd>\n");
+    format!("<dl>{}</dl>\n", rows.iter().map(row).collect::<String>())
+}

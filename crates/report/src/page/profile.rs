@@ -8,38 +8,18 @@ use crate::messages;
 use crate::messages::loads::loads_words;
 use crate::messages::profile::{area_range, profile_headline};
 use crate::numbers::{METRES, PASCALS, SPACE, chosen, percent, quantity, significant};
+use crate::page::context::{Numbering, figure};
 use crate::page::how_made::{bodies_words, modulus_in_head, origin_words};
 use crate::page::html::{document, references};
+use crate::page::phrases::terms;
 use crate::page::profile_tables::{key_numbers, roughness, sampling};
-use crate::page::sections::{figure, notes};
+use crate::page::sections::notes;
 use crate::page::tables::{applies, swatch};
 use crate::plot_styles::{inputs_html, plot_style};
 use crate::provenance::Provenance;
 use contact_compare::ProfileComparison;
-use contact_types::{Citation, ContactState};
+use contact_types::ContactState;
 use std::io::Write;
-
-/// What the sections share: figures and sources so far.
-#[derive(Default)]
-struct Numbers {
-    figures: usize,
-    sources: Vec<Citation>,
-}
-
-impl Numbers {
-    fn figure(&mut self) -> usize {
-        self.figures += 1;
-        self.figures
-    }
-
-    fn source(&mut self, citation: &Citation) -> usize {
-        let known = self.sources.iter().position(|c| c == citation);
-        known.unwrap_or_else(|| {
-            self.sources.push(citation.clone());
-            self.sources.len() - 1
-        }) + 1
-    }
-}
 
 /// Writes the report on studies of profiles.
 ///
@@ -51,7 +31,7 @@ pub fn write(
     out: &mut impl Write,
 ) -> Result<(), ReportError> {
     let several = studies.len() > 1;
-    let mut numbers = Numbers::default();
+    let mut numbers = Numbering::default();
     let mut body = String::new();
     if several {
         body.push_str(&format!("<h1>{} profiles of surfaces</h1>\n", studies.len()));
@@ -75,7 +55,7 @@ pub fn write(
 
 fn surface(
     study: &ProfileComparison,
-    numbers: &mut Numbers,
+    numbers: &mut Numbering,
     index: usize,
     several: bool,
     provenance: &Provenance,
@@ -122,10 +102,10 @@ fn opening(study: &ProfileComparison, several: bool, provenance: &Provenance) ->
     )
 }
 
-fn pictures(study: &ProfileComparison, numbers: &mut Numbers, h: &str, id: &str) -> String {
+fn pictures(study: &ProfileComparison, numbers: &mut Numbering, h: &str, id: &str) -> String {
     let s = &study.statistics;
     let mut out = format!("<{h}>The trace</{h}>\n");
-    let n = numbers.figure();
+    let n = numbers.next_figure();
     if let Some(drawn) = profiles::first_trace(study, &format!("{id}-f{n}")) {
         let first = if s.traces > 1 { " The first of them." } else { "" };
         out.push_str(&format!(
@@ -139,7 +119,7 @@ fn pictures(study: &ProfileComparison, numbers: &mut Numbers, h: &str, id: &str)
             )
         ));
     }
-    let n = numbers.figure();
+    let n = numbers.next_figure();
     let points = study.spectrum.smoothed();
     let points = thinned(&points.iter().map(|b| [1.0 / b.frequency, b.psd]).collect::<Vec<_>>());
     let fit = s.hurst.zip(s.fractal_range);
@@ -154,15 +134,13 @@ fn pictures(study: &ProfileComparison, numbers: &mut Numbers, h: &str, id: &str)
             ),
         ));
     }
-    let n = numbers.figure();
-    let area = profiles::area(study, &format!("{id}-f{n}"));
-    two.push_str(&figure(
-        &area.inline(),
+    let traces = if s.traces == 1 { "trace" } else { "traces" };
+    two.push_str(&numbers.figure(
+        id,
+        |key| profiles::area(study, key),
         &format!(
-            "<b>Fig. {n}. Real contact area</b> by every model that answers, for an isotropic surface. \
-             Grey band: from the lowest to the highest of those made of moments, with the 95{SPACE}% \
-             intervals that the length of the {} leaves.",
-            if s.traces == 1 { "trace" } else { "traces" }
+            "Real contact area</b> by every model that answers, for an isotropic surface. Grey band: from the lowest to \
+             the highest of those made of moments, with the 95{SPACE}% intervals that the length of the {traces} leaves."
         ),
     ));
     out + &format!("<div class=\"two\">\n{two}</div>\n")
@@ -181,7 +159,7 @@ fn thinned(points: &[[f64; 2]]) -> Vec<[f64; 2]> {
     kept
 }
 
-fn models(study: &ProfileComparison, numbers: &mut Numbers, h: &str, id: &str) -> String {
+fn models(study: &ProfileComparison, numbers: &mut Numbering, h: &str, id: &str) -> String {
     let p = chosen(study.headline_pressure(), PASCALS);
     let rows: String = study
         .models
@@ -189,7 +167,7 @@ fn models(study: &ProfileComparison, numbers: &mut Numbers, h: &str, id: &str) -
         .enumerate()
         .map(|(place, m)| {
             let card = &m.card;
-            let source = numbers.source(&card.citation);
+            let source = numbers.source(card.citation.clone());
             let point =
                 m.outcome.as_ref().ok().and_then(|c| c.points[study.headline].as_ref().ok());
             let dash = || "–".to_owned();
@@ -282,13 +260,12 @@ fn how_made(studies: &[ProfileComparison], made: &Provenance) -> String {
         ));
         rows.extend(loads_words(settings).map(|words| ("Loads".into(), words)));
     }
-    let list: String =
-        rows.iter().map(|(term, text)| format!("<dt>{term}</dt><dd>{text}</dd>\n")).collect();
     format!(
-        "<h2>How this was made</h2>\n<dl>{list}</dl>\n<p>Repeat, from the folder it was made in, \
+        "<h2>How this was made</h2>\n{}<p>Repeat, from the folder it was made in, \
          with</p><pre>{}</pre>\n<p class=\"why\">The numbers behind the figures are in \
          <code>curves.csv</code>, all results in <code>results.json</code>, every setting in \
          <code>run.toml</code>.</p>\n",
+        terms(&rows),
         escape(&made.repeat)
     )
 }

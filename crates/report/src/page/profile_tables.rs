@@ -2,13 +2,12 @@
 
 use crate::messages::profile::spread;
 use crate::numbers::{METRES, SPACE, chosen, percent, quantity, significant, unit_for};
+use crate::page::phrases::key_table;
 use contact_compare::ProfileComparison;
 use surface_stats::profile::{ProfileStatistics, SettingSource};
 
-fn row(name: &str, value: &str, why: &str) -> String {
-    format!(
-        "<tr><th scope=\"row\">{name}</th><td class=\"n\">{value}</td><td class=\"why\">{why}</td></tr>\n"
-    )
+fn row(name: &str, value: String, why: impl Into<String>) -> [String; 3] {
+    [name.into(), value, why.into()]
 }
 
 /// Moments with what the length leaves open, and what is made of them.
@@ -23,13 +22,13 @@ pub(crate) fn key_numbers(study: &ProfileComparison) -> String {
     let mut rows = vec![
         row(
             "<i>m</i><sub>0</sub>",
-            &format!("{}{SPACE}{}²", significant(m.m0 / height.scale.powi(2), 3), height.name),
-            &format!("{}; rms height {}", ends(0), quantity(m.rms_height(), METRES, 3)),
+            format!("{}{SPACE}{}²", significant(m.m0 / height.scale.powi(2), 3), height.name),
+            format!("{}; rms height {}", ends(0), quantity(m.rms_height(), METRES, 3)),
         ),
         row(
             "<i>m</i><sub>2</sub>",
-            &significant(m.m2, 3),
-            &format!(
+            significant(m.m2, 3),
+            format!(
                 "{}; rms gradient of the surface {}",
                 ends(1),
                 significant(m.rms_gradient(), 3)
@@ -37,18 +36,18 @@ pub(crate) fn key_numbers(study: &ProfileComparison) -> String {
         ),
         row(
             "<i>m</i><sub>4</sub>",
-            &format!("{}{SPACE}µm⁻²", significant(m.m4 * 1e-12, 3)),
-            &ends(2),
+            format!("{}{SPACE}µm⁻²", significant(m.m4 * 1e-12, 3)),
+            ends(2),
         ),
     ];
     if let Some(bandwidth) = s.bandwidth {
-        rows.push(row("Bandwidth <i>α</i>", &significant(bandwidth, 3), "m₀ m₄ / m₂²"));
+        rows.push(row("Bandwidth <i>α</i>", significant(bandwidth, 3), "m₀ m₄ / m₂²"));
     }
     if let Some(a) = s.asperities {
         rows.push(row(
             "Summits",
-            &format!("{}{SPACE}mm⁻²", significant(a.density * 1e-6, 3)),
-            &format!(
+            format!("{}{SPACE}mm⁻²", significant(a.density * 1e-6, 3)),
+            format!(
                 "radius {}, height deviation {}, of the isotropic Gaussian surface",
                 quantity(a.radius, METRES, 3),
                 quantity(a.height_std, METRES, 3)
@@ -58,29 +57,21 @@ pub(crate) fn key_numbers(study: &ProfileComparison) -> String {
     if let (Some(hurst), Some([short, long])) = (s.hurst, s.fractal_range) {
         rows.push(row(
             "Hurst exponent",
-            &significant(hurst, 2),
-            &format!(
-                "PSD between {} and {}",
-                quantity(long, METRES, 2),
-                quantity(short, METRES, 2)
-            ),
+            significant(hurst, 2),
+            format!("PSD between {} and {}", quantity(long, METRES, 2), quantity(short, METRES, 2)),
         ));
     }
     if let Some(rolloff) = s.rolloff {
-        rows.push(row("Roll-off", &quantity(rolloff, METRES, 2), "longer waves have a flat PSD"));
+        rows.push(row("Roll-off", quantity(rolloff, METRES, 2), "longer waves have a flat PSD"));
     }
     if let Some(rms) = s.noise_rms {
-        let why = s.reliable_wavelength.map_or("nothing stands out of it".into(), |l| {
+        let why = s.reliable_wavelength.map_or("nothing stands out of it".to_owned(), |l| {
             format!("waves longer than {} stand out of it", quantity(l, METRES, 2))
         });
-        rows.push(row("Noise", &quantity(rms, METRES, 2), &why));
+        rows.push(row("Noise", quantity(rms, METRES, 2), why));
     }
-    format!(
-        "<table class=\"key\"><caption>Moments of the {}, finite differences</caption><tbody>\n{}\
-         </tbody></table>\n",
-        if s.traces == 1 { "trace" } else { "traces (mean)" },
-        rows.concat()
-    )
+    let traces = if s.traces == 1 { "trace" } else { "traces (mean)" };
+    key_table(&format!("Moments of the {traces}, finite differences"), &rows)
 }
 
 /// A parameter of ISO 21920-2 in its usual unit.

@@ -2,28 +2,24 @@
 
 use crate::draw::svg::escape;
 use crate::error::ReportError;
+use crate::figures::cost::{self, CostRoute};
 use crate::figures::curves::{self, Use};
 use crate::figures::heights::{HeightPicture, height_figure};
+use crate::figures::surface as surface_figures;
 use crate::figures::surface::{Histogram, histogram};
-use crate::figures::{cost, surface as surface_figures};
 use crate::lines::{Lines, YIELDING};
 use crate::messages::edges::edge_words;
 use crate::messages::finding::finding;
 use crate::messages::{self, coarser};
-use crate::numbers::SPACE;
+use crate::numbers::{SPACE, fixed};
 use crate::page::budget;
-use crate::page::context::Page;
+use crate::page::context::{Page, figure};
 use crate::page::pair;
 use crate::page::slider::dial;
 use crate::page::{statistics, tables};
 use crate::plot_styles::plot_style;
 use crate::sources::AREA_CORRECTION;
 use contact_compare::{Finding, SurfaceComparison, Weight, findings};
-
-/// A figure with its caption; the caption is HTML and opens with a bold subject.
-pub(crate) fn figure(svg: &str, caption: &str) -> String {
-    format!("<figure>{svg}<figcaption>{caption}</figcaption></figure>\n")
-}
 
 /// Findings shown: the worst.
 const MOST: usize = 3;
@@ -40,11 +36,11 @@ pub(crate) fn notes(found: &[Finding], id: &str) -> String {
     let item = |found: &&Finding| {
         let check = found.weight == Weight::Check;
         let (class, word) = if check { ("check", "Check") } else { ("note", "Note") };
-        let words = finding(found);
+        let [claim, text] = finding(found);
         format!(
             "<li><span class=\"tag {class}\">{word}</span><details><summary>{}</summary>{}</details></li>\n",
-            escape(&words.claim),
-            escape(&words.text)
+            escape(&claim),
+            escape(&text)
         )
     };
     let mut items: String = open.iter().take(MOST).map(item).collect();
@@ -77,15 +73,14 @@ pub(crate) fn over_load(page: &mut Page<'_>, surface: &SurfaceComparison, id: &s
     let errors: String = panels.iter().map(|lines| errors(page, lines, id)).collect();
     out.push_str(&format!("<div class=\"two\">\n{errors}"));
     if let Some(routes) = cost_routes(surface) {
-        let four = page.next_figure();
-        let floor = relative_uncertainty(surface);
-        let caption = format!(
-            "<b>Fig. {four}. Error against time</b> at {p}, from the levelled map; bars: from typed numbers. Dashed: Pareto front."
-        );
-        let key = format!("{id}-f{four}");
-        let time = "Time to the first answer";
-        let svg = cost::figure(&routes, floor, ("area", &p), time, &key).inline();
-        out.push_str(&figure(&svg, &caption));
+        let (floor, time) = (relative_uncertainty(surface), "Time to the first answer");
+        out.push_str(&page.numbers.figure(
+            id,
+            |key| cost::figure(&routes, floor, ("area", &p), time, key),
+            &format!(
+                "Error against time</b> at {p}, from the levelled map; bars: from typed numbers. Dashed: Pareto front."
+            ),
+        ));
     }
     out.push_str("</div>\n");
     out
@@ -101,16 +96,16 @@ fn panel(page: &mut Page<'_>, lines: &Lines, id: &str) -> String {
     let of = of(lines);
     let band =
         if lines.interval.iter().flatten().count() > 1 { "; grey: ± of this map" } else { "" };
-    let one = page.next_figure();
     let elastic = if lines.of == YIELDING { "; rings: elastic contact" } else { "" };
-    let area = figure(
-        &curves::area(lines, &format!("{id}-f{one}"), Use::Page).inline(),
-        &format!("<b>Fig. {one}. Real contact area{of}.</b> Dots: solver{elastic}{band}."),
+    let area = page.numbers.figure(
+        id,
+        |key| curves::area(lines, key, Use::Page),
+        &format!("Real contact area{of}.</b> Dots: solver{elastic}{band}."),
     );
-    let two = page.next_figure();
-    let pressure = figure(
-        &curves::pressure(lines, &format!("{id}-f{two}"), Use::Page).inline(),
-        &format!("<b>Fig. {two}. Mean real pressure{of}</b>, load over real area."),
+    let pressure = page.numbers.figure(
+        id,
+        |key| curves::pressure(lines, key, Use::Page),
+        &format!("Mean real pressure{of}</b>, load over real area."),
     );
     area + &pressure
 }
@@ -120,13 +115,13 @@ fn errors(page: &mut Page<'_>, lines: &Lines, id: &str) -> String {
     if lines.models.iter().all(|m| m.name == "elastic") {
         return String::new();
     }
-    let n = page.next_figure();
     let has_band = lines.interval.iter().flatten().count() > 1;
     let dark = if has_band { "; dark: ± of the solver" } else { "" };
-    figure(
-        &curves::error(lines, &format!("{id}-f{n}")).inline(),
+    page.numbers.figure(
+        id,
+        |key| curves::error(lines, key),
         &format!(
-            "<b>Fig. {n}. Error of each closed form{}</b> against the solver. Light band: 10{SPACE}%{dark}.",
+            "Error of each closed form{}</b> against the solver. Light band: 10{SPACE}%{dark}.",
             of(lines)
         ),
     )
@@ -138,25 +133,21 @@ fn relative_uncertainty(surface: &SurfaceComparison) -> Option<f64> {
     (u > 0.0 && u.is_finite()).then_some(u)
 }
 
-fn cost_routes(surface: &SurfaceComparison) -> Option<Vec<cost::Route>> {
+fn cost_routes(surface: &SurfaceComparison) -> Option<Vec<CostRoute>> {
     let answer = surface.headline_answer()?;
-    let mut routes: Vec<cost::Route> = messages::ranked(surface)
+    let mut routes: Vec<CostRoute> = messages::ranked(surface)
         .into_iter()
-        .map(|r| cost::Route {
-            label: r.model.card.label.to_string(),
-            series: r.model.card.name.to_string(),
-            look: plot_style(&r.model.card.name, r.place),
-            seconds: r.seconds,
-            typed: r.typed,
-            error: r.error.abs(),
-            bold: false,
+        .map(|r| {
+            let (card, look) = (&r.model.card, plot_style(&r.model.card.name, r.place));
+            let route = CostRoute::new(card.label.as_ref(), look, r.seconds, r.error);
+            CostRoute { series: card.name.to_string(), typed: r.typed, ..route }
         })
         .collect();
     routes.extend(coarser::routes(surface));
     if routes.is_empty() {
         return None;
     }
-    routes.push(cost::deterministic(answer.seconds));
+    routes.push(CostRoute::deterministic(answer.seconds));
     Some(routes)
 }
 
@@ -220,33 +211,29 @@ pub(crate) fn the_surface(
     };
     let mut out = format!("<{h}>{title}</{h}>\n{first}<div class=\"two maps\">\n");
     if let Some(picture) = &heights.picture {
-        let n = page.next_figure();
-        let map = height_figure(picture, grid, &format!("{id}-f{n}"));
-        out.push_str(&figure(&map.inline(), &format!("<b>Fig. {n}. Height.</b>")));
+        let draw = |key: &str| height_figure(picture, grid, key);
+        out.push_str(&page.numbers.figure(id, draw, "Height.</b>"));
     } else {
         out.push_str("<p>A single profile: no map is drawn.</p>\n");
     }
     out.push_str(&statistics::table(surface));
     out.push_str("</div>\n<div class=\"two\">\n");
     if let Some(histogram) = &heights.histogram {
-        let n = page.next_figure();
-        let svg = surface_figures::heights(histogram, &p, &format!("{id}-f{n}")).inline();
         let lowest = histogram.touching.iter().position(|v| *v > 0.0);
         let words = lowest.map_or(String::new(), |k| {
-            format!(
-                " At {p} heights above {}{SPACE}Sq touch.",
-                crate::numbers::fixed(histogram.start + histogram.step * k as f64, 1)
-            )
+            let height = fixed(histogram.start + histogram.step * k as f64, 1);
+            format!(" At {p} heights above {height}{SPACE}Sq touch.")
         });
-        out.push_str(&figure(
-            &svg,
-            &format!("<b>Fig. {n}. Height distribution.</b> Line: normal.{words}"),
+        out.push_str(&page.numbers.figure(
+            id,
+            |key| surface_figures::heights(histogram, &p, key),
+            &format!("Height distribution.</b> Line: normal.{words}"),
         ));
     }
     let fit = surface.statistics.hurst.zip(surface.statistics.fractal_range);
     let spectrum =
         surface_figures::Spectrum { points: surface.spectral.psd.clone(), fit, is_profile: false };
-    let n = page.next_figure();
+    let n = page.numbers.next_figure();
     if let Some(svg) = surface_figures::spectrum(&spectrum, &format!("{id}-f{n}")) {
         let fitted = if fit.is_some() {
             " Dashed: power law fitted over the grey band, raised 2.2×."
@@ -270,7 +257,7 @@ pub(crate) fn accuracy(page: &mut Page<'_>, surface: &SurfaceComparison) -> Stri
     let Some(answer) = surface.headline_answer() else { return String::new() };
     let h = page.heading();
     let p = messages::headline_load(surface);
-    let correction = page.source(AREA_CORRECTION);
+    let correction = page.numbers.source(AREA_CORRECTION);
     let budget = match answer.budget.area.half_width() {
         Ok(_) => budget::table(answer, surface, &p, correction),
         Err(reason) => format!(

@@ -9,11 +9,11 @@ use crate::numbers::{
     AREAS, METRES, NEWTONS, PASCALS, SPACE, Unit, chosen, counted, duration, percent, quantity,
     signed_percent, significant, unit_for,
 };
+use crate::page::context::{Numbering, wide};
 use crate::page::how_made::{
     bodies_words, hardness_words, level_words, materials_words, modulus_in_head,
 };
 use crate::page::html::{document, hardness_in_head};
-use crate::page::sections::figure;
 use crate::page::tables::swatch;
 use crate::plot_styles::plot_style;
 use crate::provenance::Provenance;
@@ -111,9 +111,10 @@ pub fn write(
         standing(summary)
     );
     if count > 0 {
-        body.push_str(&load_and_errors(summary));
+        let mut numbers = Numbering::default();
+        body.push_str(&load_and_errors(summary, &mut numbers));
         body.push_str(&models(summary));
-        body.push_str(&distributions(summary));
+        body.push_str(&distributions(summary, &mut numbers));
     }
     body.push_str(&to_check(summary));
     body.push_str(&failed(summary));
@@ -182,7 +183,7 @@ fn standing(summary: &Summary<'_>) -> String {
     text
 }
 
-fn load_and_errors(summary: &Summary<'_>) -> String {
+fn load_and_errors(summary: &Summary<'_>, numbers: &mut Numbering) -> String {
     let list: Vec<Strip> = summary
         .models()
         .iter()
@@ -193,19 +194,19 @@ fn load_and_errors(summary: &Summary<'_>) -> String {
             Some(Strip { label, look: plot_style(name, place), errors })
         })
         .collect();
-    format!(
-        "<h2>Area and load</h2>\n<div class=\"two\">\n{}{}</div>\n",
-        figure(
-            &curves(&summary.curves(), "b-f1").inline(),
-            "<b>Fig. 1. Real contact area</b> of every map by the deterministic solution. Thick: median; grey: 10th–90th percentile.",
+    let area = numbers.figure(
+        "b",
+        |key| curves(&summary.curves(), key),
+        "Real contact area</b> of every map by the deterministic solution. Thick: median; grey: 10th–90th percentile.",
+    );
+    let errors = numbers.figure(
+        "b",
+        |key| strips(&list, key),
+        &format!(
+            "Error of the closed forms</b> at the headline of each map. Mark: median; bar: interquartile range; line: 10th–90th percentile. Grey: within 10{SPACE}%."
         ),
-        figure(
-            &strips(&list, "b-f2").inline(),
-            &format!(
-                "<b>Fig. 2. Error of the closed forms</b> at the headline of each map. Mark: median; bar: interquartile range; line: 10th–90th percentile. Grey: within 10{SPACE}%."
-            ),
-        ),
-    )
+    );
+    format!("<h2>Area and load</h2>\n<div class=\"two\">\n{area}{errors}</div>\n")
 }
 
 fn models(summary: &Summary<'_>) -> String {
@@ -300,7 +301,7 @@ impl Quantity {
     }
 }
 
-fn distributions(summary: &Summary<'_>) -> String {
+fn distributions(summary: &Summary<'_>, numbers: &mut Numbering) -> String {
     let (mut drawn, mut rows) = (Vec::new(), String::new());
     for quantity in &QUANTITIES {
         let values = summary.values(quantity.key);
@@ -345,10 +346,14 @@ fn distributions(summary: &Summary<'_>) -> String {
             name(high)
         ));
     }
+    let figure = numbers.figure(
+        "b",
+        |key| histograms(&drawn, key),
+        "Distributions over the maps.</b> Maps per class; dashed: median. A logarithmic axis where the values span more \
+         than a factor of eight.",
+    );
     format!(
-        "<h2>How the maps differ</h2>\n<figure class=\"wide scroll\" tabindex=\"0\">{}<figcaption><b>Fig. 3. Distributions \
-         over the maps.</b> Maps per class; dashed: median. A logarithmic axis where the values span more \
-         than a factor of eight.</figcaption></figure>\n<div class=\"wide scroll\" tabindex=\"0\"><table \
+        "<h2>How the maps differ</h2>\n{}<div class=\"wide scroll\" tabindex=\"0\"><table \
          class=\"over\" tabindex=\"0\"><caption>Quantiles over the maps, contact at the headline</caption><thead><tr><th \
          scope=\"col\">Quantity</th><th scope=\"col\" class=\"n\">Maps</th><th scope=\"col\" \
          class=\"n\">Lowest</th><th scope=\"col\" class=\"n\">10{SPACE}%</th><th scope=\"col\" \
@@ -356,7 +361,7 @@ fn distributions(summary: &Summary<'_>) -> String {
          class=\"n\">75{SPACE}%</th><th scope=\"col\" class=\"n\">90{SPACE}%</th><th scope=\"col\" \
          class=\"n\">Highest</th><th scope=\"col\">Lowest … highest are \
          of</th></tr></thead><tbody>\n{rows}</tbody></table></div>\n",
-        histograms(&drawn, "b-f3").inline()
+        wide(&figure)
     )
 }
 

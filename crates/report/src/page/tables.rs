@@ -10,7 +10,7 @@ use crate::numbers::{
 };
 use crate::page::context::Page;
 use crate::page::how_made::modulus_in_head;
-use crate::page::phrases::load_words;
+use crate::page::phrases::{key_table, load_words};
 use crate::plot_styles::{inputs_html, plot_style};
 use crate::sources::DETERMINISTIC;
 use contact_compare::{Applies, ModelComparison, SurfaceComparison, elastic_limit, is_steep};
@@ -60,16 +60,7 @@ pub(crate) fn key_numbers(page: &Page<'_>, surface: &SurfaceComparison) -> Strin
     if let Some([name, how]) = messages::cheapest(surface) {
         rows.push([format!("Cheapest within 10{SPACE}%"), name, how]);
     }
-    let body: String = rows
-        .iter()
-        .map(|[name, value, why]| {
-            format!(
-                "<tr><th scope=\"row\">{name}</th><td class=\"n\">{value}</td>\
-                 <td class=\"why\">{why}</td></tr>\n"
-            )
-        })
-        .collect();
-    format!("<table class=\"key\"><tbody>\n{body}</tbody></table>\n")
+    key_table("", &rows)
 }
 
 /// A model's area at one load, "1.67 %".
@@ -88,8 +79,7 @@ pub(crate) fn model_pressure(point: &Result<ContactState, ModelError>) -> String
 /// A short piece of a series' line with its marker.
 pub(crate) fn swatch(look: Style) -> String {
     let mut canvas = Canvas::default();
-    let stroke = Stroke { colour: look.colour, width: 1.2 * look.width, dash: look.dash };
-    canvas.line([1.0, 6.0], [33.0, 6.0], stroke);
+    canvas.line([1.0, 6.0], [33.0, 6.0], Stroke { width: 1.2 * look.width, ..look.stroke() });
     canvas.marker([17.0, 6.0], 3.0, look);
     format!(
         "<svg viewBox=\"0 0 34 12\" width=\"34\" height=\"12\" aria-hidden=\"true\">{}</svg>",
@@ -133,7 +123,7 @@ pub(crate) fn models(page: &mut Page<'_>, surface: &SurfaceComparison) -> String
 }
 
 fn cited(page: &mut Page<'_>, citation: contact_types::Citation) -> String {
-    let n = page.source(citation);
+    let n = page.numbers.source(citation);
     format!("<td data-l=\"Ref.\" class=\"n src\"><a href=\"#r{n}\">{n}</a></td>")
 }
 

@@ -107,28 +107,9 @@ fn surface(plan: &Plan, surface: Surface, take: &mut dyn FnMut(TradeoffRow)) -> 
     let name = surface.name.clone();
     let modulus = ContactModulus::from_pascals(MODULUS)?;
     let (map, inputs) = as_compared(surface)?;
-    let blank = TradeoffRow {
-        surface: name.clone(),
-        load: None,
-        method: String::new(),
-        scale: None,
-        points: None,
-        precision: None,
-        tolerance: None,
-        area: None,
-        corrected: None,
-        truth: None,
-        bar: None,
-        pressure_error: None,
-        pairs: None,
-        seconds: 0.0,
-        is_capped: false,
-    };
-    take(TradeoffRow {
-        method: STATISTICS.into(),
-        seconds: statistics_seconds(&map)?,
-        ..blank.clone()
-    });
+    let blank = TradeoffRow { surface: name.clone(), ..TradeoffRow::default() };
+    let seconds = statistics_seconds(&map)?;
+    take(TradeoffRow { method: STATISTICS.into(), seconds, ..blank.clone() });
 
     let finer = |times: usize| resample(&map, map.grid().shape().map(|n| times * n));
     let (half_way, finest) = (finer(plan.refine / 2)?, finer(plan.refine)?);
@@ -375,17 +356,8 @@ impl Job<'_> {
             (Precision::Single, one_pair::<f32>(grid, self.modulus, budget)?),
         ] {
             let precision = Some(name(precision).into());
-            let TradeoffRow { surface, scale, points, .. } = self.case.clone();
-            let blank = TradeoffRow { load: None, truth: None, bar: None, ..self.case.clone() };
-            take(TradeoffRow {
-                surface,
-                scale,
-                points,
-                precision,
-                method: PAIR.into(),
-                seconds,
-                ..blank
-            });
+            let pair = TradeoffRow { method: PAIR.into(), precision, seconds, ..self.case.clone() };
+            take(TradeoffRow { load: None, truth: None, bar: None, ..pair });
         }
         Ok(())
     }

@@ -7,8 +7,8 @@ use std::error::Error;
 use std::fmt::Write as _;
 use std::fs::{self, File};
 use std::path::Path;
-use studies::figures::tradeoff::{write_tradeoff_area, write_tradeoff_pressure};
-use studies::tradeoff::{AreaOf, PAIR, STATISTICS, Table, TradeoffRow, Way, ways};
+use studies::figures::{write_tradeoff_area, write_tradeoff_pressure};
+use studies::tradeoff::{AreaOf, PAIR, STATISTICS, TradeoffRow, TradeoffTable, Way, is, ways};
 
 /// Errors a reader may want to stay below.
 const WANTED: [f64; 6] = [0.5, 0.3, 0.15, 0.05, 0.025, 0.015];
@@ -17,7 +17,7 @@ const DEFAULT: f64 = 1e-4;
 
 /// Writes `tradeoff-area.svg`, `tradeoff-pressure.svg` and `tradeoff.md` into `folder`.
 pub(crate) fn write(table: &Path, folder: &Path) -> Result<(), Box<dyn Error>> {
-    let table = Table::parse(&fs::read_to_string(table)?)?;
+    let table = TradeoffTable::parse(&fs::read_to_string(table)?)?;
     fs::create_dir_all(folder)?;
     write_tradeoff_area(&table, &mut File::create(folder.join("tradeoff-area.svg"))?)?;
     write_tradeoff_pressure(&table, &mut File::create(folder.join("tradeoff-pressure.svg"))?)?;
@@ -26,7 +26,7 @@ pub(crate) fn write(table: &Path, folder: &Path) -> Result<(), Box<dyn Error>> {
 }
 
 /// The generated part of the page.
-fn page(table: &Table) -> String {
+fn page(table: &TradeoffTable) -> String {
     let found = ways(table.rows.iter());
     let everywhere = everywhere(&found);
     let mut page = String::new();
@@ -53,7 +53,7 @@ fn page(table: &Table) -> String {
 }
 
 /// Seconds of one FFT pair on the given grid in double precision.
-fn pair(table: &Table) -> Option<f64> {
+fn pair(table: &TradeoffTable) -> Option<f64> {
     let is_it = |r: &&TradeoffRow| {
         r.method == PAIR && r.precision.as_deref() == Some("f64") && is(r.scale, 1.0)
     };
@@ -175,7 +175,7 @@ fn spread(page: &mut String, found: &[&Way<'_>], one_pair: f64) {
 }
 
 /// Every method at one load: what was asked for, what came out.
-fn close_up(page: &mut String, table: &Table, one_pair: f64) {
+fn close_up(page: &mut String, table: &TradeoffTable, one_pair: f64) {
     let rows: Vec<&TradeoffRow> =
         table.rows.iter().filter(|r| r.pressure_error.is_some()).collect();
     let Some(first) = rows.first() else { return };
@@ -211,10 +211,6 @@ fn close_up(page: &mut String, table: &Table, one_pair: f64) {
             digits(row.seconds / one_pair)
         );
     }
-}
-
-fn is(value: Option<f64>, wanted: f64) -> bool {
-    value.is_some_and(|v| (v / wanted - 1.0).abs() < 1e-6)
 }
 
 fn tolerance(row: &TradeoffRow) -> String {
@@ -274,7 +270,7 @@ mod tests {
     fn a_tiny_run_fills_figures_and_page() {
         let mut text = format!("# a test\n{}\n", studies::tradeoff::HEADER);
         run(&Plan::TINY, &mut |row| text += &(row.line() + "\n")).unwrap();
-        let table = Table::parse(&text).unwrap();
+        let table = TradeoffTable::parse(&text).unwrap();
         let found = ways(table.rows.iter());
         let at = |area| found.iter().find(|w| w.area == area && is_default(w.row)).unwrap();
         assert!(at(AreaOf::Corrected).error[1] < 0.5 * at(AreaOf::Count).error[1]);
