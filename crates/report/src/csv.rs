@@ -1,6 +1,6 @@
 //! `curves.csv`: every number the figures over the load draw, units in the header.
 
-use crate::lines::Lines;
+use crate::lines::LoadLines;
 use crate::messages::conduction::{conductance, kinds};
 use contact_compare::{
     Comparison, ModelComparison, ProfileComparison, ProfileModel, Settings, SurfaceComparison,
@@ -17,7 +17,7 @@ pub fn write(comparison: &Comparison, out: &mut impl Write) -> io::Result<()> {
     let models = comparison.surfaces.first().map_or(&[][..], |s| &s.models);
     let mut is_headed = false;
     for surface in &comparison.surfaces {
-        let panels = Lines::panels(surface);
+        let panels = LoadLines::panels(surface);
         for load in 0..surface.deterministic.len() {
             let cells = cells(surface, &panels, load, models, &comparison.settings);
             let (heads, values): (Vec<String>, Vec<String>) =
@@ -35,7 +35,7 @@ pub fn write(comparison: &Comparison, out: &mut impl Write) -> io::Result<()> {
 /// The columns of a surface at a load, each with its unit, and its numbers there.
 fn cells(
     surface: &SurfaceComparison,
-    panels: &[Lines],
+    panels: &[LoadLines],
     i: usize,
     models: &[ModelComparison],
     settings: &Settings,

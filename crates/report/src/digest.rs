@@ -89,12 +89,12 @@ fn kind(finding: &Value) -> String {
 
 /// How numbers are spread: their order and what is read off it.
 #[derive(Debug, Clone, PartialEq)]
-pub(crate) struct Spread {
+pub(crate) struct Quantiles {
     /// The numbers, rising.
     pub sorted: Vec<f64>,
 }
 
-impl Spread {
+impl Quantiles {
     /// Of the finite ones; `None` if there are none.
     pub(crate) fn of(values: impl Iterator<Item = f64>) -> Option<Self> {
         let mut sorted: Vec<f64> = values.filter(|v| v.is_finite()).collect();
@@ -134,13 +134,13 @@ mod tests {
     #[test]
     fn quantiles_are_those_of_r() {
         // quantile(c(1, 2, 4, 8, 16), c(0, .1, .25, .5, .9, 1)) of R 4: 1, 1.4, 2, 4, 12.8, 16
-        let spread = Spread::of([8.0, 1.0, f64::NAN, 16.0, 2.0, 4.0].into_iter()).unwrap();
+        let spread = Quantiles::of([8.0, 1.0, f64::NAN, 16.0, 2.0, 4.0].into_iter()).unwrap();
         for (part, value) in
             [(0.0, 1.0), (0.1, 1.4), (0.25, 2.0), (0.5, 4.0), (0.9, 12.8), (1.0, 16.0)]
         {
             assert!((spread.quantile(part) - value).abs() < 1e-12, "{part}");
         }
-        assert!(spread.is_wide() && Spread::of([f64::NAN].into_iter()).is_none());
+        assert!(spread.is_wide() && Quantiles::of([f64::NAN].into_iter()).is_none());
     }
 
     #[test]

@@ -3,7 +3,8 @@
 use crate::draw::palette::{ELASTIC_LOOK, Style};
 use crate::numbers::{NEWTONS, PASCALS, Unit, signed_range, significant, unit_for};
 use crate::plot_styles::plot_style;
-use contact_compare::{DeterministicPoint, ModelComparison, SurfaceComparison};
+use contact_compare::{Card, DeterministicPoint, ModelComparison, SurfaceComparison};
+use contact_types::{ContactState, ModelError};
 
 /// Error within which a closed form counts as an answer.
 pub(crate) const WANTED: f64 = 0.10;
@@ -23,7 +24,7 @@ pub(crate) struct ModelLine {
 
 /// What the figures over the load draw: the same numbers `curves.csv` lists.
 #[derive(Debug, Clone)]
-pub(crate) struct Lines {
+pub(crate) struct LoadLines {
     /// Nominal pressures (Pa), rising.
     pub pressures: Vec<f64>,
     /// Deterministic area fraction at each; `None` where there is none.
@@ -71,7 +72,20 @@ pub fn references(surface: &SurfaceComparison) -> Vec<Reference<'_>> {
     kinds.into_iter().map(of_kind).collect()
 }
 
-impl Lines {
+impl ModelLine {
+    /// Of a model that answers; its `place` in the study.
+    pub(crate) fn of(
+        card: &Card,
+        place: usize,
+        points: &[Result<ContactState, ModelError>],
+    ) -> Self {
+        let look = plot_style(&card.name, place);
+        let area = points.iter().map(|p| p.as_ref().ok().map(|s| s.area_fraction)).collect();
+        Self { name: card.name.to_string(), label: card.label.to_string(), look, area }
+    }
+}
+
+impl LoadLines {
     /// The numbers of a surface; of bodies that yield those of the elastic ones apart, so that each theory is
     /// beside the solution of the bodies it is about.
     pub(crate) fn panels(surface: &SurfaceComparison) -> Vec<Self> {
@@ -83,10 +97,7 @@ impl Lines {
         let answers = || points.iter().map(|p| p.answer.as_ref());
         let models = models.into_iter().filter_map(|(place, m)| {
             let curve = m.outcome.as_ref().ok()?;
-            let area = curve.points.iter().map(|p| p.as_ref().ok().map(|s| s.area_fraction));
-            let (name, label) = (m.card.name.to_string(), m.card.label.to_string());
-            let look = plot_style(&name, place);
-            Some(ModelLine { name, label, look, area: area.collect() })
+            Some(ModelLine::of(&m.card, place, &curve.points))
         });
         let elastic = (of == YIELDING).then(|| ModelLine {
             name: "elastic".into(),
@@ -155,7 +166,7 @@ pub(crate) fn range_words(values: &[Option<f64>], unit: &str) -> String {
 }
 
 /// "GW −38 to −4.3 %; Persson …": the finding, for the text alternative of a figure.
-pub(crate) fn compared(lines: &Lines) -> String {
+pub(crate) fn compared(lines: &LoadLines) -> String {
     let parts: Vec<String> = lines
         .models
         .iter()

@@ -22,20 +22,20 @@ fn citation(authors: &str) -> Citation {
     }
 }
 
-/// Half of everything touches.
-struct Half(Card);
+/// HalfTouches of everything touches.
+struct HalfTouches(Card);
 
-impl Theory for Half {
+impl Theory for HalfTouches {
     fn card(&self) -> &Card {
         &self.0
     }
 
     fn build(&self, _: &Inputs) -> Result<Box<dyn ContactModel>, BuildError> {
-        Ok(Box::new(Half(self.0.clone())))
+        Ok(Box::new(HalfTouches(self.0.clone())))
     }
 }
 
-impl ContactModel for Half {
+impl ContactModel for HalfTouches {
     fn citation(&self) -> Citation {
         self.0.citation.clone()
     }
@@ -51,7 +51,7 @@ fn registry() -> Registry {
     let point = |mean_pressure| CurvePoint { mean_pressure, area_fraction: 0.25, mean_gap: None };
     let elsewhere = Card::new("elsewhere", "Elsewhere", citation("Another"));
     let curve = Tabulated::new(elsewhere, vec![point(1e5), point(1e9)]).unwrap();
-    Registry::built_in().with(Half(half)).unwrap().with(curve.of_surface("waves")).unwrap()
+    Registry::built_in().with(HalfTouches(half)).unwrap().with(curve.of_surface("waves")).unwrap()
 }
 
 fn surface() -> Surface {

@@ -9,7 +9,7 @@ use contact_compare::{Comparison, FileOrigin, Origin, Settings, Surface, built_i
 use contact_report::{write_area_svg, write_csv, write_json, write_pressure_svg};
 use contact_types::{Grid, HeightMap};
 use std::collections::HashMap;
-use studies::{all, hostile, html, one, provenance, run, small, three, yielding};
+use studies::{all, hostile, html, one, provenance, run, small, text, three, yielding};
 
 /// Width of a letter in ems, at least, in Helvetica and what replaces it.
 fn least_width(letter: char) -> f64 {
@@ -22,9 +22,11 @@ fn least_width(letter: char) -> f64 {
 }
 
 fn csv(comparison: &Comparison) -> String {
-    let mut out = Vec::new();
-    write_csv(comparison, &mut out).unwrap();
-    String::from_utf8(out).unwrap()
+    text(|out| write_csv(comparison, out))
+}
+
+fn results(comparison: &Comparison) -> serde_json::Value {
+    serde_json::from_str(&text(|out| write_json(comparison, &provenance(), out))).unwrap()
 }
 
 /// The figures inside a page.
@@ -86,10 +88,10 @@ fn no_number_is_missing_or_broken() {
         for bad in ["NaN", "inf ", "inf<", "-0.0", "<td></td>", "e-0", "class=\"n\"></td>"] {
             assert!(!page.contains(bad), "{bad}: {}", &page[page.find(bad).unwrap() - 80..][..160]);
         }
-        let mut json = Vec::new();
-        write_json(comparison, &provenance(), &mut json).unwrap();
-        let value: serde_json::Value = serde_json::from_slice(&json).unwrap();
-        assert_eq!(value["surfaces"].as_array().unwrap().len(), comparison.surfaces.len());
+        assert_eq!(
+            results(comparison)["surfaces"].as_array().unwrap().len(),
+            comparison.surfaces.len()
+        );
     }
 }
 
@@ -135,9 +137,7 @@ fn figures_are_xml_and_say_what_they_show() {
             text("desc");
         }
         for write in [write_area_svg, write_pressure_svg] {
-            let mut file = Vec::new();
-            write(comparison, &mut file).unwrap();
-            let file = String::from_utf8(file).unwrap();
+            let file = text(|out| write(comparison, out));
             assert!(
                 file.contains("mm\"") && !file.contains("var(") && !file.contains("class=\"cur\"")
             );
@@ -195,9 +195,7 @@ fn plotted_numbers_are_in_the_csv() {
         .collect();
     assert_eq!(numbers.len(), one().surfaces[0].deterministic.len());
 
-    let mut file = Vec::new();
-    write_area_svg(one(), &mut file).unwrap();
-    let dots: Vec<[f64; 2]> = elements(&String::from_utf8(file).unwrap())
+    let dots: Vec<[f64; 2]> = elements(&text(|out| write_area_svg(one(), out)))
         .into_iter()
         .filter(|(n, ..)| n == "circle")
         .map(|(_, a, _)| [a["cx"].parse().unwrap(), a["cy"].parse().unwrap()])
@@ -345,9 +343,7 @@ fn the_budget_has_every_source_and_choices_are_listed() {
 fn coarser_grids_are_drawn_and_listed_where_they_were_solved() {
     let page = html(one());
     let figure = figures(&page).into_iter().find(|svg| svg.contains("Error against time")).unwrap();
-    let mut json = Vec::new();
-    write_json(one(), &provenance(), &mut json).unwrap();
-    let value: serde_json::Value = serde_json::from_slice(&json).unwrap();
+    let value = results(one());
     let listed = value["surfaces"][0]["coarser"].as_array().unwrap();
     // 96 x 96 points: an eighth of them a side are too few.
     assert_eq!(listed.len(), 2);

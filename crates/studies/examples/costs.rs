@@ -16,10 +16,10 @@ const SIDE: usize = 1001;
 
 /// What representative calls of every crate allocate, as a Markdown table
 #[derive(Parser)]
-struct Options {}
+struct CostsArguments {}
 
 fn main() {
-    Options::parse();
+    CostsArguments::parse();
     println!("| crate | call | allocations | peak |");
     println!("|---|---|---|---|");
     for case in cases::all(SIDE) {

@@ -52,18 +52,22 @@ pub fn write_tradeoff_area(table: &TradeoffTable, out: &mut impl Write) -> io::R
         plot.mark(seconds, "statistics of a map, once", true);
     }
 
-    let of_kind = |kind| (0..shown.len()).filter(move |&i| shown[i].area == kind);
+    let of_kind = |kind| {
+        let is_it = |i: &usize| shown[*i].area == kind;
+        (0..shown.len()).filter(is_it).collect::<Vec<_>>()
+    };
     let mut places: Vec<[f64; 2]> =
         shown.iter().map(|w| plot.at([w.seconds, 100.0 * w.error[1]])).collect();
-    let wanted: Vec<f64> = of_kind(AreaOf::Model).map(|i| places[i][0]).collect();
-    for (i, x) in of_kind(AreaOf::Model).zip(plot.apart(&wanted)) {
+    let models = of_kind(AreaOf::Model);
+    let wanted: Vec<f64> = models.iter().map(|i| places[*i][0]).collect();
+    for (i, x) in models.into_iter().zip(plot.apart(&wanted)) {
         places[i][0] = x;
     }
     let costs: Vec<[f64; 2]> = shown.iter().map(|w| [w.seconds, w.error[1]]).collect();
     plot.front(&costs, &places, floor);
     let solver = [(AreaOf::Count, "pixel count", false), (AreaOf::Corrected, "corrected", true)];
     for (kind, ..) in solver {
-        let line: Vec<[f64; 2]> = of_kind(kind).map(|i| places[i]).collect();
+        let line: Vec<[f64; 2]> = of_kind(kind).into_iter().map(|i| places[i]).collect();
         plot.line(&line, style_of(kind, ""), Some(1.0));
     }
     for (way, place) in shown.iter().zip(&places) {
@@ -71,7 +75,7 @@ pub fn write_tradeoff_area(table: &TradeoffTable, out: &mut impl Write) -> io::R
         plot.point(*place, Some([low, high]), style_of(way.area, &way.row.method));
     }
     for (kind, name, bold) in solver {
-        if let Some(i) = of_kind(kind).last() {
+        if let Some(&i) = of_kind(kind).last() {
             let name = CostLabel { bold, ..label(name, style_of(kind, "")) };
             plot.label_beside(places[i], 0.0, name);
         }

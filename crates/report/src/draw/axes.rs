@@ -6,7 +6,7 @@ use crate::numbers::{fixed, power_of_ten};
 
 /// Spacing of an axis.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub(crate) enum Spacing {
+pub(crate) enum AxisScale {
     /// Equal differences are equally far apart.
     Linear,
     /// Equal ratios are equally far apart.
@@ -17,7 +17,7 @@ pub(crate) enum Spacing {
 #[derive(Debug, Clone, Copy)]
 pub(crate) struct PlotAxis {
     /// Spacing.
-    pub(crate) spacing: Spacing,
+    pub(crate) spacing: AxisScale,
     /// Data limits.
     pub(crate) data: [f64; 2],
     /// Where they lie in the figure.
@@ -27,18 +27,18 @@ pub(crate) struct PlotAxis {
 impl PlotAxis {
     /// A logarithmic axis; both limits above 0.
     pub(crate) fn log(data: [f64; 2], units: [f64; 2]) -> Self {
-        Self { spacing: Spacing::Log, data, units }
+        Self { spacing: AxisScale::Log, data, units }
     }
 
     /// A linear axis.
     pub(crate) fn linear(data: [f64; 2], units: [f64; 2]) -> Self {
-        Self { spacing: Spacing::Linear, data, units }
+        Self { spacing: AxisScale::Linear, data, units }
     }
 
     fn warp(&self, value: f64) -> f64 {
         match self.spacing {
-            Spacing::Linear => value,
-            Spacing::Log => value.max(f64::MIN_POSITIVE).log10(),
+            AxisScale::Linear => value,
+            AxisScale::Log => value.max(f64::MIN_POSITIVE).log10(),
         }
     }
 
@@ -60,13 +60,13 @@ impl PlotAxis {
     pub(crate) fn major(&self) -> Vec<f64> {
         let (lo, hi) = (self.data[0].min(self.data[1]), self.data[0].max(self.data[1]));
         let candidates: Vec<f64> = match self.spacing {
-            Spacing::Linear => {
+            AxisScale::Linear => {
                 let step = round_step((hi - lo) / 5.0);
                 let first = (lo / step - 1e-9).ceil() as i64;
                 let last = (hi / step + 1e-9).floor() as i64;
                 (first..=last).map(|k| k as f64 * step).collect()
             }
-            Spacing::Log => {
+            AxisScale::Log => {
                 let (first, last) = (lo.log10().floor() as i32, hi.log10().ceil() as i32);
                 let decades = hi.log10() - lo.log10();
                 let every = ((decades / 6.0).ceil() as i32).max(1);
@@ -96,7 +96,7 @@ impl PlotAxis {
                     let sets = || finer.into_iter().map(ticks).filter(|t| t.len() >= 3);
                     sets().find(|t| reaches(t)).or_else(|| sets().next()).unwrap_or_else(|| {
                         // Less than a tenth: as on a linear axis.
-                        Self { spacing: Spacing::Linear, ..*self }.major()
+                        Self { spacing: AxisScale::Linear, ..*self }.major()
                     })
                 }
             }
@@ -116,7 +116,7 @@ impl PlotAxis {
 
     /// Unlabelled ticks of a logarithmic axis, 2 to 9 of every decade.
     pub(crate) fn minor(&self) -> Vec<f64> {
-        if self.spacing == Spacing::Linear {
+        if self.spacing == AxisScale::Linear {
             return Vec::new();
         }
         let (lo, hi) = (self.data[0].min(self.data[1]), self.data[0].max(self.data[1]));
@@ -128,7 +128,7 @@ impl PlotAxis {
 
     /// How a tick is written: 0.01, 1, 100; a power only beyond 10³ or below 10⁻³.
     pub(crate) fn tick_text(&self, value: f64) -> String {
-        if self.spacing == Spacing::Log {
+        if self.spacing == AxisScale::Log {
             let e = value.log10().round() as i32;
             let is_decade = (value / 10f64.powi(e) - 1.0).abs() < 1e-9;
             if !(-3..=3).contains(&e) && is_decade {
@@ -174,7 +174,7 @@ pub(crate) fn round_step(about: f64) -> f64 {
 
 /// A plot box with its two axes.
 #[derive(Debug, Clone)]
-pub(crate) struct Frame {
+pub(crate) struct PlotFrame {
     /// Horizontal axis.
     pub(crate) x: PlotAxis,
     /// Vertical axis; `units` run from bottom to top.
@@ -185,7 +185,7 @@ pub(crate) struct Frame {
     pub(crate) y_title: String,
 }
 
-impl Frame {
+impl PlotFrame {
     /// Position of a point.
     pub(crate) fn at(&self, [x, y]: [f64; 2]) -> [f64; 2] {
         [self.x.at(x), self.y.at(y)]

@@ -171,6 +171,17 @@ impl Canvas {
         self.body.push_str(element);
     }
 
+    /// The finished figure: `title` says what it shows, `description` what it finds, with numbers.
+    pub(crate) fn figure(
+        self,
+        key: &str,
+        title: impl Into<String>,
+        description: String,
+        size: [f64; 2],
+    ) -> Figure {
+        Figure { key: key.into(), title: title.into(), description, size, canvas: self }
+    }
+
     /// What belongs to one series of the study, by its name, so that a page can follow it through all its
     /// figures; marks of none if the name is empty.
     pub(crate) fn series<T>(&mut self, name: &str, draw: impl FnOnce(&mut Self) -> T) -> T {

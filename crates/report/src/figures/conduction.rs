@@ -1,6 +1,6 @@
 //! What the contact conducts: over the load, and without the shortest waves.
 
-use crate::draw::axes::{Frame, PlotAxis};
+use crate::draw::axes::{PlotAxis, PlotFrame};
 use crate::draw::labels::{EndLabel, ROOM, draw_end_labels};
 use crate::draw::palette::{DETERMINISTIC_STYLE, INK2, Marker, PERSSON, Style};
 use crate::draw::svg::{COLUMN, Canvas, Figure, Stroke};
@@ -42,7 +42,7 @@ pub(crate) fn over_load(
     let last = (0..pressures.len()).rfind(is_drawn).unwrap_or(pressures.len() - 1);
     let (first, last) = (pressures[0], pressures[last]);
     let ends = if last > first { [first, last] } else { [first / 3.0, last * 3.0] };
-    let frame = Frame {
+    let frame = PlotFrame {
         x: PlotAxis::log(ends.map(|p| p / unit.scale), [LEFT, RIGHT]),
         y: PlotAxis::log(log_limits(&reference, &others, f64::INFINITY), [BOTTOM, TOP]),
         x_title,
@@ -67,13 +67,8 @@ pub(crate) fn over_load(
     labels.extend(end.map(EndLabel::deterministic));
     draw_end_labels(&mut canvas, RIGHT, [TOP + 2.0, BOTTOM - 2.0], &labels);
     let range = crate::lines::range_words(&reference, &format!(" {unit_name}"));
-    Figure {
-        key: key.into(),
-        title: format!("{title} over the load"),
-        description: format!("Log-log plot. Deterministic: {range}."),
-        size: [COLUMN, HEIGHT],
-        canvas,
-    }
+    let description = format!("Log-log plot. Deterministic: {range}.");
+    canvas.figure(key, format!("{title} over the load"), description, [COLUMN, HEIGHT])
 }
 
 /// Area and conductance over those of the whole map, by the shortest wave left.
@@ -85,7 +80,7 @@ pub(crate) fn octaves(octaves: &[Octave], key: &str) -> Figure {
     let conductance: Vec<f64> = octaves.iter().map(|o| o.stiffness / first.stiffness).collect();
     let all = || area.iter().chain(&conductance).copied();
     let (lo, hi) = (all().fold(1.0, f64::min), all().fold(1.0, f64::max));
-    let frame = Frame {
+    let frame = PlotFrame {
         x: PlotAxis::log([shortest / 1.1 / unit.scale, longest * 1.1 / unit.scale], [LEFT, RIGHT]),
         y: PlotAxis::log([(lo / 1.1).min(0.8), (hi * 1.1).max(1.25)], [BOTTOM, TOP]),
         x_title: format!("Shortest wave of the map ({})", unit.name),
@@ -107,25 +102,25 @@ pub(crate) fn octaves(octaves: &[Octave], key: &str) -> Figure {
     }
     draw_end_labels(&mut canvas, RIGHT, [TOP + 2.0, BOTTOM - 2.0], &labels);
     let last = octaves.len() - 1;
-    Figure {
-        key: key.into(),
-        title: "Area and conductance without the shortest waves".into(),
-        description: format!(
-            "From the whole map to waves of at least {} {}: area times {}, conductance times {}.",
-            significant(longest / unit.scale, 2),
-            unit.name,
-            times(area[last]),
-            significant(conductance[last], 3)
-        ),
-        size: [COLUMN, HEIGHT],
-        canvas,
-    }
+    let description = format!(
+        "From the whole map to waves of at least {} {}: area times {}, conductance times {}.",
+        significant(longest / unit.scale, 2),
+        unit.name,
+        times(area[last]),
+        significant(conductance[last], 3)
+    );
+    canvas.figure(
+        key,
+        "Area and conductance without the shortest waves",
+        description,
+        [COLUMN, HEIGHT],
+    )
 }
 
 /// A line with a marker at every value; answers with the height of its end.
 fn draw(
     canvas: &mut Canvas,
-    frame: &Frame,
+    frame: &PlotFrame,
     (x, scale): (&[f64], f64),
     values: &[Option<f64>],
     look: Style,

@@ -93,16 +93,16 @@ pub(crate) fn figure(
             format!("{} {error} in {time}{}", r.label, typed.unwrap_or_default())
         })
         .collect();
-    Figure {
-        key: key.into(),
-        title: format!("Error against {}", time.to_lowercase()),
-        description: format!(
-            "Log-log plot of the size of the error in {of} at {at} against computing time: {}.",
-            listed.join("; ")
-        ),
-        size: [COLUMN, 262.0],
-        canvas,
-    }
+    let description = format!(
+        "Log-log plot of the size of the error in {of} at {at} against computing time: {}.",
+        listed.join("; ")
+    );
+    canvas.figure(
+        key,
+        format!("Error against {}", time.to_lowercase()),
+        description,
+        [COLUMN, 262.0],
+    )
 }
 
 impl CostRoute {

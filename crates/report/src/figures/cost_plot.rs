@@ -1,16 +1,16 @@
 //! Errors against times on logarithmic axes: points, lines, and labels that keep clear of them.
 
-use crate::draw::axes::{Frame, PlotAxis};
+use crate::draw::axes::{PlotAxis, PlotFrame};
 use crate::draw::labels::{place_near, push_apart};
 use crate::draw::palette::{BAND, INK2, LINE, Style};
-use crate::draw::svg::{Anchor, COLUMN, Canvas, Figure, Rect, Stroke, Text, text_width};
+use crate::draw::svg::{Anchor, COLUMN, Canvas, Rect, Stroke, Text, text_width};
 use crate::numbers::{percent, time_tick};
 use std::io::{self, Write};
 
 /// A figure of errors against times. Places are in units of the figure.
 #[derive(Debug)]
 pub struct CostPlot {
-    pub(super) frame: Frame,
+    pub(super) frame: PlotFrame,
     pub(super) canvas: Canvas,
     /// What labels keep clear of.
     pub(super) taken: Vec<Rect>,
@@ -55,7 +55,7 @@ impl CostPlot {
         [x_title, y_title]: [&str; 2],
         floor: Option<(f64, &str)>,
     ) -> Self {
-        let frame = Frame {
+        let frame = PlotFrame {
             x: PlotAxis::log(seconds, [left, right]),
             y: PlotAxis::log(errors, [bottom, top]),
             x_title: x_title.into(),
@@ -209,8 +209,7 @@ impl CostPlot {
         description: String,
         out: &mut impl Write,
     ) -> io::Result<()> {
-        let (key, title, size) = (key.into(), title.into(), [COLUMN, 288.0]);
-        Figure { key, title, description, size, canvas: self.canvas }.write_standalone(out)
+        self.canvas.figure(key, title, description, [COLUMN, 288.0]).write_standalone(out)
     }
 }
 

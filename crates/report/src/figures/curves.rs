@@ -1,10 +1,10 @@
 //! The figures over the load: real area, real pressure, error of each closed form.
 
-use crate::draw::axes::{Frame, PlotAxis, Spacing};
+use crate::draw::axes::{AxisScale, PlotAxis, PlotFrame};
 use crate::draw::labels::{EndLabel, ROOM, draw_end_labels};
 use crate::draw::palette::{BAND, DETERMINISTIC, DETERMINISTIC_STYLE, INK2};
 use crate::draw::svg::{COLUMN, Canvas, Figure, Stroke, Text, num};
-use crate::lines::{Lines, ModelLine, compared, min_max, range_words};
+use crate::lines::{LoadLines, ModelLine, compared, min_max, range_words};
 use crate::messages::load;
 use crate::numbers::{PASCALS, Unit, counted, signed_range, unit_for};
 
@@ -28,7 +28,7 @@ pub(crate) enum Use {
 }
 
 /// Fig. 1 of the source paper: real contact area over nominal pressure, both logarithmic.
-pub(crate) fn area(lines: &Lines, key: &str, usage: Use) -> Figure {
+pub(crate) fn area(lines: &LoadLines, key: &str, usage: Use) -> Figure {
     let percent = |a: f64| 100.0 * a;
     let reference: Vec<_> = lines.area.iter().map(|a| a.map(percent)).collect();
     let band: Vec<_> = lines.interval.iter().map(|i| i.map(|i| i.map(percent))).collect();
@@ -49,7 +49,7 @@ pub(crate) fn area(lines: &Lines, key: &str, usage: Use) -> Figure {
 }
 
 /// Fig. 2 of the source paper: mean real pressure over nominal pressure, both logarithmic.
-pub(crate) fn pressure(lines: &Lines, key: &str, usage: Use) -> Figure {
+pub(crate) fn pressure(lines: &LoadLines, key: &str, usage: Use) -> Figure {
     let real = |p: f64, a: f64| (a > 0.0).then(|| p / a);
     let over = |areas: &[Option<f64>]| -> Vec<Option<f64>> {
         lines.pressures.iter().zip(areas).map(|(&p, a)| real(p, (*a)?)).collect()
@@ -83,7 +83,7 @@ pub(crate) fn pressure(lines: &Lines, key: &str, usage: Use) -> Figure {
 /// A plot over the loads of one quantity of the reference and of every model; of errors, on a linear axis, the
 /// reference is the line at 0.
 struct Plot<'a> {
-    lines: &'a Lines,
+    lines: &'a LoadLines,
     /// Empty of errors.
     reference: Vec<Option<f64>>,
     band: Vec<Option<[f64; 2]>>,
@@ -102,13 +102,13 @@ struct Plot<'a> {
 impl Plot<'_> {
     fn draw(self, key: &str, usage: Use) -> Figure {
         let lines = self.lines;
-        let is_error = self.y.spacing == Spacing::Linear;
+        let is_error = self.y.spacing == AxisScale::Linear;
         let (unit, x_title) = lines.load_axis();
         let [lo, hi] = self.y.data;
         let notes = NOTE * self.notes.len() as f64;
         let top = TOP + if is_error || self.notes.is_empty() { notes } else { notes - 2.0 };
         let bottom = HEIGHT - BOTTOM_MARGIN;
-        let frame = Frame {
+        let frame = PlotFrame {
             x: x_axis(lines, unit),
             y: PlotAxis { units: [bottom, top], ..self.y },
             x_title,
@@ -163,13 +163,7 @@ impl Plot<'_> {
             });
         }
         draw_end_labels(&mut canvas, RIGHT, [top + 2.0, bottom - 2.0], &ends);
-        Figure {
-            key: key.into(),
-            title: self.title.into(),
-            description: self.description,
-            size: [COLUMN, HEIGHT],
-            canvas,
-        }
+        canvas.figure(key, self.title, self.description, [COLUMN, HEIGHT])
     }
 }
 
@@ -187,7 +181,7 @@ fn log_axis(
 
 /// "▲ MB off scale from 400 MPa" of each model that leaves the axis.
 fn load_notes<'a>(
-    lines: &'a Lines,
+    lines: &'a LoadLines,
     models: &[Vec<Option<f64>>],
     [lo, hi]: [f64; 2],
 ) -> Vec<(&'a ModelLine, String)> {
@@ -244,7 +238,7 @@ pub(crate) fn log_limits(
 const MOST_ERROR: f64 = 150.0;
 
 /// Fig. 3: signed error of the area of each closed form against the deterministic solution.
-pub(crate) fn error(lines: &Lines, key: &str) -> Figure {
+pub(crate) fn error(lines: &LoadLines, key: &str) -> Figure {
     let errors: Vec<Vec<Option<f64>>> = lines
         .models
         .iter()
@@ -305,7 +299,7 @@ pub(crate) fn error(lines: &Lines, key: &str) -> Figure {
 
 /// The dotted line at the load read off; the report's script moves it, and lists beside it what `cells` of
 /// the slider's data begin with the letter of the figure.
-fn cursor(canvas: &mut Canvas, lines: &Lines, frame: &Frame, cells: char) {
+fn cursor(canvas: &mut Canvas, lines: &LoadLines, frame: &PlotFrame, cells: char) {
     let (unit, _) = lines.load_axis();
     let places: Vec<String> =
         lines.pressures.iter().map(|p| num(frame.x.at(p / unit.scale))).collect();
@@ -324,7 +318,7 @@ fn cursor(canvas: &mut Canvas, lines: &Lines, frame: &Frame, cells: char) {
 /// Draws a band between low and high values, in pieces where values are missing.
 fn draw_band(
     canvas: &mut Canvas,
-    frame: &Frame,
+    frame: &PlotFrame,
     x: &impl Fn(usize) -> f64,
     band: &[Option<[f64; 2]>],
     opacity: f64,
@@ -341,7 +335,7 @@ fn draw_band(
 /// Draws a model's line and markers; answers with its value at the last load it has.
 fn draw_model(
     canvas: &mut Canvas,
-    frame: &Frame,
+    frame: &PlotFrame,
     x: &impl Fn(usize) -> f64,
     values: &[Option<f64>],
     model: &ModelLine,
@@ -366,7 +360,7 @@ fn draw_model(
 /// Draws the deterministic line with a dot at every load; answers with its last value.
 fn draw_reference(
     canvas: &mut Canvas,
-    frame: &Frame,
+    frame: &PlotFrame,
     x: &impl Fn(usize) -> f64,
     values: &[Option<f64>],
 ) -> Option<f64> {
@@ -401,7 +395,7 @@ fn middle(values: &[Option<f64>]) -> Option<f64> {
 }
 
 /// The horizontal axis: from the lightest load to the heaviest.
-fn x_axis(lines: &Lines, unit: Unit) -> PlotAxis {
+fn x_axis(lines: &LoadLines, unit: Unit) -> PlotAxis {
     let (first, last) = (lines.pressures[0], lines.pressures[lines.pressures.len() - 1]);
     let data = if last > first { [first, last] } else { [first / 3.0, last * 3.0] };
     PlotAxis::log(data.map(|p| p / unit.scale), [LEFT, RIGHT])

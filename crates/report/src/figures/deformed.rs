@@ -1,6 +1,6 @@
 //! A section through a map: the surface as it is, and pressed against the flat.
 
-use crate::draw::axes::{Frame, PlotAxis};
+use crate::draw::axes::{PlotAxis, PlotFrame};
 use crate::draw::palette::{
     BAND, DETERMINISTIC, GRID, INK, INK2, LINE, OkLab, PRESSURE_RAMP, ramp_table,
 };
@@ -12,17 +12,17 @@ const SIZE: [f64; 2] = [704.0, 200.0];
 const FRAME: [f64; 4] = [44.0, 8.0, 692.0, 164.0];
 
 /// What lies along one row, heights (m) from the mean plane of the surface.
-pub(crate) struct Cut {
+pub(crate) struct SectionCut {
     /// Length (m).
     pub(crate) length: f64,
     /// Heights of the undeformed surface (m), at the middles of equal parts of the length.
     pub(crate) heights: Vec<f64>,
     /// The same at each load.
-    pub(crate) loads: Vec<Pressed>,
+    pub(crate) loads: Vec<PressedRow>,
 }
 
 /// One load.
-pub(crate) struct Pressed {
+pub(crate) struct PressedRow {
     /// Height of the flat (m): the mean gap.
     pub(crate) flat: f64,
     /// Gap of each part (m), at least 0: 0 where it touches.
@@ -31,7 +31,7 @@ pub(crate) struct Pressed {
     pub(crate) pressure: Vec<f64>,
 }
 
-impl Cut {
+impl SectionCut {
     /// Lowest and highest of all heights and flats (m).
     fn range(&self) -> [f64; 2] {
         let all = self.heights.iter().copied().chain(self.loads.iter().map(|l| l.flat));
@@ -53,11 +53,11 @@ impl Cut {
         [self.length, high.abs().max(low.abs())].map(|metres| unit_for(metres, METRES))
     }
 
-    fn frame(&self) -> Frame {
+    fn frame(&self) -> PlotFrame {
         let ([low, high], [x_unit, y_unit]) = (self.range(), self.units());
         let room = 0.05 * (high - low).max(1e-3 * y_unit.scale);
         let y = [low - room, high + room].map(|z| z / y_unit.scale);
-        Frame {
+        PlotFrame {
             x: PlotAxis::linear([0.0, self.length / x_unit.scale], [FRAME[0], FRAME[2]]),
             y: PlotAxis::linear(y, [FRAME[3], FRAME[1]]),
             x_title: format!("Along the dashed line of the map ({})", x_unit.name),
@@ -79,7 +79,7 @@ impl Cut {
 }
 
 /// The section at the load of index `load`. What the script moves stands in groups that have a class.
-pub(crate) fn section(cut: &Cut, load: usize, description: String, key: &str) -> Figure {
+pub(crate) fn section(cut: &SectionCut, load: usize, description: String, key: &str) -> Figure {
     let (frame, [_, y_unit]) = (cut.frame(), cut.units());
     let pressed = &cut.loads[load];
     let n = cut.heights.len();
@@ -126,12 +126,11 @@ pub(crate) fn section(cut: &Cut, load: usize, description: String, key: &str) ->
     });
     let at = [left + 5.0, bottom - 5.0];
     canvas.text(&Text { halo: true, ..Text::new(at, "rough body") });
-    let title = "Section through the contact".into();
-    Figure { key: key.into(), title, description, size: SIZE, canvas }
+    canvas.figure(key, "Section through the contact", description, SIZE)
 }
 
 /// Grid, ticks and numbers of the horizontal axis, which the script draws anew for a part of the length.
-fn across(canvas: &mut Canvas, frame: &Frame) {
+fn across(canvas: &mut Canvas, frame: &PlotFrame) {
     let [_, top, _, bottom] = FRAME;
     let ticks = frame.x.major();
     let lines = |to: f64, from: f64| -> Vec<[f64; 4]> {

@@ -1,6 +1,6 @@
 //! How pressure, gap and contact spots are distributed, at one load or at every load on the same axes.
 
-use crate::draw::axes::{Frame, PlotAxis};
+use crate::draw::axes::{PlotAxis, PlotFrame};
 use crate::draw::palette::{DETERMINISTIC, INK2, PERSSON};
 use crate::draw::svg::{Anchor, COLUMN, Canvas, Figure, Stroke, Text};
 use crate::numbers::{AREAS, METRES, SPACE, Unit, percent, quantity, significant, unit_for};
@@ -65,8 +65,7 @@ impl DistributionFigure {
         (self.marks)(&mut canvas, &axes, found);
         (self.over)(&mut canvas, &axes);
         let description = (self.description)(found)?;
-        let (key, title, size) = (key.into(), self.title.into(), [COLUMN, HEIGHT]);
-        Some(Figure { key, title, description, size, canvas })
+        Some(canvas.figure(key, self.title, description, [COLUMN, HEIGHT]))
     }
 
     /// What the script draws at each load, on axes wide enough for all of them; at a load without a distribution `why`.
@@ -100,7 +99,7 @@ impl DistributionFigure {
 
 /// The plot box, and the unit of its horizontal axis.
 struct Axes {
-    frame: Frame,
+    frame: PlotFrame,
     unit: Unit,
 }
 
@@ -124,7 +123,7 @@ fn pressure_axes(all: &[&Distributions]) -> Option<Axes> {
     };
     let right = highest(all.iter().map(|d| right(&d.pressure)))?.max(2.5);
     let top = highest(all.iter().flat_map(|d| over_the_mean(&d.pressure).1))?.max(0.8);
-    let frame = Frame {
+    let frame = PlotFrame {
         x: PlotAxis::linear([0.0, right], [FRAME[0], FRAME[2]]),
         y: PlotAxis::linear([0.0, 1.1 * top], [FRAME[3], FRAME[1]]),
         x_title: "Pressure over its mean in contact".into(),
@@ -179,7 +178,7 @@ fn gap_axes(all: &[&Distributions]) -> Option<Axes> {
     let widest = highest(each().map(|g| g.gaps[g.gaps.len() - 1]))?;
     let least = each().map(|g| g.gaps[0]).reduce(f64::min)?;
     let unit = unit_for(highest(each().map(|g| g.mean))?, METRES);
-    let frame = Frame {
+    let frame = PlotFrame {
         x: PlotAxis::log([least / unit.scale, 1.1 * widest / unit.scale], [FRAME[0], FRAME[2]]),
         y: PlotAxis::linear([0.0, 105.0], [FRAME[3], FRAME[1]]),
         x_title: format!("Gap ({})", unit.name),
@@ -222,7 +221,7 @@ fn spot_axes(all: &[&Distributions]) -> Option<Axes> {
     let longest = all.iter().map(|d| &d.spots.areas).max_by_key(|areas| areas.len())?;
     let unit = unit_for(longest[longest.len() / 2], AREAS);
     let [low, high] = [longest[0], longest[longest.len() - 1]].map(|a| a / unit.scale);
-    let frame = Frame {
+    let frame = PlotFrame {
         x: PlotAxis::log([low / 1.1, high.max(2.0 * low) * 1.1], [FRAME[0], FRAME[2]]),
         y: PlotAxis::linear([0.0, 105.0], [FRAME[3], FRAME[1]]),
         x_title: format!("Spot area ({})", unit.name),

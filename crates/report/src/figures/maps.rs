@@ -27,13 +27,13 @@ pub(crate) enum Reduce {
 }
 
 /// A rectangular part `[y0, x0, ny, nx]` of a grid.
-pub(crate) type Window = [usize; 4];
+pub(crate) type MapPart = [usize; 4];
 
 /// A field cut to a window and reduced to at most `limit` pixels along its longer side.
 pub(crate) fn reduced(
     field: &[f64],
     grid: Grid,
-    [y0, x0, ny, nx]: Window,
+    [y0, x0, ny, nx]: MapPart,
     limit: usize,
     how: Reduce,
 ) -> (Vec<f64>, [usize; 2]) {
@@ -119,7 +119,7 @@ pub fn pressures(maps: &PressureMaps, load: usize) -> Option<Picture> {
 }
 
 /// The surface in faint grey, as [`contact`] shows it where nothing touches.
-pub(crate) fn relief(heights: &[f64], grid: Grid, window: Window, limit: usize) -> Grey {
+pub(crate) fn relief(heights: &[f64], grid: Grid, window: MapPart, limit: usize) -> Grey {
     let (small, [ny, nx]) = reduced(heights, grid, window, limit, Reduce::Mean);
     let shade = shading(&small, [ny, nx]);
     let grey = |s: &f64| OkLab(RELIEF.0 + RELIEF.1 * s, 0.0, 0.0).to_rgb()[0];
@@ -141,9 +141,9 @@ pub(super) fn map_size([height, width]: [f64; 2]) -> [f64; 2] {
 }
 
 /// What a contact map points out.
-pub(crate) struct Marks {
+pub(crate) struct MapMarks {
     /// The part that [`enlarged`] shows.
-    pub(crate) window: Option<Window>,
+    pub(crate) window: Option<MapPart>,
     /// The row along which there is a section.
     pub(crate) row: Option<usize>,
 }
@@ -156,7 +156,7 @@ pub(crate) fn contact(
     pressure: &[f64],
     heights: &[f64],
     grid: Grid,
-    marks: &Marks,
+    marks: &MapMarks,
     limit: usize,
     key: &str,
 ) -> Result<Figure, png::EncodingError> {
@@ -204,7 +204,7 @@ pub(crate) fn enlarged(
     pressure: &[f64],
     heights: &[f64],
     grid: Grid,
-    window: Window,
+    window: MapPart,
     row: Option<usize>,
     key: &str,
 ) -> Result<Figure, png::EncodingError> {
@@ -216,7 +216,7 @@ pub(crate) fn enlarged(
     let [dy, dx] = grid.pixel();
     let size = [shape[0] as f64 * dy, shape[1] as f64 * dx];
     let inside = |row: &usize| (window[0]..window[0] + window[2]).contains(row);
-    let marks = Marks { window: None, row: row.filter(inside).map(|row| row - window[0]) };
+    let marks = MapMarks { window: None, row: row.filter(inside).map(|row| row - window[0]) };
     let shown = Some((&marks, [window[2], window[3]]));
     let figure = map_figure(&address, size, key, None, shown, true);
     Ok(Figure {
@@ -236,7 +236,7 @@ pub(super) fn map_figure(
     size: [f64; 2],
     key: &str,
     legend: Option<&Legend<'_>>,
-    marks: Option<(&Marks, [usize; 2])>,
+    marks: Option<(&MapMarks, [usize; 2])>,
     squares: bool,
 ) -> Figure {
     let [width, height] = map_size(size);
@@ -281,13 +281,7 @@ pub(super) fn map_figure(
     if let Some(legend) = legend {
         colour_bar(&mut canvas, height + 9.0, legend, key);
     }
-    Figure {
-        key: key.into(),
-        title: String::new(),
-        description: String::new(),
-        size: [COLUMN, height + LEGEND],
-        canvas,
-    }
+    canvas.figure(key, String::new(), String::new(), [COLUMN, height + LEGEND])
 }
 
 /// A bar of round length, at most a third of the width, on a light ground.
@@ -348,7 +342,7 @@ fn colour_bar(canvas: &mut Canvas, top: f64, legend: &Legend<'_>, key: &str) {
 /// The square of about a sixth of the map (at least 32 points) that carries the most contact
 /// points without being full of them; `None` if nothing or everything touches, or the map is
 /// small enough to be seen whole.
-pub(crate) fn busiest_window(pressure: &[f64], [ny, nx]: [usize; 2]) -> Option<Window> {
+pub(crate) fn busiest_window(pressure: &[f64], [ny, nx]: [usize; 2]) -> Option<MapPart> {
     let side = (ny.min(nx) / 6).clamp(32, 128);
     if ny.min(nx) < 2 * side {
         return None;
@@ -370,7 +364,7 @@ pub(crate) fn busiest_window(pressure: &[f64], [ny, nx]: [usize; 2]) -> Option<W
     };
     let half = (side * side / 2) as u32;
     let step = (side / 4).max(1);
-    let mut best: Option<(u32, Window)> = None;
+    let mut best: Option<(u32, MapPart)> = None;
     for y in (0..=ny - side).step_by(step) {
         for x in (0..=nx - side).step_by(step) {
             let found = count(y, x);

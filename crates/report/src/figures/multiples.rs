@@ -1,11 +1,11 @@
 //! Small multiples: one panel per surface, axes shared, loads made comparable by p / (E* g).
 
-use crate::draw::axes::{Frame, PlotAxis};
+use crate::draw::axes::{PlotAxis, PlotFrame};
 use crate::draw::labels::{EndLabel, draw_end_labels};
 use crate::draw::palette::{BAND, DETERMINISTIC, DETERMINISTIC_STYLE, INK};
 use crate::draw::svg::{Anchor, Canvas, Figure, Stroke, Text};
 use crate::figures::curves::log_limits;
-use crate::lines::{Lines, ModelLine};
+use crate::lines::{LoadLines, ModelLine};
 use crate::numbers::signed_range;
 use contact_compare::SurfaceComparison;
 
@@ -19,7 +19,7 @@ const NOTE: f64 = 11.5;
 
 /// What the panels show.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub(crate) enum Quantity {
+pub(crate) enum PanelQuantity {
     /// Real area in per cent of nominal.
     Area,
     /// Signed error of the area in per cent.
@@ -36,18 +36,18 @@ struct Panel<'a> {
 }
 
 impl<'a> Panel<'a> {
-    fn new(surface: &'a SurfaceComparison, lines: &'a Lines, quantity: Quantity) -> Self {
+    fn new(surface: &'a SurfaceComparison, lines: &'a LoadLines, quantity: PanelQuantity) -> Self {
         let scale = surface.inputs.modulus.pascals() * surface.inputs.rms_gradient();
         let scale = if scale > 0.0 { scale } else { surface.inputs.modulus.pascals() };
         let percent =
             |values: &[Option<f64>]| values.iter().map(|v| v.map(|v| 100.0 * v)).collect();
         let of_model = |m: &ModelLine| match quantity {
-            Quantity::Error => percent(&lines.errors(m)),
-            Quantity::Area => percent(&m.area),
+            PanelQuantity::Error => percent(&lines.errors(m)),
+            PanelQuantity::Area => percent(&m.area),
         };
         let reference = match quantity {
-            Quantity::Error => lines.area.iter().map(|a| a.map(|_| 0.0)).collect(),
-            Quantity::Area => percent(&lines.area),
+            PanelQuantity::Error => lines.area.iter().map(|a| a.map(|_| 0.0)).collect(),
+            PanelQuantity::Area => percent(&lines.area),
         };
         Self {
             name: lines.named(surface),
@@ -58,7 +58,7 @@ impl<'a> Panel<'a> {
     }
 
     /// Models that leave the axis, with what to say about them.
-    fn outside(&self, [lo, hi]: [f64; 2], quantity: Quantity) -> Vec<(&ModelLine, String)> {
+    fn outside(&self, [lo, hi]: [f64; 2], quantity: PanelQuantity) -> Vec<(&ModelLine, String)> {
         let off = |v: f64| v < lo || v > hi * (1.0 + 1e-9) && hi > 0.0;
         self.models
             .iter()
@@ -66,7 +66,7 @@ impl<'a> Panel<'a> {
                 let present: Vec<f64> = values.iter().flatten().copied().collect();
                 let first = *present.iter().find(|v| off(**v))?;
                 let sign = if first > hi { '▲' } else { '▼' };
-                let text = if quantity == Quantity::Error {
+                let text = if quantity == PanelQuantity::Error {
                     let low = present.iter().copied().fold(f64::INFINITY, f64::min);
                     let high = present.iter().copied().fold(f64::NEG_INFINITY, f64::max);
                     format!("{sign} {} {}", model.label, signed_range(low / 100.0, high / 100.0))
@@ -87,20 +87,22 @@ impl<'a> Panel<'a> {
 /// The panels of one quantity for every surface.
 pub(crate) fn figure(
     surfaces: &[SurfaceComparison],
-    quantity: Quantity,
+    quantity: PanelQuantity,
     title: &str,
     description: String,
     key: &str,
 ) -> Figure {
-    let lines: Vec<(&SurfaceComparison, Lines)> =
-        surfaces.iter().flat_map(|s| Lines::panels(s).into_iter().map(move |l| (s, l))).collect();
+    let lines: Vec<(&SurfaceComparison, LoadLines)> = surfaces
+        .iter()
+        .flat_map(|s| LoadLines::panels(s).into_iter().map(move |l| (s, l)))
+        .collect();
     let panels: Vec<Panel<'_>> = lines.iter().map(|(s, l)| Panel::new(s, l, quantity)).collect();
     let loads = || panels.iter().flat_map(|p| p.load.iter().copied());
     let (mut x_lo, mut x_hi) = (loads().fold(f64::INFINITY, f64::min), loads().fold(0.0, f64::max));
     if x_hi <= x_lo {
         (x_lo, x_hi) = (x_hi / 3.0, x_hi * 3.0);
     }
-    let limits = if quantity == Quantity::Error {
+    let limits = if quantity == PanelQuantity::Error {
         error_limits(&panels)
     } else {
         shared_log_limits(&panels)
@@ -114,9 +116,9 @@ pub(crate) fn figure(
         let left = LEFT + (i % PER_ROW) as f64 * (PANEL[0] + GAP);
         let top = (i / PER_ROW) as f64 * row_height + head;
         let y_units = [top + PANEL[1], top];
-        let frame = Frame {
+        let frame = PlotFrame {
             x: PlotAxis::log([x_lo, x_hi], [left, left + PANEL[0]]),
-            y: if quantity == Quantity::Error {
+            y: if quantity == PanelQuantity::Error {
                 PlotAxis::linear(limits, y_units)
             } else {
                 PlotAxis::log(limits, y_units)
@@ -153,13 +155,13 @@ pub(crate) fn figure(
             "Nominal pressure / (E* · rms gradient)",
         )
     });
-    Figure { key: key.into(), title: title.into(), description, size: [WIDTH, height], canvas }
+    canvas.figure(key, title, description, [WIDTH, height])
 }
 
-fn axis_title(quantity: Quantity) -> &'static str {
+fn axis_title(quantity: PanelQuantity) -> &'static str {
     match quantity {
-        Quantity::Area => "Real area (% of nominal)",
-        Quantity::Error => "Error in area (%)",
+        PanelQuantity::Area => "Real area (% of nominal)",
+        PanelQuantity::Error => "Error in area (%)",
     }
 }
 
@@ -193,17 +195,17 @@ fn shared_log_limits(panels: &[Panel<'_>]) -> [f64; 2] {
 fn draw_panel(
     canvas: &mut Canvas,
     panel: &Panel<'_>,
-    frame: &Frame,
-    quantity: Quantity,
+    frame: &PlotFrame,
+    quantity: PanelQuantity,
     clip: &str,
     numbered: bool,
 ) -> Vec<EndLabel> {
     let ([left, right], [bottom, top]) = (frame.x.units, frame.y.units);
-    if quantity == Quantity::Error {
+    if quantity == PanelQuantity::Error {
         canvas.rect([left, frame.y.at(10.0), right, frame.y.at(-10.0)], BAND, 1.0);
     }
     let y_text = |v: f64| {
-        let sign = if quantity == Quantity::Error && v > 0.0 { "+" } else { "" };
+        let sign = if quantity == PanelQuantity::Error && v > 0.0 { "+" } else { "" };
         if numbered { format!("{sign}{}", frame.y.tick_text(v)) } else { String::new() }
     };
     frame.draw_with(canvas, &frame.x.ticks(), &frame.y.ticks_as(y_text));
@@ -212,7 +214,7 @@ fn draw_panel(
             .iter()
             .zip(&panel.load)
             .filter_map(|(v, x)| {
-                Some(frame.at([*x, v.filter(|v| quantity == Quantity::Error || *v > 0.0)?]))
+                Some(frame.at([*x, v.filter(|v| quantity == PanelQuantity::Error || *v > 0.0)?]))
             })
             .collect()
     };
@@ -232,7 +234,7 @@ fn draw_panel(
             ends.extend(last.map(|last| EndLabel::of_model(frame.y.at(*last), model)));
         }
         canvas.polyline(&reference, Stroke::solid(DETERMINISTIC, 1.6));
-        if quantity != Quantity::Error {
+        if quantity != PanelQuantity::Error {
             for point in &reference {
                 canvas.marker(*point, 2.0, DETERMINISTIC_STYLE);
             }

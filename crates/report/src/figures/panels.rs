@@ -2,7 +2,7 @@
 
 use crate::draw::svg::{COLUMN, Canvas, Figure, Text};
 use crate::figures::curves::{self, Use};
-use crate::lines::Lines;
+use crate::lines::LoadLines;
 use contact_compare::Comparison;
 use std::io::{self, Write};
 
@@ -22,10 +22,10 @@ pub fn write_pressure_svg(comparison: &Comparison, out: &mut impl Write) -> io::
     panels(comparison, "pressure", curves::pressure).write_standalone(out)
 }
 
-fn panels(comparison: &Comparison, key: &str, draw: fn(&Lines, &str, Use) -> Figure) -> Figure {
+fn panels(comparison: &Comparison, key: &str, draw: fn(&LoadLines, &str, Use) -> Figure) -> Figure {
     const NAME: f64 = 18.0;
     let panels = comparison.surfaces.iter().flat_map(|surface| {
-        Lines::panels(surface).into_iter().map(|lines| (lines.named(surface), lines))
+        LoadLines::panels(surface).into_iter().map(|lines| (lines.named(surface), lines))
     });
     let figures: Vec<(String, Figure)> = panels
         .enumerate()
@@ -49,11 +49,10 @@ fn panels(comparison: &Comparison, key: &str, draw: fn(&Lines, &str, Use) -> Fig
     let rows = figures.len().div_ceil(columns).max(1);
     let described: Vec<String> =
         figures.iter().map(|(name, f)| format!("{name}: {}", f.description)).collect();
-    Figure {
-        key: key.into(),
-        title: figures.first().map_or(String::new(), |(_, f)| f.title.clone()),
-        description: described.join(" "),
-        size: [columns as f64 * COLUMN, rows as f64 * height],
-        canvas,
-    }
+    canvas.figure(
+        key,
+        figures.first().map_or(String::new(), |(_, f)| f.title.clone()),
+        described.join(" "),
+        [columns as f64 * COLUMN, rows as f64 * height],
+    )
 }

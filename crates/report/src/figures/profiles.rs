@@ -3,9 +3,8 @@
 use crate::draw::svg::Figure;
 use crate::figures::curves::{self, Use};
 use crate::figures::trace::trace;
-use crate::lines::{Lines, ModelLine};
+use crate::lines::{LoadLines, ModelLine};
 use crate::messages::profile::profile_headline;
-use crate::plot_styles::plot_style;
 use contact_compare::ProfileComparison;
 use std::io::{self, Write};
 
@@ -28,16 +27,13 @@ pub(crate) fn area(study: &ProfileComparison, key: &str) -> Figure {
     figure
 }
 
-fn lines(study: &ProfileComparison) -> Lines {
+fn lines(study: &ProfileComparison) -> LoadLines {
     let models = study.models.iter().enumerate().filter_map(|(place, m)| {
         let curve = m.outcome.as_ref().ok()?;
-        let area = curve.points.iter().map(|p| p.as_ref().ok().map(|s| s.area_fraction)).collect();
-        let (name, label) = (m.card.name.to_string(), m.card.label.to_string());
-        let look = plot_style(&name, place);
-        Some(ModelLine { name, label, look, area })
+        Some(ModelLine::of(&m.card, place, &curve.points))
     });
     let n = study.pressures.len();
-    Lines {
+    LoadLines {
         pressures: study.pressures.clone(),
         area: vec![None; n],
         interval: (0..n).map(|i| study.span(i).map(|(span, _)| span)).collect(),

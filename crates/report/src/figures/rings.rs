@@ -15,14 +15,14 @@ const LINES: [f64; 2] = [1.4, 1.0];
 
 /// A circle, in units of the figure.
 #[derive(Debug, Clone, Copy, PartialEq)]
-struct Ring {
+struct MapRing {
     /// `[x, y]`, down from the upper left corner of the map.
     centre: [f64; 2],
     radius: f64,
 }
 
 /// Rings that hold all `points` (indices into a grid of this `shape`) on a map of this `size` (units).
-fn rings(points: &[usize], [ny, nx]: [usize; 2], [width, height]: [f64; 2]) -> Vec<Ring> {
+fn rings(points: &[usize], [ny, nx]: [usize; 2], [width, height]: [f64; 2]) -> Vec<MapRing> {
     // The box of the points in each square.
     let mut boxes: BTreeMap<[usize; 2], [f64; 4]> = BTreeMap::new();
     for point in points {
@@ -36,7 +36,7 @@ fn rings(points: &[usize], [ny, nx]: [usize; 2], [width, height]: [f64; 2]) -> V
             })
             .or_insert([x, y, x, y]);
     }
-    let round = |[x0, y0, x1, y1]: [f64; 4]| Ring {
+    let round = |[x0, y0, x1, y1]: [f64; 4]| MapRing {
         centre: [0.5 * (x0 + x1), 0.5 * (y0 + y1)],
         radius: RADIUS + 0.5 * (x1 - x0).hypot(y1 - y0),
     };
@@ -62,7 +62,7 @@ pub fn ring_points(
     let size = map_size(grid.size());
     let circles: String = rings(points, grid.shape(), size)
         .iter()
-        .map(|Ring { centre: [x, y], radius }| {
+        .map(|MapRing { centre: [x, y], radius }| {
             format!("<circle cx=\"{}\" cy=\"{}\" r=\"{}\"/>", num(*x), num(*y), num(*radius))
         })
         .collect();
@@ -134,7 +134,7 @@ mod tests {
         for point in points {
             let [x, y] = [(point % 200) as f64 + 0.5, (point / 200) as f64 + 0.5].map(|s| 1.7 * s);
             let holds =
-                |r: &Ring| (x - r.centre[0]).hypot(y - r.centre[1]) < r.radius - 0.99 * RADIUS;
+                |r: &MapRing| (x - r.centre[0]).hypot(y - r.centre[1]) < r.radius - 0.99 * RADIUS;
             assert!(found.iter().any(holds), "{x} {y}");
         }
     }

@@ -1,7 +1,7 @@
 //! Figures over many maps: every curve at once, the errors of each model, distributions.
 
-use crate::digest::Spread;
-use crate::draw::axes::{Frame, PlotAxis};
+use crate::digest::Quantiles;
+use crate::draw::axes::{PlotAxis, PlotFrame};
 use crate::draw::palette::{BAND, DETERMINISTIC, INK, INK2, LINE, Style};
 use crate::draw::svg::{Anchor, COLUMN, Canvas, Figure, Stroke, Text};
 use crate::numbers::{SPACE, Unit, power_of_ten, signed_percent, significant, unit_for};
@@ -35,7 +35,7 @@ impl Curves {
             if 2 * areas.len() < self.each.len() {
                 return None;
             }
-            let spread = Spread::of(areas.into_iter())?;
+            let spread = Quantiles::of(areas.into_iter())?;
             Some([load, spread.quantile(0.1), spread.median(), spread.quantile(0.9)])
         };
         grid.into_iter().filter_map(band).collect()
@@ -73,7 +73,7 @@ pub(crate) fn curves(curves: &Curves, key: &str) -> Figure {
     );
     let [x_low, x_high] = [low, high].map(|x| x / scale);
     let [y_low, y_high] = limits(|p| p[1]).map(|a| 100.0 * a);
-    let frame = Frame {
+    let frame = PlotFrame {
         x: PlotAxis::log([x_low / 1.15, x_high * 1.15], [FRAME[0], FRAME[2]]),
         y: PlotAxis::log([y_low / 1.3, (y_high * 1.3).min(110.0)], [FRAME[3], FRAME[1]]),
         x_title,
@@ -106,13 +106,8 @@ pub(crate) fn curves(curves: &Curves, key: &str) -> Figure {
             significant(100.0 * high, 3)
         )
     });
-    Figure {
-        key: key.into(),
-        title: "Real contact area of every map over the load".into(),
-        description: format!("Log-log plot: {}.", said.collect::<Vec<_>>().join("; ")),
-        size: [COLUMN, 282.0],
-        canvas,
-    }
+    let description = format!("Log-log plot: {}.", said.collect::<Vec<_>>().join("; "));
+    canvas.figure(key, "Real contact area of every map over the load", description, [COLUMN, 282.0])
 }
 
 /// The errors of one model over the maps.
@@ -122,7 +117,7 @@ pub(crate) struct Strip {
     /// How it is drawn.
     pub look: Style,
     /// Signed relative errors.
-    pub errors: Spread,
+    pub errors: Quantiles,
 }
 
 /// A strip for each model: a line over the 10th–90th percentile, a bar over the interquartile range, a mark at the
@@ -138,7 +133,7 @@ pub(crate) fn strips(strips: &[Strip], key: &str) -> Figure {
     let (low, high) = (low.max(-1.0), high.min(2.0));
     let room = 0.06 * (high - low);
     let [x0, x1] = [100.0 * (low - room), 100.0 * (high + room)];
-    let frame = Frame {
+    let frame = PlotFrame {
         x: PlotAxis::linear([x0, x1], [LEFT, COLUMN - 10.0]),
         y: PlotAxis::linear([0.0, 1.0], [bottom, TOP]),
         x_title: "Error of the area at the headline (%)".into(),
@@ -177,25 +172,25 @@ pub(crate) fn strips(strips: &[Strip], key: &str) -> Figure {
             signed_percent(strip.errors.quantile(0.9))
         ));
     }
-    Figure {
-        key: key.into(),
-        title: "Error of each closed form over the maps".into(),
-        description: format!("{}.", said.join("; ")),
-        size: [COLUMN, bottom + 34.0],
-        canvas,
-    }
+    let description = format!("{}.", said.join("; "));
+    canvas.figure(
+        key,
+        "Error of each closed form over the maps",
+        description,
+        [COLUMN, bottom + 34.0],
+    )
 }
 
 /// One distribution.
-pub(crate) struct Histogram {
+pub(crate) struct QuantityHistogram {
     /// "Quantity (unit)".
     pub title: String,
     /// The numbers, in that unit.
-    pub values: Spread,
+    pub values: Quantiles,
 }
 
 /// Distributions side by side, three in a row.
-pub(crate) fn histograms(all: &[Histogram], key: &str) -> Figure {
+pub(crate) fn histograms(all: &[QuantityHistogram], key: &str) -> Figure {
     const PER_ROW: usize = 3;
     const PANEL: [f64; 2] = [196.0, 92.0];
     const PITCH: [f64; 2] = [234.0, 140.0];
@@ -216,17 +211,17 @@ pub(crate) fn histograms(all: &[Histogram], key: &str) -> Figure {
             q(0.9)
         ));
     }
-    Figure {
-        key: key.into(),
-        title: "Distributions over the maps".into(),
-        description: format!("{}.", said.join("; ")),
-        size: [LEFT + PITCH[0] * 3.0 - 24.0, PITCH[1] * rows as f64 + 4.0],
-        canvas,
-    }
+    let description = format!("{}.", said.join("; "));
+    canvas.figure(
+        key,
+        "Distributions over the maps",
+        description,
+        [LEFT + PITCH[0] * 3.0 - 24.0, PITCH[1] * rows as f64 + 4.0],
+    )
 }
 
 /// Classes of equal width, on a logarithmic axis if the numbers are wide.
-fn histogram(one: &Histogram, [left, top, right, bottom]: [f64; 4], canvas: &mut Canvas) {
+fn histogram(one: &QuantityHistogram, [left, top, right, bottom]: [f64; 4], canvas: &mut Canvas) {
     let values = &one.values.sorted;
     let wide = one.values.is_wide();
     let [mut low, mut high] = one.values.ends();
@@ -247,7 +242,7 @@ fn histogram(one: &Histogram, [left, top, right, bottom]: [f64; 4], canvas: &mut
         counts[((part * classes as f64) as usize).min(classes - 1)] += 1;
     }
     let most = counts.iter().copied().max().unwrap_or(1).max(1);
-    let frame = Frame {
+    let frame = PlotFrame {
         x,
         y: PlotAxis::linear([0.0, most as f64 * 1.08], [bottom, top]),
         x_title: one.title.clone(),

@@ -1,6 +1,6 @@
 //! Figures of the surface itself: distribution of heights, power spectrum.
 
-use crate::draw::axes::{Frame, PlotAxis};
+use crate::draw::axes::{PlotAxis, PlotFrame};
 use crate::draw::palette::{BAND, DETERMINISTIC, GW, INK, INK2, LINE};
 use crate::draw::svg::{Anchor, COLUMN, Canvas, Figure, Rect, Stroke, Text};
 use crate::numbers::{METRES, SPACE, chosen, quantity, significant, unit_for};
@@ -53,7 +53,7 @@ pub(crate) fn heights(histogram: &Histogram, at: &str, key: &str) -> Figure {
     let Histogram { start, step, all, touching } = histogram;
     let end = start + step * all.len() as f64;
     let (left, right) = (start.clamp(-8.0, -4.0), end.clamp(4.0, 8.0));
-    let frame = Frame {
+    let frame = PlotFrame {
         x: PlotAxis::linear([left - 0.2, right + 0.2], [FRAME[0], FRAME[2]]),
         y: PlotAxis::log(
             [FLOOR, 1.0_f64.max(1.2 * all.iter().copied().fold(0.0, f64::max))],
@@ -112,21 +112,16 @@ pub(crate) fn heights(histogram: &Histogram, at: &str, key: &str) -> Figure {
         });
     }
     let lowest = touching.iter().position(|v| *v > 0.0).map(|k| start + step * k as f64);
-    Figure {
-        key: key.into(),
-        title: "Height distribution".into(),
-        description: format!(
-            "Semi-log histogram of heights from {} to {} rms heights with the normal curve.{}",
-            significant(*start, 2),
-            significant(end, 2),
-            lowest.map_or(String::new(), |x| format!(
-                " Only heights above {} rms heights touch at {at}.",
-                significant(x, 2)
-            ))
-        ),
-        size: [COLUMN, HEIGHT],
-        canvas,
-    }
+    let description = format!(
+        "Semi-log histogram of heights from {} to {} rms heights with the normal curve.{}",
+        significant(*start, 2),
+        significant(end, 2),
+        lowest.map_or(String::new(), |x| format!(
+            " Only heights above {} rms heights touch at {at}.",
+            significant(x, 2)
+        ))
+    );
+    canvas.figure(key, "Height distribution", description, [COLUMN, HEIGHT])
 }
 
 /// A power spectrum, as drawn and as listed.
@@ -156,7 +151,7 @@ pub(crate) fn spectrum(spectrum: &Spectrum, key: &str) -> Option<Figure> {
         (4, "Radial power spectral density", format!("Radial PSD C ({}⁴)", unit.name))
     };
     let unit_of_psd = unit.scale.powi(power);
-    let frame = Frame {
+    let frame = PlotFrame {
         x: PlotAxis::log([first[0] / unit.scale, last[0] / unit.scale], [FRAME[0], FRAME[2]]),
         y: PlotAxis::log(
             [lowest / unit_of_psd / 2.0, highest / unit_of_psd * 4.0],
@@ -221,13 +216,7 @@ pub(crate) fn spectrum(spectrum: &Spectrum, key: &str) -> Option<Figure> {
         halo: true,
         ..Text::new([FRAME[2] - 2.0, FRAME[1] + 8.0], &format!("long{SPACE}→{SPACE}short"))
     });
-    Some(Figure {
-        key: key.into(),
-        title: name.into(),
-        description,
-        size: [COLUMN, HEIGHT],
-        canvas,
-    })
+    Some(canvas.figure(key, name, description, [COLUMN, HEIGHT]))
 }
 
 #[cfg(test)]

@@ -1,6 +1,6 @@
 //! A trace as measured: height over position.
 
-use crate::draw::axes::{Frame, PlotAxis};
+use crate::draw::axes::{PlotAxis, PlotFrame};
 use crate::draw::palette::{BAND, DETERMINISTIC, INK2};
 use crate::draw::svg::{Anchor, Canvas, Figure, Stroke, Text};
 use crate::numbers::{METRES, chosen, quantity, unit_for};
@@ -27,7 +27,7 @@ pub(crate) fn trace(
     let x_unit = unit_for(length, METRES);
     let y_unit = unit_for(high.abs().max(low.abs()), METRES);
     let room = 0.06 * (high - low);
-    let frame = Frame {
+    let frame = PlotFrame {
         x: PlotAxis::linear([0.0, length / x_unit.scale], [FRAME[0], FRAME[2]]),
         y: PlotAxis::linear(
             [(low - room) / y_unit.scale, (high + room) / y_unit.scale],
@@ -76,17 +76,12 @@ pub(crate) fn trace(
             .collect()
     };
     canvas.polyline(&points, Stroke::solid(DETERMINISTIC, 0.6));
-    Some(Figure {
-        key: key.into(),
-        title: "Height along the trace".into(),
-        description: format!(
-            "{} points over {}, heights from {} to {} about the form taken off.",
-            heights.len(),
-            chosen(length, METRES),
-            quantity(low, METRES, 3),
-            quantity(high, METRES, 3)
-        ),
-        size: SIZE,
-        canvas,
-    })
+    let description = format!(
+        "{} points over {}, heights from {} to {} about the form taken off.",
+        heights.len(),
+        chosen(length, METRES),
+        quantity(low, METRES, 3),
+        quantity(high, METRES, 3)
+    );
+    Some(canvas.figure(key, "Height along the trace", description, SIZE))
 }

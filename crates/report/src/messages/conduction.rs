@@ -9,7 +9,7 @@ use contact_types::Named;
 
 /// A kind of conductance: what it is called and its units.
 #[derive(Debug, Clone, Copy)]
-pub(crate) struct Kind {
+pub(crate) struct ConductanceKind {
     pub(crate) name: &'static str,
     /// Unit of the resistance.
     pub(crate) resistance: &'static str,
@@ -22,15 +22,15 @@ pub(crate) struct Kind {
 }
 
 /// Those that were asked for.
-pub(crate) fn kinds(found: &Conduction) -> Vec<Kind> {
-    let electrical = found.electrical.map(|factor| Kind {
+pub(crate) fn kinds(found: &Conduction) -> Vec<ConductanceKind> {
+    let electrical = found.electrical.map(|factor| ConductanceKind {
         name: "electrical",
         resistance: "Ω",
         of_area: "Ω m²",
         plain_unit: "S/m^2",
         factor,
     });
-    let thermal = found.thermal.map(|factor| Kind {
+    let thermal = found.thermal.map(|factor| ConductanceKind {
         name: "thermal",
         resistance: "K/W",
         of_area: "K m²/W",
@@ -144,7 +144,7 @@ pub fn joint_words(joint: &Joint, gaps: &[f64]) -> String {
 
 /// Conductance of a stiffness: nothing without contact, and no end of it in full contact between bodies that
 /// conduct; an insulator lets nothing through either way.
-pub(crate) fn conductance(kind: Kind, stiffness: f64) -> f64 {
+pub(crate) fn conductance(kind: ConductanceKind, stiffness: f64) -> f64 {
     if stiffness <= 0.0 || kind.factor <= 0.0 { 0.0 } else { stiffness * kind.factor }
 }
 

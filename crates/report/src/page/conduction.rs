@@ -5,14 +5,14 @@ use crate::figures::conduction::{self as figures, LoadLine};
 use crate::messages::conduction::{conductance, joint_words, kinds, scientific};
 use crate::messages::finding::capital;
 use crate::numbers::relative_interval;
-use crate::page::context::Page;
+use crate::page::context::ReportPage;
 use crate::page::phrases::key_table;
 use crate::plot_styles::plot_style;
 use crate::sources::CONDUCTANCE;
 use contact_compare::{SurfaceComparison, TheoryStiffness};
 
 /// Numbers at the headline, resistance over the load, and what the shortest waves do to it.
-pub(crate) fn section(page: &mut Page<'_>, surface: &SurfaceComparison, id: &str) -> String {
+pub(crate) fn section(page: &mut ReportPage<'_>, surface: &SurfaceComparison, id: &str) -> String {
     let Some(found) = &surface.conduction else { return String::new() };
     let h = page.heading();
     let barber = page.numbers.source(CONDUCTANCE);

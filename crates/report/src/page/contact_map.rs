@@ -3,7 +3,7 @@
 use crate::error::ReportError;
 use crate::figures::maps;
 use crate::numbers::significant;
-use crate::page::context::{Page, figure};
+use crate::page::context::{ReportPage, figure};
 use crate::page::deformed;
 use crate::page::moving::Moving;
 use crate::page::sections::reduced_words;
@@ -12,7 +12,7 @@ use grid_fft::parallel::join;
 
 /// The contact map and an enlargement.
 pub(crate) fn where_it_touches(
-    page: &mut Page<'_>,
+    page: &mut ReportPage<'_>,
     surface: &SurfaceComparison,
     id: &str,
 ) -> Result<String, ReportError> {
@@ -27,7 +27,7 @@ pub(crate) fn where_it_touches(
     let n = page.numbers.next_figure();
     let key = format!("{id}-f{n}");
     let row = deformed::cut(surface).and(surface.sections.as_ref()).map(|s| s.row);
-    let marks = maps::Marks { window, row };
+    let marks = maps::MapMarks { window, row };
     let moving = moving(page, surface);
     let (limit, surfaces) = (page.map_limit, page.comparison.surfaces.len());
     let (map, hidden) = join(
@@ -69,7 +69,10 @@ pub(crate) fn where_it_touches(
 }
 
 /// What moves with the slider, if the page bears it.
-pub(crate) fn moving<'a>(page: &Page<'_>, surface: &'a SurfaceComparison) -> Option<Moving<'a>> {
+pub(crate) fn moving<'a>(
+    page: &ReportPage<'_>,
+    surface: &'a SurfaceComparison,
+) -> Option<Moving<'a>> {
     Moving::of(surface).filter(|_| page.comparison.surfaces.len() <= MOST_MOVING)
 }
 

@@ -53,7 +53,7 @@ pub(crate) fn wide(figure: &str) -> String {
 }
 
 /// What the sections share while the page is written.
-pub(crate) struct Page<'a> {
+pub(crate) struct ReportPage<'a> {
     /// The study.
     pub comparison: &'a Comparison,
     /// Circumstances.
@@ -64,7 +64,7 @@ pub(crate) struct Page<'a> {
     pub map_limit: usize,
 }
 
-impl Page<'_> {
+impl ReportPage<'_> {
     /// Several surfaces: sections move one heading level down.
     pub(crate) fn several(&self) -> bool {
         self.comparison.surfaces.len() > 1

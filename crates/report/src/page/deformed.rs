@@ -1,10 +1,10 @@
 //! The section through the contact: its figure at the headline, and what the script needs for the other loads.
 
 use crate::draw::palette::{PRESSURE_RAMP, ramp_table};
-use crate::figures::deformed::{Cut, Pressed, section};
+use crate::figures::deformed::{PressedRow, SectionCut, section};
 use crate::figures::maps::FEWEST_STEPS;
 use crate::numbers::{METRES, fixed, quantity, significant};
-use crate::page::context::{Page, figure, wide};
+use crate::page::context::{ReportPage, figure, wide};
 use crate::page::moving::LARGEST;
 use crate::page::phrases::{attribute, touching};
 use base64::Engine as _;
@@ -13,7 +13,7 @@ use contact_compare::SurfaceComparison;
 use serde_json::json;
 
 /// What lies along the row of a surface; `None` if not every load has an answer or nothing is rough.
-pub(crate) fn cut(surface: &SurfaceComparison) -> Option<Cut> {
+pub(crate) fn cut(surface: &SurfaceComparison) -> Option<SectionCut> {
     let sections = surface.sections.as_ref()?;
     let map = surface.solved_map();
     let [ny, nx] = map.grid().shape();
@@ -27,11 +27,11 @@ pub(crate) fn cut(surface: &SurfaceComparison) -> Option<Cut> {
     let row = &map.heights()[sections.row * nx..(sections.row + 1) * nx];
     let lines = sections.gap.iter().zip(&sections.pressure).zip(&tops);
     let pressed = surface.deterministic.iter().zip(lines);
-    let loads: Option<Vec<Pressed>> = pressed
+    let loads: Option<Vec<PressedRow>> = pressed
         .map(|(point, ((gap, pressure), top))| {
             let open = |i: usize| if pressure[i] > 0.0 { 0.0 } else { gap[i].max(0.0) };
             let share = |i: usize| (pressure[i] / top).min(1.0);
-            Some(Pressed {
+            Some(PressedRow {
                 flat: point.answer.as_ref()?.mean_gap?,
                 gap: parts(nx, |range| range.map(open).fold(f64::INFINITY, f64::min)),
                 pressure: parts(nx, |range| range.map(share).fold(0.0, f64::max)),
@@ -42,7 +42,7 @@ pub(crate) fn cut(surface: &SurfaceComparison) -> Option<Cut> {
     let highest = |range: std::ops::Range<usize>| {
         row[range].iter().fold(f64::NEG_INFINITY, |top, z| top.max(z - mean))
     };
-    Some(Cut { length: map.grid().size()[1], heights: parts(nx, highest), loads })
+    Some(SectionCut { length: map.grid().size()[1], heights: parts(nx, highest), loads })
 }
 
 /// One value for each part of a row that is drawn: for each point, or of longer rows for the points that one of
@@ -54,7 +54,7 @@ fn parts(n: usize, value: impl Fn(std::ops::Range<usize>) -> f64) -> Vec<f64> {
 
 /// The figure with its caption; with what the script moves, if the page `moves`.
 pub(crate) fn through(
-    page: &mut Page<'_>,
+    page: &mut ReportPage<'_>,
     surface: &SurfaceComparison,
     moves: bool,
     id: &str,
@@ -100,7 +100,7 @@ pub(crate) fn through(
 
 /// Heights and gaps in 16 bits of one step, pressures in classes of the ramp; little end first, loads one after
 /// the other.
-fn facts(cut: &Cut, row: usize, rows: usize, titles: &[String]) -> serde_json::Value {
+fn facts(cut: &SectionCut, row: usize, rows: usize, titles: &[String]) -> serde_json::Value {
     let (low, high) = cut
         .heights
         .iter()

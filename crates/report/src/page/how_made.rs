@@ -6,7 +6,7 @@ use crate::messages::materials::material_line;
 use crate::messages::pair::{bodies, lying, moments, of_body};
 use crate::messages::plan as plan_messages;
 use crate::numbers::{METRES, PASCALS, SPACE, chosen, counted, duration, significant};
-use crate::page::context::Page;
+use crate::page::context::ReportPage;
 use crate::page::phrases::{levelled, terms, tolerance_words};
 use contact_accuracy::PERIMETER_CORRECTION;
 use contact_accuracy::Reached;
@@ -17,7 +17,7 @@ use contact_types::Named;
 use surface_stats::Level;
 
 /// Program, inputs, settings, the command that repeats it.
-pub(crate) fn section(page: &Page<'_>) -> String {
+pub(crate) fn section(page: &ReportPage<'_>) -> String {
     let settings = &page.comparison.settings;
     let made = page.provenance;
     let mut rows = vec![(
@@ -223,7 +223,7 @@ fn plan_messages(plan: &Reached) -> String {
     )
 }
 
-fn solver_words(page: &Page<'_>) -> String {
+fn solver_words(page: &ReportPage<'_>) -> String {
     let settings = &page.comparison.settings;
     let answers = || {
         page.comparison

@@ -5,7 +5,7 @@ use crate::draw::svg::escape;
 use crate::error::ReportError;
 use crate::messages;
 use crate::numbers::{PASCALS, chosen};
-use crate::page::context::{Numbering, Page};
+use crate::page::context::{Numbering, ReportPage};
 use crate::page::{
     conduction, contact_map, distributions, how_made, leak, overview, sections, slider,
 };
@@ -38,7 +38,7 @@ pub fn write(
     out: &mut impl Write,
 ) -> Result<(), ReportError> {
     let several = comparison.surfaces.len() > 1;
-    let mut page = Page {
+    let mut page = ReportPage {
         comparison,
         provenance,
         numbers: Numbering::default(),
@@ -102,7 +102,7 @@ fn title(comparison: &Comparison) -> String {
 
 /// All sections of one surface; folded behind the overview where there are three or more.
 fn surface_sections(
-    page: &mut Page<'_>,
+    page: &mut ReportPage<'_>,
     surface: &SurfaceComparison,
     index: usize,
 ) -> Result<String, ReportError> {
@@ -122,7 +122,7 @@ fn surface_sections(
     let limit = page.map_limit;
     let (touches, heights) = join(
         || contact_map::where_it_touches(page, surface, &id),
-        || sections::Heights::of(surface, limit),
+        || sections::HeightFigures::of(surface, limit),
     );
     out.push_str(&touches?);
     out.push_str(&distributions::section(page, surface, &id));
@@ -135,7 +135,7 @@ fn surface_sections(
     Ok(out)
 }
 
-fn opening(page: &Page<'_>, surface: &SurfaceComparison) -> String {
+fn opening(page: &ReportPage<'_>, surface: &SurfaceComparison) -> String {
     let say = messages::headline(surface);
     if page.several() {
         return format!("<header><p class=\"say\">{say}</p></header>\n");

@@ -9,7 +9,7 @@ use crate::messages::conduction::scientific;
 use crate::messages::finding::capital;
 use crate::messages::leak::{known, leak_notes};
 use crate::numbers::{METRES, duration, quantity, signed_percent, signed_range};
-use crate::page::context::{Page, figure};
+use crate::page::context::{ReportPage, figure};
 use crate::page::sections::reduced_words;
 use crate::page::tables::swatch;
 use crate::plot_styles::plot_style;
@@ -21,13 +21,13 @@ use contact_types::Named;
 const FORMS: [[&str; 2]; 2] = [["⟨<i>g</i>⟩³", "⟨g⟩³"], ["Bruggeman", "Bruggeman"]];
 
 /// Error of each closed form over the loads, and permeability at each.
-struct Curves<'a> {
+struct LeakCurves<'a> {
     axis: Axis,
     found: Vec<Option<&'a Leak>>,
     loads: Vec<Option<&'a Leaks>>,
 }
 
-impl<'a> Curves<'a> {
+impl<'a> LeakCurves<'a> {
     fn of(surface: &'a SurfaceComparison, k: usize, axis: Axis) -> Self {
         let loads: Vec<_> = surface.leaks.iter().map(Option::as_ref).collect();
         let found = loads.iter().map(|leaks| (*leaks)?.along.get(k)?.1.as_ref().ok()).collect();
@@ -109,7 +109,7 @@ impl<'a> Curves<'a> {
 
 /// The table, permeability over the load, error against time, the map of the flow along each axis.
 pub(crate) fn section(
-    page: &mut Page<'_>,
+    page: &mut ReportPage<'_>,
     surface: &SurfaceComparison,
     id: &str,
 ) -> Result<String, ReportError> {
@@ -123,12 +123,12 @@ pub(crate) fn section(
     );
     let notes: String = notes.iter().map(|note| format!(" {}.", capital(note))).collect();
     let (at, h, p) = (surface.headline, page.heading(), crate::messages::headline_load(surface));
-    let curves: Vec<Curves<'_>> = asked
+    let curves: Vec<LeakCurves<'_>> = asked
         .along
         .axes()
         .iter()
         .enumerate()
-        .map(|(k, &axis)| Curves::of(surface, k, axis))
+        .map(|(k, &axis)| LeakCurves::of(surface, k, axis))
         .collect();
     let rows: String = curves.iter().map(|curves| curves.rows(at)).collect();
     let mut out = format!(

@@ -17,7 +17,6 @@ pub(crate) mod profile;
 pub(crate) mod profile_tables;
 pub(crate) mod sections;
 pub(crate) mod slider;
-pub(crate) mod spread;
 pub(crate) mod statistics;
 pub(crate) mod summary;
 pub(crate) mod tables;

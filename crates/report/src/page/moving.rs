@@ -7,7 +7,7 @@
 use crate::draw::palette::{PRESSURE_RAMP, ramp_table};
 use crate::draw::png::Grey;
 use crate::error::ReportError;
-use crate::figures::maps::{self, Window};
+use crate::figures::maps::{self, MapPart};
 use crate::numbers::{METRES, PASCALS, quantity, unit_for};
 use crate::page::phrases::attribute;
 use contact_compare::{
@@ -133,8 +133,8 @@ impl<'a> Moving<'a> {
     /// If the picture cannot be encoded.
     pub(crate) fn relief(
         &self,
-        window: Window,
-        whole: Window,
+        window: MapPart,
+        whole: MapPart,
         limit: usize,
     ) -> Result<String, ReportError> {
         let map = self.surface.solved_map();

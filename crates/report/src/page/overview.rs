@@ -1,16 +1,16 @@
 //! Several surfaces at once: does the ranking of the models hold on all of them?
 
 use crate::draw::svg::escape;
-use crate::figures::multiples::{self, Quantity};
+use crate::figures::multiples::{self, PanelQuantity};
 use crate::lines::WANTED;
 use crate::messages;
 use crate::numbers::{METRES, SPACE, counted, duration, quantity, signed_percent, significant};
-use crate::page::context::{Page, wide};
+use crate::page::context::{ReportPage, wide};
 use crate::page::how_made::modulus_in_head;
 use contact_compare::{ModelComparison, SurfaceComparison, elastic_holds};
 
 /// The opening of a report on several surfaces.
-pub(crate) fn section(page: &mut Page<'_>) -> String {
+pub(crate) fn section(page: &mut ReportPage<'_>) -> String {
     let surfaces = &page.comparison.surfaces;
     let line = format!(
         "<p class=\"file\">rough-contact report · {} surfaces · {} · {}</p>\n",
@@ -24,12 +24,12 @@ pub(crate) fn section(page: &mut Page<'_>) -> String {
     let names: Vec<&str> = surfaces.iter().map(|s| s.name.as_str()).collect();
     for (quantity, title, caption) in [
         (
-            Quantity::Area,
+            PanelQuantity::Area,
             "Real contact area on each surface",
             "Real contact area</b>. Dots: solver.".to_owned(),
         ),
         (
-            Quantity::Error,
+            PanelQuantity::Error,
             "Error of the closed forms on each surface",
             format!("Error of each closed form</b>. Grey: within 10{SPACE}%."),
         ),

@@ -7,13 +7,13 @@ use crate::figures::curves::{self, Use};
 use crate::figures::heights::{HeightPicture, height_figure};
 use crate::figures::surface as surface_figures;
 use crate::figures::surface::{Histogram, histogram};
-use crate::lines::{Lines, YIELDING};
+use crate::lines::{LoadLines, YIELDING};
 use crate::messages::edges::edge_words;
 use crate::messages::finding::finding;
 use crate::messages::{self, coarser};
 use crate::numbers::{SPACE, fixed};
 use crate::page::budget;
-use crate::page::context::{Page, figure};
+use crate::page::context::{ReportPage, figure};
 use crate::page::pair;
 use crate::page::slider::dial;
 use crate::page::{statistics, tables};
@@ -25,7 +25,11 @@ use contact_compare::{Finding, SurfaceComparison, Weight, findings};
 const MOST: usize = 3;
 
 /// What the answer holds for beside what speaks against it.
-pub(crate) fn key_and_notes(page: &Page<'_>, surface: &SurfaceComparison, id: &str) -> String {
+pub(crate) fn key_and_notes(
+    page: &ReportPage<'_>,
+    surface: &SurfaceComparison,
+    id: &str,
+) -> String {
     let (key, notes) = (tables::key_numbers(page, surface), notes(&findings(surface), id));
     format!("<div class=\"two\">\n{key}{notes}</div>\n")
 }
@@ -58,11 +62,15 @@ pub(crate) fn notes(found: &[Finding], id: &str) -> String {
 }
 
 /// Figs. 1 to 4: area, real pressure, error, cost; the first three once for each kind of bodies.
-pub(crate) fn over_load(page: &mut Page<'_>, surface: &SurfaceComparison, id: &str) -> String {
+pub(crate) fn over_load(
+    page: &mut ReportPage<'_>,
+    surface: &SurfaceComparison,
+    id: &str,
+) -> String {
     let h = page.heading();
     let p = messages::headline_load(surface);
     let mut out = format!("<{h}>Area and pressure against load</{h}>\n{}", dial(surface, id));
-    let panels = Lines::panels(surface);
+    let panels = LoadLines::panels(surface);
     for (k, lines) in panels.iter().enumerate() {
         let break_after = if k == 0 { " page1" } else { "" };
         out.push_str(&format!(
@@ -87,12 +95,12 @@ pub(crate) fn over_load(page: &mut Page<'_>, surface: &SurfaceComparison, id: &s
 }
 
 /// ", elastic contact"
-fn of(lines: &Lines) -> String {
+fn of(lines: &LoadLines) -> String {
     if lines.of.is_empty() { String::new() } else { format!(", {}", lines.of) }
 }
 
 /// Area and pressure of the same bodies.
-fn panel(page: &mut Page<'_>, lines: &Lines, id: &str) -> String {
+fn panel(page: &mut ReportPage<'_>, lines: &LoadLines, id: &str) -> String {
     let of = of(lines);
     let band =
         if lines.interval.iter().flatten().count() > 1 { "; grey: ± of this map" } else { "" };
@@ -111,7 +119,7 @@ fn panel(page: &mut Page<'_>, lines: &Lines, id: &str) -> String {
 }
 
 /// The error of each closed form; nothing where no theory of these bodies answers.
-fn errors(page: &mut Page<'_>, lines: &Lines, id: &str) -> String {
+fn errors(page: &mut ReportPage<'_>, lines: &LoadLines, id: &str) -> String {
     if lines.models.iter().all(|m| m.name == "elastic") {
         return String::new();
     }
@@ -152,7 +160,7 @@ fn cost_routes(surface: &SurfaceComparison) -> Option<Vec<CostRoute>> {
 }
 
 /// The model table, with the formulas that fit on a line.
-pub(crate) fn models(page: &mut Page<'_>, surface: &SurfaceComparison) -> String {
+pub(crate) fn models(page: &mut ReportPage<'_>, surface: &SurfaceComparison) -> String {
     let h = page.heading();
     let table = tables::models(page, surface);
     let formulas = formulas(surface);
@@ -176,14 +184,14 @@ pub(crate) fn reduced_words([ny, nx]: [usize; 2], limit: usize) -> String {
 }
 
 /// What takes time in [`the_surface`].
-pub(crate) struct Heights {
+pub(crate) struct HeightFigures {
     /// `None` of a single profile.
     picture: Option<HeightPicture>,
     /// `None` of a flat map.
     histogram: Option<Histogram>,
 }
 
-impl Heights {
+impl HeightFigures {
     /// # Errors
     /// If the picture cannot be encoded.
     pub(crate) fn of(surface: &SurfaceComparison, limit: usize) -> Result<Self, ReportError> {
@@ -197,9 +205,9 @@ impl Heights {
 
 /// Height map, statistics, distribution, spectrum.
 pub(crate) fn the_surface(
-    page: &mut Page<'_>,
+    page: &mut ReportPage<'_>,
     surface: &SurfaceComparison,
-    heights: &Heights,
+    heights: &HeightFigures,
     id: &str,
 ) -> String {
     let h = page.heading();
@@ -253,7 +261,7 @@ pub(crate) fn the_surface(
 }
 
 /// Error budget of the deterministic area, and what it does not cover.
-pub(crate) fn accuracy(page: &mut Page<'_>, surface: &SurfaceComparison) -> String {
+pub(crate) fn accuracy(page: &mut ReportPage<'_>, surface: &SurfaceComparison) -> String {
     let Some(answer) = surface.headline_answer() else { return String::new() };
     let h = page.heading();
     let p = messages::headline_load(surface);

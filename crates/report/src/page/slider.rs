@@ -4,7 +4,7 @@ use crate::draw::palette::DETERMINISTIC;
 use crate::lines::{ELASTIC, Reference, references};
 use crate::messages;
 use crate::numbers::{NEWTONS, PASCALS, chosen, quantity, signed_percent};
-use crate::page::{phrases, spread, tables};
+use crate::page::{distributions, phrases, tables};
 use crate::plot_styles::plot_style;
 use contact_compare::{DeterministicAnswer, SurfaceComparison};
 use serde_json::json;
@@ -94,7 +94,7 @@ pub(crate) fn data(surface: &SurfaceComparison) -> String {
     if !touching.is_empty() {
         cells.insert("cut".into(), json!(touching));
     }
-    for (key, words) in spread::cells(surface) {
+    for (key, words) in distributions::cells(surface) {
         cells.insert(key.into(), json!(words));
     }
     let data = json!({ "read": read_out(surface), "cells": cells, "models": listed }).to_string();

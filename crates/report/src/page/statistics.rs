@@ -5,7 +5,7 @@ use contact_compare::SurfaceComparison;
 use contact_types::AsperityStatistics;
 
 /// One row: symbol (HTML), name with unit, value, and the value by the spectrum.
-struct Row {
+struct StatisticsRow {
     symbol: &'static str,
     name: String,
     value: String,
@@ -21,18 +21,33 @@ fn named(name: &str, unit: &str) -> String {
 }
 
 /// A length in the multiple that suits it.
-fn length(symbol: &'static str, name: &str, value: f64) -> Row {
+fn length(symbol: &'static str, name: &str, value: f64) -> StatisticsRow {
     let unit = unit_for(value, METRES);
-    Row { symbol, name: named(name, unit.name), value: three(value / unit.scale), spectral: None }
+    StatisticsRow {
+        symbol,
+        name: named(name, unit.name),
+        value: three(value / unit.scale),
+        spectral: None,
+    }
 }
 
 /// A number without unit.
-fn plain(symbol: &'static str, name: &str, value: Option<f64>) -> Row {
-    Row { symbol, name: name.into(), value: value.map_or("–".into(), three), spectral: None }
+fn plain(symbol: &'static str, name: &str, value: Option<f64>) -> StatisticsRow {
+    StatisticsRow {
+        symbol,
+        name: name.into(),
+        value: value.map_or("–".into(), three),
+        spectral: None,
+    }
 }
 
 /// A value and the same by the spectrum, in a power of ten of a power of a unit.
-fn pair(symbol: &'static str, name: &str, values: [f64; 2], (unit, power): (Unit, i32)) -> Row {
+fn pair(
+    symbol: &'static str,
+    name: &str,
+    values: [f64; 2],
+    (unit, power): (Unit, i32),
+) -> StatisticsRow {
     let base = unit.scale.powi(power);
     let e = (values[0].abs() / base).max(f64::MIN_POSITIVE).log10().floor() as i32;
     let e = if (-1..4).contains(&e) { 0 } else { e };
@@ -44,7 +59,7 @@ fn pair(symbol: &'static str, name: &str, values: [f64; 2], (unit, power): (Unit
     let factor = if e == 0 { String::new() } else { power_of_ten(e) };
     let text: Vec<String> = [factor, unit_name].into_iter().filter(|t| !t.is_empty()).collect();
     let scale = base * 10f64.powi(e);
-    Row {
+    StatisticsRow {
         symbol,
         name: named(name, &text.join(" ")),
         value: three(values[0] / scale),
@@ -52,7 +67,7 @@ fn pair(symbol: &'static str, name: &str, values: [f64; 2], (unit, power): (Unit
     }
 }
 
-fn rows(surface: &SurfaceComparison) -> Vec<Row> {
+fn rows(surface: &SurfaceComparison) -> Vec<StatisticsRow> {
     let s = &surface.statistics;
     let spectral = surface.spectral.moments;
     let height = unit_for(s.rms_height, METRES);
@@ -65,7 +80,7 @@ fn rows(surface: &SurfaceComparison) -> Vec<Row> {
     let mut rows = vec![
         length("<i>Sq</i>", "RMS height", s.rms_height),
         length("<i>Sa</i>", "Mean absolute height", s.mean_abs_height),
-        Row {
+        StatisticsRow {
             value: signed.unwrap_or_else(|| "–".into()),
             ..plain("<i>Ssk</i>", "Skewness", None)
         },
@@ -95,17 +110,17 @@ fn rows(surface: &SurfaceComparison) -> Vec<Row> {
     rows.push(plain("<i>a</i><sub>2</sub>", "Slope anisotropy", s.anisotropy));
     if let (Some(hurst), Some([short, long])) = (s.hurst, s.fractal_range) {
         let [short, long] = [short, long].map(|l| quantity(l, METRES, 2));
-        rows.push(Row {
+        rows.push(StatisticsRow {
             spectral: Some(significant(hurst, 2)),
             ..plain("<i>H</i>", &format!("Hurst exponent, {short} to {long}"), None)
         });
-        rows.extend(s.dimension.map(|dimension| Row {
+        rows.extend(s.dimension.map(|dimension| StatisticsRow {
             spectral: Some(three(dimension)),
             ..plain("<i>D</i>", "Fractal dimension", None)
         }));
     }
     let name = format!("Amplitude/wavelength, rows of {}", chosen(s.record_length, METRES));
-    rows.push(Row {
+    rows.push(StatisticsRow {
         spectral: Some(significant(s.max_amplitude_ratio, 3)),
         ..plain("<i>B</i><sub>max</sub>", &name, None)
     });
@@ -114,7 +129,7 @@ fn rows(surface: &SurfaceComparison) -> Vec<Row> {
 
 /// Statistics of the levelled map; beside each moment the one by the spectrum.
 pub(crate) fn table(surface: &SurfaceComparison) -> String {
-    let row = |r: &Row| {
+    let row = |r: &StatisticsRow| {
         let spectral = r.spectral.as_deref().filter(|t| !t.contains("NaN")).unwrap_or("–");
         format!(
             "<tr><th scope=\"row\">{}</th><td>{}</td><td class=\"n\">{}</td><td class=\"n alt\">{spectral}</td></tr>\n",

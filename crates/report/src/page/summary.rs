@@ -1,9 +1,9 @@
 //! The page over many maps: distributions, not a section for each.
 
-use crate::digest::Spread;
+use crate::digest::Quantiles;
 use crate::draw::svg::escape;
 use crate::error::ReportError;
-use crate::figures::spread::{Curves, Histogram, Strip, curves, histograms, strips};
+use crate::figures::spread::{Curves, QuantityHistogram, Strip, curves, histograms, strips};
 use crate::messages;
 use crate::numbers::{
     AREAS, METRES, NEWTONS, PASCALS, SPACE, Unit, chosen, counted, duration, percent, quantity,
@@ -128,8 +128,8 @@ fn headline(summary: &Summary<'_>) -> String {
     let sizes = |name: &&'static str| {
         let errors: Vec<f64> = summary.errors(name).into_iter().flatten().collect();
         let full = errors.len() == summary.maps.len();
-        let spread = Spread::of(errors.iter().map(|e| e.abs())).filter(|_| full)?;
-        Some((*name, spread.median(), Spread::of(errors.into_iter())?))
+        let spread = Quantiles::of(errors.iter().map(|e| e.abs())).filter(|_| full)?;
+        Some((*name, spread.median(), Quantiles::of(errors.into_iter())?))
     };
     // Of bodies that yield a theory of elastic ones is right by accident at most.
     let ranks = |name: &&&'static str| {
@@ -189,7 +189,7 @@ fn load_and_errors(summary: &Summary<'_>, numbers: &mut Numbering) -> String {
         .iter()
         .enumerate()
         .filter_map(|(place, name)| {
-            let errors = Spread::of(summary.errors(name).into_iter().flatten())?;
+            let errors = Quantiles::of(summary.errors(name).into_iter().flatten())?;
             let label = find(name).map_or_else(|| (*name).into(), |t| t.card().label.to_string());
             Some(Strip { label, look: plot_style(name, place), errors })
         })
@@ -219,8 +219,8 @@ fn models(summary: &Summary<'_>) -> String {
         };
         let mean =
             |(_, map): &(String, &Value)| map["models"][name]["mean_absolute_area_error"].as_f64();
-        let spread = Spread::of(errors.iter().copied().flatten());
-        let over = Spread::of(summary.maps.iter().filter_map(mean));
+        let spread = Quantiles::of(errors.iter().copied().flatten());
+        let over = Quantiles::of(summary.maps.iter().filter_map(mean));
         let worst = errors.iter().enumerate().filter_map(|(i, e)| Some((i, (*e)?)));
         let worst = worst.max_by(|a, b| a.1.abs().total_cmp(&b.1.abs()));
         let q =
@@ -254,46 +254,30 @@ fn models(summary: &Summary<'_>) -> String {
     )
 }
 
-/// A quantity whose spread is shown.
-struct Quantity {
-    key: &'static str,
-    symbol: &'static str,
-    name: &'static str,
-    units: &'static [Unit],
-    drawn: bool,
-}
+/// A quantity whose spread is shown: its key, symbol (HTML) and name, the units it is read in, whether it is drawn.
+struct SpreadQuantity(&'static str, &'static str, &'static str, &'static [Unit], bool);
 
-const QUANTITIES: [Quantity; 14] = [
-    q("rms_height", "<i>Sq</i>", "RMS height", METRES, true),
-    q("rms_gradient", "<i>Sdq</i>", "RMS gradient", &[], true),
-    q("bandwidth", "<i>α</i>", "Bandwidth m₀m₄/m₂²", &[], false),
-    q("skewness", "<i>Ssk</i>", "Skewness", &[], false),
-    q("kurtosis", "<i>Sku</i>", "Kurtosis", &[], false),
-    q("hurst", "<i>H</i>", "Hurst exponent", &[], false),
-    q("load", "<i>F</i>", "Headline load", NEWTONS, false),
-    q("mean_pressure", "<i>p</i>", "Headline pressure", PASCALS, false),
-    q("area_fraction", "<i>A</i>/<i>A</i>₀", "Real contact area", &[], true),
-    q("real_pressure", "<i>p</i><sub>r</sub>", "Mean real pressure", PASCALS, true),
-    q("mean_gap", "<i>ḡ</i>", "Mean gap", METRES, true),
-    q("contact_spots", "<i>n</i>", "Contact spots", &[], false),
-    q("median_spot_area", "", "Median spot area", AREAS, true),
-    q("seconds", "", "Solver, all loads", &[Unit { scale: 1.0, name: "s" }], false),
+const QUANTITIES: [SpreadQuantity; 14] = [
+    SpreadQuantity("rms_height", "<i>Sq</i>", "RMS height", METRES, true),
+    SpreadQuantity("rms_gradient", "<i>Sdq</i>", "RMS gradient", &[], true),
+    SpreadQuantity("bandwidth", "<i>α</i>", "Bandwidth m₀m₄/m₂²", &[], false),
+    SpreadQuantity("skewness", "<i>Ssk</i>", "Skewness", &[], false),
+    SpreadQuantity("kurtosis", "<i>Sku</i>", "Kurtosis", &[], false),
+    SpreadQuantity("hurst", "<i>H</i>", "Hurst exponent", &[], false),
+    SpreadQuantity("load", "<i>F</i>", "Headline load", NEWTONS, false),
+    SpreadQuantity("mean_pressure", "<i>p</i>", "Headline pressure", PASCALS, false),
+    SpreadQuantity("area_fraction", "<i>A</i>/<i>A</i>₀", "Real contact area", &[], true),
+    SpreadQuantity("real_pressure", "<i>p</i><sub>r</sub>", "Mean real pressure", PASCALS, true),
+    SpreadQuantity("mean_gap", "<i>ḡ</i>", "Mean gap", METRES, true),
+    SpreadQuantity("contact_spots", "<i>n</i>", "Contact spots", &[], false),
+    SpreadQuantity("median_spot_area", "", "Median spot area", AREAS, true),
+    SpreadQuantity("seconds", "", "Solver, all loads", &[Unit { scale: 1.0, name: "s" }], false),
 ];
 
-const fn q(
-    key: &'static str,
-    symbol: &'static str,
-    name: &'static str,
-    units: &'static [Unit],
-    drawn: bool,
-) -> Quantity {
-    Quantity { key, symbol, name, units, drawn }
-}
-
-impl Quantity {
+impl SpreadQuantity {
     /// The unit of the median, and of the area per cent.
-    fn unit(&self, spread: &Spread) -> Unit {
-        match (self.key, self.units) {
+    fn unit(&self, spread: &Quantiles) -> Unit {
+        match (self.0, self.3) {
             ("area_fraction", _) => Unit { scale: 0.01, name: "%" },
             (_, []) => Unit { scale: 1.0, name: "" },
             (_, units) => unit_for(spread.median(), units),
@@ -304,8 +288,9 @@ impl Quantity {
 fn distributions(summary: &Summary<'_>, numbers: &mut Numbering) -> String {
     let (mut drawn, mut rows) = (Vec::new(), String::new());
     for quantity in &QUANTITIES {
-        let values = summary.values(quantity.key);
-        let Some(spread) = Spread::of(values.iter().copied().flatten()) else { continue };
+        let SpreadQuantity(key, symbol, name, _, is_drawn) = *quantity;
+        let values = summary.values(key);
+        let Some(spread) = Quantiles::of(values.iter().copied().flatten()) else { continue };
         let unit = quantity.unit(&spread);
         let unit_name = |before: &str, after: &str| {
             if unit.name.is_empty() {
@@ -314,10 +299,10 @@ fn distributions(summary: &Summary<'_>, numbers: &mut Numbering) -> String {
                 format!("{before}{}{after}", unit.name)
             }
         };
-        if quantity.drawn {
-            let in_unit = Spread::of(spread.sorted.iter().map(|v| v / unit.scale));
-            drawn.extend(in_unit.map(|values| Histogram {
-                title: format!("{}{}", quantity.name, unit_name(" (", ")")),
+        if is_drawn {
+            let in_unit = Quantiles::of(spread.sorted.iter().map(|v| v / unit.scale));
+            drawn.extend(in_unit.map(|values| QuantityHistogram {
+                title: format!("{name}{}", unit_name(" (", ")")),
                 values,
             }));
         }
@@ -330,20 +315,20 @@ fn distributions(summary: &Summary<'_>, numbers: &mut Numbering) -> String {
             })
             .concat();
         let [low, high] = spread.ends();
-        let name = |value: f64| {
+        let whose = |value: f64| {
             let place = values.iter().position(|v| v.is_some_and(|v| v.total_cmp(&value).is_eq()));
             place.map_or(String::new(), |i| escape(&summary.maps[i].0))
         };
         rows.push_str(&format!(
             "<tr><th scope=\"row\">{}{}{}{}</th><td class=\"n\">{}</td>{cells}<td class=\"why\">{} … \
              {}</td></tr>\n",
-            quantity.name,
-            if quantity.symbol.is_empty() { "" } else { " " },
-            quantity.symbol,
+            name,
+            if symbol.is_empty() { "" } else { " " },
+            symbol,
             unit_name(", ", ""),
             spread.sorted.len(),
-            name(low),
-            name(high)
+            whose(low),
+            whose(high)
         ));
     }
     let figure = numbers.figure(
@@ -355,7 +340,7 @@ fn distributions(summary: &Summary<'_>, numbers: &mut Numbering) -> String {
     format!(
         "<h2>How the maps differ</h2>\n{}<div class=\"wide scroll\" tabindex=\"0\"><table \
          class=\"over\" tabindex=\"0\"><caption>Quantiles over the maps, contact at the headline</caption><thead><tr><th \
-         scope=\"col\">Quantity</th><th scope=\"col\" class=\"n\">Maps</th><th scope=\"col\" \
+         scope=\"col\">SpreadQuantity</th><th scope=\"col\" class=\"n\">Maps</th><th scope=\"col\" \
          class=\"n\">Lowest</th><th scope=\"col\" class=\"n\">10{SPACE}%</th><th scope=\"col\" \
          class=\"n\">25{SPACE}%</th><th scope=\"col\" class=\"n\">Median</th><th scope=\"col\" \
          class=\"n\">75{SPACE}%</th><th scope=\"col\" class=\"n\">90{SPACE}%</th><th scope=\"col\" \

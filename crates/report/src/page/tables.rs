@@ -8,7 +8,7 @@ use crate::numbers::{
     AREAS, METRES, PASCALS, SPACE, chosen, duration, quantity, signed_percent, signed_range,
     significant,
 };
-use crate::page::context::Page;
+use crate::page::context::ReportPage;
 use crate::page::how_made::modulus_in_head;
 use crate::page::phrases::{key_table, load_words};
 use crate::plot_styles::{inputs_html, plot_style};
@@ -17,7 +17,7 @@ use contact_compare::{Applies, ModelComparison, SurfaceComparison, elastic_limit
 use contact_types::{ContactState, ModelError};
 
 /// What the answer holds for, and the ways to it: terms with a value and a note.
-pub(crate) fn key_numbers(page: &Page<'_>, surface: &SurfaceComparison) -> String {
+pub(crate) fn key_numbers(page: &ReportPage<'_>, surface: &SurfaceComparison) -> String {
     let mut rows: Vec<[String; 3]> = Vec::new();
     for r in surface.conducted(surface.headline).iter().flat_map(messages::conduction::resistances)
     {
@@ -92,7 +92,7 @@ pub(crate) fn applies(answer: Applies, reason: &str) -> String {
 }
 
 /// Every model: number, error, cost, domain with its reason, source.
-pub(crate) fn models(page: &mut Page<'_>, surface: &SurfaceComparison) -> String {
+pub(crate) fn models(page: &mut ReportPage<'_>, surface: &SurfaceComparison) -> String {
     let p = messages::headline_load(surface);
     let loads = &surface.deterministic;
     let range = format!(
@@ -122,13 +122,13 @@ pub(crate) fn models(page: &mut Page<'_>, surface: &SurfaceComparison) -> String
     )
 }
 
-fn cited(page: &mut Page<'_>, citation: contact_types::Citation) -> String {
+fn cited(page: &mut ReportPage<'_>, citation: contact_types::Citation) -> String {
     let n = page.numbers.source(citation);
     format!("<td data-l=\"Ref.\" class=\"n src\"><a href=\"#r{n}\">{n}</a></td>")
 }
 
 fn deterministic_row(
-    page: &mut Page<'_>,
+    page: &mut ReportPage<'_>,
     surface: &SurfaceComparison,
     reference: &Reference<'_>,
 ) -> String {
@@ -163,7 +163,7 @@ fn deterministic_row(
 }
 
 fn model_row(
-    page: &mut Page<'_>,
+    page: &mut ReportPage<'_>,
     surface: &SurfaceComparison,
     model: &ModelComparison,
     place: usize,

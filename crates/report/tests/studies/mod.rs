@@ -100,8 +100,13 @@ pub fn provenance() -> Provenance {
     }
 }
 
-pub fn html(comparison: &Comparison) -> String {
+/// What a writer writes.
+pub fn text<E: std::fmt::Debug>(write: impl FnOnce(&mut Vec<u8>) -> Result<(), E>) -> String {
     let mut out = Vec::new();
-    write_html(comparison, &provenance(), &mut out).unwrap();
+    write(&mut out).unwrap();
     String::from_utf8(out).unwrap()
+}
+
+pub fn html(comparison: &Comparison) -> String {
+    text(|out| write_html(comparison, &provenance(), out))
 }

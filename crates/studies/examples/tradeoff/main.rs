@@ -17,7 +17,7 @@ use studies::tradeoff::{HEADER, TradeoffRow};
 
 /// Time against true error of every way to an answer: measures, and prints a table as CSV
 #[derive(Parser)]
-struct Options {
+struct TradeoffArguments {
     /// On 128 x 128 points, in seconds
     #[arg(long, conflicts_with = "page")]
     quick: bool,
@@ -27,7 +27,7 @@ struct Options {
 }
 
 fn main() -> Result<(), Box<dyn Error>> {
-    let Options { quick, page } = Options::parse();
+    let TradeoffArguments { quick, page } = TradeoffArguments::parse();
     if let Some([table, folder]) = page.as_deref() {
         return page::write(table, folder);
     }

@@ -17,7 +17,7 @@ use surface_stats::clean::resample;
 use surface_stats::spectrum::amplitudes;
 use surface_stats::{Edges, StatsOptions, SurfaceStatistics};
 
-type Outcome<T> = Result<T, Box<dyn Error>>;
+type Measured<T> = Result<T, Box<dyn Error>>;
 
 /// Contact modulus \[Pa\]; every ratio is free of it.
 const MODULUS: f64 = 1e11;
@@ -93,7 +93,7 @@ impl Plan {
 }
 
 /// Measures everything, one row at a time into `take`.
-pub(crate) fn run(plan: &Plan, take: &mut dyn FnMut(TradeoffRow)) -> Outcome<()> {
+pub(crate) fn run(plan: &Plan, take: &mut dyn FnMut(TradeoffRow)) -> Measured<()> {
     for mut recipe in built_in_recipes()?.into_iter().take(plan.surfaces) {
         if let Some(points) = plan.points {
             recipe.shape = [points; 2];
@@ -103,7 +103,7 @@ pub(crate) fn run(plan: &Plan, take: &mut dyn FnMut(TradeoffRow)) -> Outcome<()>
     Ok(())
 }
 
-fn surface(plan: &Plan, surface: Surface, take: &mut dyn FnMut(TradeoffRow)) -> Outcome<()> {
+fn surface(plan: &Plan, surface: Surface, take: &mut dyn FnMut(TradeoffRow)) -> Measured<()> {
     let name = surface.name.clone();
     let modulus = ContactModulus::from_pascals(MODULUS)?;
     let (map, inputs) = as_compared(surface)?;
@@ -144,7 +144,7 @@ fn scaled(points: usize, scale: f64) -> usize {
 }
 
 /// The map and the numbers that `compare` gives the models.
-fn as_compared(surface: Surface) -> Outcome<(HeightMap, Inputs)> {
+fn as_compared(surface: Surface) -> Measured<(HeightMap, Inputs)> {
     let settings = Settings {
         modulus: MODULUS,
         pressures: Some(vec![1e-4 * MODULUS]),
@@ -160,9 +160,8 @@ fn as_compared(surface: Surface) -> Outcome<(HeightMap, Inputs)> {
 }
 
 /// Seconds for everything a model may need of a map.
-fn statistics_seconds(map: &HeightMap) -> Outcome<f64> {
-    let options =
-        StatsOptions { level: Level::None, edges: Edges::Periodic, ..StatsOptions::default() };
+fn statistics_seconds(map: &HeightMap) -> Measured<f64> {
+    let options = StatsOptions { level: Level::None, edges: PERIODIC, ..StatsOptions::default() };
     let mut best = f64::INFINITY;
     for _ in 0..REPEATS {
         let clock = Instant::now();
@@ -180,8 +179,8 @@ fn truth(
     finest: &HeightMap,
     modulus: ContactModulus,
     pressure: f64,
-) -> Outcome<[f64; 2]> {
-    let solve = |map: &HeightMap| -> Outcome<[f64; 2]> {
+) -> Measured<[f64; 2]> {
+    let solve = |map: &HeightMap| -> Measured<[f64; 2]> {
         let mut solver = Solver::builder().tolerance(1e-10).build(map.grid(), modulus)?;
         let found = solver.solve(map, Load::MeanPressure(pressure))?;
         let correction = PERIMETER_CORRECTION * found.diagnostics.contact_perimeter;
@@ -244,14 +243,14 @@ struct Job<'a> {
 
 /// One answer and what it took, from the given map in memory to the solution: resampling, planning
 /// and all.
-struct Answer {
+struct TimedSolution {
     solution: Solution,
     seconds: f64,
     is_capped: bool,
 }
 
 impl Job<'_> {
-    fn solve(&self, is_close_up: bool, take: &mut dyn FnMut(TradeoffRow)) -> Outcome<()> {
+    fn solve(&self, is_close_up: bool, take: &mut dyn FnMut(TradeoffRow)) -> Measured<()> {
         let Plan { tolerances: [all, some], few_tolerances, .. } = *self.plan;
         let tolerances = if is_close_up { all } else { some };
         if self.points > self.map.grid().shape()[0] {
@@ -286,7 +285,7 @@ impl Job<'_> {
         tolerances: &[f64],
         exact: Option<&[f64]>,
         take: &mut dyn FnMut(TradeoffRow),
-    ) -> Outcome<()> {
+    ) -> Measured<()> {
         for &tolerance in tolerances.iter().filter(|&&t| t >= Plan::lowest(precision)) {
             let first = self.answer(method, precision, tolerance)?;
             let mut seconds = first.seconds;
@@ -317,7 +316,12 @@ impl Job<'_> {
         Ok(())
     }
 
-    fn answer(&self, method: Method, precision: Precision, tolerance: f64) -> Outcome<Answer> {
+    fn answer(
+        &self,
+        method: Method,
+        precision: Precision,
+        tolerance: f64,
+    ) -> Measured<TimedSolution> {
         let most = self.plan.most_pairs;
         let watch = |it: &Iteration<'_>| {
             if it.transforms < most { ControlFlow::Continue(()) } else { ControlFlow::Break(()) }
@@ -335,18 +339,18 @@ impl Job<'_> {
         let result = solver.solve_observed(map, Load::MeanPressure(self.pressure), watch);
         let seconds = clock.elapsed().as_secs_f64();
         match result {
-            Ok(solution) => Ok(Answer { solution, seconds, is_capped: false }),
+            Ok(solution) => Ok(TimedSolution { solution, seconds, is_capped: false }),
             Err(
                 SolverError::Stopped(best)
                 | SolverError::NotConverged(best)
                 | SolverError::Rounding(best),
-            ) => Ok(Answer { solution: *best, seconds, is_capped: true }),
+            ) => Ok(TimedSolution { solution: *best, seconds, is_capped: true }),
             Err(error) => Err(error.into()),
         }
     }
 
     /// The time of one FFT pair on this grid in both precisions.
-    fn pairs(&self, take: &mut dyn FnMut(TradeoffRow)) -> Outcome<()> {
+    fn pairs(&self, take: &mut dyn FnMut(TradeoffRow)) -> Measured<()> {
         let [ny, nx] = [self.points; 2];
         let [ly, lx] = self.map.grid().size();
         let grid = Grid::new([ny, nx], [ly / ny as f64, lx / nx as f64])?;
@@ -363,7 +367,7 @@ impl Job<'_> {
     }
 }
 
-fn one_pair<T: Real>(grid: Grid, modulus: ContactModulus, budget: f64) -> Outcome<f64> {
+fn one_pair<T: Real>(grid: Grid, modulus: ContactModulus, budget: f64) -> Measured<f64> {
     let mut half_space = HalfSpace::<T>::new(grid, modulus);
     let mut field = vec![T::of(1.0); grid.len()];
     let mut trouble = None;
