@@ -340,7 +340,7 @@ fn distributions(summary: &Summary<'_>, numbers: &mut Numbering) -> String {
     format!(
         "<h2>How the maps differ</h2>\n{}<div class=\"wide scroll\" tabindex=\"0\"><table \
          class=\"over\" tabindex=\"0\"><caption>Quantiles over the maps, contact at the headline</caption><thead><tr><th \
-         scope=\"col\">SpreadQuantity</th><th scope=\"col\" class=\"n\">Maps</th><th scope=\"col\" \
+         scope=\"col\">Quantity</th><th scope=\"col\" class=\"n\">Maps</th><th scope=\"col\" \
          class=\"n\">Lowest</th><th scope=\"col\" class=\"n\">10{SPACE}%</th><th scope=\"col\" \
          class=\"n\">25{SPACE}%</th><th scope=\"col\" class=\"n\">Median</th><th scope=\"col\" \
          class=\"n\">75{SPACE}%</th><th scope=\"col\" class=\"n\">90{SPACE}%</th><th scope=\"col\" \
