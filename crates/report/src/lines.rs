@@ -12,11 +12,9 @@ pub(crate) const WANTED: f64 = 0.10;
 /// One closed form over the loads.
 #[derive(Debug, Clone)]
 pub(crate) struct ModelLine {
-    /// Name of the model.
     pub name: String,
     /// Short label, unique.
     pub label: String,
-    /// How it is drawn.
     pub look: Style,
     /// Area fraction at each load; `None` where the model does not answer.
     pub area: Vec<Option<f64>>,

@@ -16,9 +16,7 @@ pub(crate) enum AxisScale {
 /// One axis: data `[lo, hi]` onto figure units `[start, end]`.
 #[derive(Debug, Clone, Copy)]
 pub(crate) struct PlotAxis {
-    /// Spacing.
     pub(crate) spacing: AxisScale,
-    /// Data limits.
     pub(crate) data: [f64; 2],
     /// Where they lie in the figure.
     pub(crate) units: [f64; 2],
@@ -175,13 +173,11 @@ pub(crate) fn round_step(about: f64) -> f64 {
 /// A plot box with its two axes.
 #[derive(Debug, Clone)]
 pub(crate) struct PlotFrame {
-    /// Horizontal axis.
     pub(crate) x: PlotAxis,
     /// Vertical axis; `units` run from bottom to top.
     pub(crate) y: PlotAxis,
     /// Title of the horizontal axis, "Quantity (unit)".
     pub(crate) x_title: String,
-    /// Title of the vertical axis.
     pub(crate) y_title: String,
 }
 

@@ -12,13 +12,9 @@ pub(crate) const ROOM: f64 = 90.0;
 /// A name for the right end of a line.
 #[derive(Debug, Clone)]
 pub(crate) struct EndLabel {
-    /// Where the line ends.
     pub(crate) y: f64,
-    /// The name.
     pub(crate) text: String,
-    /// Its colour.
     pub(crate) colour: Colour,
-    /// Bold.
     pub(crate) bold: bool,
     /// The series it names; may be empty.
     pub(crate) series: String,

@@ -77,23 +77,14 @@ pub(crate) const COLOURS: [Colour; 16] = [
 /// Shape that marks a series where colour is not seen.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(crate) enum Marker {
-    /// Filled dot.
     Dot,
-    /// Open circle.
     Ring,
-    /// Open square.
     Square,
-    /// Open triangle, point up.
     TriangleUp,
-    /// Open triangle, point down.
     TriangleDown,
-    /// Open diamond.
     Diamond,
-    /// Diagonal cross.
     Cross,
-    /// Upright cross.
     Plus,
-    /// Open hexagon.
     Hexagon,
 }
 
@@ -106,7 +97,6 @@ pub struct Style {
     pub(crate) width: f64,
     /// SVG dash pattern; empty for a solid line.
     pub(crate) dash: &'static str,
-    /// Marker.
     pub(crate) marker: Marker,
     /// The marker sits on loads `i` with `i % 4 == marker_offset`.
     pub(crate) marker_offset: usize,

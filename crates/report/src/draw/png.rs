@@ -16,9 +16,7 @@ const EFFORT: png::DeflateCompression = png::DeflateCompression::Level(3);
 /// An 8-bit RGB picture, row-major from the upper left.
 #[derive(Debug, Clone)]
 pub struct Picture {
-    /// Pixels along x.
     pub(crate) width: usize,
-    /// Pixels along y.
     pub(crate) height: usize,
     /// Three bytes per pixel.
     pub(crate) rgb: Vec<u8>,
@@ -26,9 +24,6 @@ pub struct Picture {
 
 impl Picture {
     /// The PNG file.
-    ///
-    /// # Errors
-    /// If the number of bytes does not fit the size.
     pub(crate) fn png(&self) -> Result<Vec<u8>, png::EncodingError> {
         encoded([self.width, self.height], png::ColorType::Rgb, FIELD, &self.rgb)
     }
@@ -45,9 +40,7 @@ impl Picture {
 /// An 8-bit grey picture, row-major from the upper left.
 #[derive(Debug, Clone)]
 pub(crate) struct Grey {
-    /// Pixels along x.
     pub(crate) width: usize,
-    /// Pixels along y.
     pub(crate) height: usize,
     /// One byte per pixel.
     pub(crate) values: Vec<u8>,
@@ -55,17 +48,11 @@ pub(crate) struct Grey {
 
 impl Grey {
     /// `data:image/png;base64,…`.
-    ///
-    /// # Errors
-    /// If the number of bytes does not fit the size.
     pub(crate) fn data_address(&self) -> Result<String, png::EncodingError> {
         self.address(FIELD)
     }
 
     /// The same of classes, whose neighbours are alike or not: no difference of theirs is shorter.
-    ///
-    /// # Errors
-    /// As [`Picture::png`].
     pub(crate) fn data_address_of_classes(&self) -> Result<String, png::EncodingError> {
         self.address(CLASSES)
     }

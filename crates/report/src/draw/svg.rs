@@ -52,12 +52,9 @@ pub(crate) fn num(value: f64) -> String {
 /// Where a text hangs on its point.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
 pub(crate) enum Anchor {
-    /// Begins there.
     #[default]
     Start,
-    /// Is centred there.
     Middle,
-    /// Ends there.
     End,
 }
 
@@ -66,15 +63,10 @@ pub(crate) enum Anchor {
 pub(crate) struct Text<'a> {
     /// Position of the anchor on the base line.
     pub(crate) at: [f64; 2],
-    /// Content, not escaped.
     pub(crate) content: &'a str,
-    /// Colour.
     pub(crate) colour: Colour,
-    /// Anchor.
     pub(crate) anchor: Anchor,
-    /// Type size in units.
     pub(crate) size: f64,
-    /// Bold.
     pub(crate) bold: bool,
     /// A page-coloured rim, for texts that cross lines.
     pub(crate) halo: bool,
@@ -129,9 +121,7 @@ pub(crate) fn text_width(content: &str, size: f64, bold: bool) -> f64 {
 /// How a line is drawn.
 #[derive(Debug, Clone, Copy)]
 pub(crate) struct Stroke {
-    /// Colour.
     pub(crate) colour: Colour,
-    /// Width in units.
     pub(crate) width: f64,
     /// Dash pattern; empty for solid.
     pub(crate) dash: &'static str,
@@ -215,7 +205,6 @@ impl Canvas {
         self.body.push_str("</g>");
     }
 
-    /// A straight line.
     pub(crate) fn line(&mut self, [x1, y1]: [f64; 2], [x2, y2]: [f64; 2], stroke: Stroke) {
         let _ = write!(
             self.body,
@@ -251,7 +240,6 @@ impl Canvas {
         );
     }
 
-    /// A polyline.
     pub(crate) fn polyline(&mut self, points: &[[f64; 2]], stroke: Stroke) {
         if points.len() > 1 {
             self.path(&path_data(points), stroke);
@@ -272,7 +260,6 @@ impl Canvas {
         }
     }
 
-    /// A filled rectangle.
     pub(crate) fn rect(&mut self, [left, top, right, bottom]: Rect, colour: Colour, opacity: f64) {
         let _ = write!(
             self.body,
@@ -306,7 +293,6 @@ impl Canvas {
         );
     }
 
-    /// A text.
     pub(crate) fn text(&mut self, text: &Text<'_>) {
         self.write_text(text, "", "");
     }
@@ -468,9 +454,6 @@ impl Figure {
     }
 
     /// A file of its own: size in millimetres, white ground.
-    ///
-    /// # Errors
-    /// Whatever the writer reports.
     pub(crate) fn write_standalone(&self, out: &mut impl io::Write) -> io::Result<()> {
         let [width, height] = self.size;
         let size = format!(" width=\"{}mm\" height=\"{}mm\"", num(MM * width), num(MM * height));

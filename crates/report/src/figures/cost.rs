@@ -9,19 +9,15 @@ use crate::numbers::{duration, percent};
 /// One way to an answer.
 #[derive(Debug, Clone)]
 pub(crate) struct CostRoute {
-    /// Short name.
     pub label: String,
     /// The series it is, see [`Canvas::series`]; may be empty.
     pub series: String,
-    /// How it is drawn.
     pub look: Style,
-    /// Seconds.
     pub seconds: f64,
     /// Seconds from typed numbers, where nothing has to be prepared, if it can be asked so.
     pub typed: Option<f64>,
     /// Size of its relative error.
     pub error: f64,
-    /// Bold label.
     pub bold: bool,
 }
 

@@ -2,7 +2,9 @@
 
 use crate::draw::palette::{FLOW_RAMP, OkLab, ramp_table};
 use crate::draw::svg::{Figure, num};
-use crate::figures::maps::{Legend, Reduce, map_figure, map_size, picture, reduced, upper_end};
+use crate::figures::maps::{
+    Legend, Reduce, map_figure, map_size, picture, reduced, upper_end, whole,
+};
 use crate::numbers::{Unit, significant};
 use contact_accuracy::Flow;
 use contact_compare::pressure_top;
@@ -12,9 +14,6 @@ use contact_types::Grid;
 const CONTACT: f64 = 0.72;
 
 /// The flux over its mean, dark where the bodies touch, a ring around the bottleneck.
-///
-/// # Errors
-/// If the picture cannot be encoded.
 pub(crate) fn flux(
     flow: &Flow,
     pressure: &[f64],
@@ -23,10 +22,9 @@ pub(crate) fn flux(
     key: &str,
 ) -> Result<Figure, png::EncodingError> {
     let [ny, nx] = grid.shape();
-    let whole = [0, 0, ny, nx];
-    let (flux, shape) = reduced(&flow.flux, grid, whole, limit, Reduce::Max);
+    let (flux, shape) = reduced(&flow.flux, grid, whole(grid), limit, Reduce::Max);
     let touching: Vec<f64> = pressure.iter().map(|p| f64::from(u8::from(*p > 0.0))).collect();
-    let (touching, _) = reduced(&touching, grid, whole, limit, Reduce::Mean);
+    let (touching, _) = reduced(&touching, grid, whole(grid), limit, Reduce::Mean);
     let (top, clipped) = pressure_top(&flow.flux);
     let ramp = ramp_table::<256>(&FLOW_RAMP);
     let colour = |i: usize| {

@@ -1,6 +1,6 @@
 //! The height map: heights by colour with hill shading.
 
-use super::maps::{Legend, Reduce, map_figure, picture, reduced, shading};
+use super::maps::{Legend, Reduce, map_figure, picture, reduced, shading, whole};
 use crate::draw::palette::{HEIGHT_RAMP, OkLab, ramp_table};
 use crate::draw::png::Picture;
 use crate::draw::svg::Figure;
@@ -17,11 +17,13 @@ fn percentiles(values: &[f64]) -> [f64; 2] {
     [0.001, 0.999].map(|q| *left.select_nth_unstable_by(place(q), f64::total_cmp).1)
 }
 
-/// Heights by colour, lit from the upper left; the limits of the ramp come back.
-fn height_picture(heights: &[f64], shape: [usize; 2]) -> (Picture, [f64; 2]) {
+/// A map as a picture of at most `limit` pixels along its longer side: heights by colour, lit from the upper left; the limits
+/// of the ramp come back.
+fn height_picture(heights: &[f64], grid: Grid, limit: usize) -> (Picture, [f64; 2]) {
+    let (heights, shape) = reduced(heights, grid, whole(grid), limit, Reduce::Mean);
     let ramp = ramp_table::<256>(&HEIGHT_RAMP);
-    let [lo, hi] = percentiles(heights);
-    let shade = shading(heights, shape);
+    let [lo, hi] = percentiles(&heights);
+    let shade = shading(&heights, shape);
     let image = picture(shape, |i| {
         let t = if hi > lo { ((heights[i] - lo) / (hi - lo)).clamp(0.0, 1.0) } else { 0.5 };
         let OkLab(l, a, b) = ramp[(t * 255.0).round() as usize];
@@ -32,9 +34,7 @@ fn height_picture(heights: &[f64], shape: [usize; 2]) -> (Picture, [f64; 2]) {
 
 /// A map as a picture of at most `limit` pixels along its longer side: heights by colour, lit from the upper left.
 pub fn thumbnail(heights: &[f64], grid: Grid, limit: usize) -> Picture {
-    let whole = [0, 0, grid.shape()[0], grid.shape()[1]];
-    let (small, shape) = reduced(heights, grid, whole, limit, Reduce::Mean);
-    height_picture(&small, shape).0
+    height_picture(heights, grid, limit).0
 }
 
 /// The picture of [`heights`], packed.
@@ -46,17 +46,12 @@ pub(crate) struct HeightPicture {
 
 impl HeightPicture {
     /// Of heights (m), of at most `limit` pixels along the longer side.
-    ///
-    /// # Errors
-    /// If the picture cannot be encoded.
     pub(crate) fn of(
         heights: &[f64],
         grid: Grid,
         limit: usize,
     ) -> Result<Self, png::EncodingError> {
-        let whole = [0, 0, grid.shape()[0], grid.shape()[1]];
-        let (small, shape) = reduced(heights, grid, whole, limit, Reduce::Mean);
-        let (image, limits) = height_picture(&small, shape);
+        let (image, limits) = height_picture(heights, grid, limit);
         Ok(Self { address: image.data_address()?, limits })
     }
 }

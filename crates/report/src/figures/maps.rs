@@ -29,6 +29,11 @@ pub(crate) enum Reduce {
 /// A rectangular part `[y0, x0, ny, nx]` of a grid.
 pub(crate) type MapPart = [usize; 4];
 
+/// All of a grid.
+pub(super) fn whole(grid: Grid) -> MapPart {
+    [0, 0, grid.shape()[0], grid.shape()[1]]
+}
+
 /// A field cut to a window and reduced to at most `limit` pixels along its longer side.
 pub(crate) fn reduced(
     field: &[f64],
@@ -149,9 +154,6 @@ pub(crate) struct MapMarks {
 }
 
 /// The contact at one load: pressure by colour, the surface in grey, and what is shown elsewhere.
-///
-/// # Errors
-/// If the picture cannot be encoded.
 pub(crate) fn contact(
     pressure: &[f64],
     heights: &[f64],
@@ -160,10 +162,9 @@ pub(crate) fn contact(
     limit: usize,
     key: &str,
 ) -> Result<Figure, png::EncodingError> {
-    let whole = [0, 0, grid.shape()[0], grid.shape()[1]];
     let ((p, shape), (h, _)) = join(
-        || reduced(pressure, grid, whole, limit, Reduce::Max),
-        || reduced(heights, grid, whole, limit, Reduce::Mean),
+        || reduced(pressure, grid, whole(grid), limit, Reduce::Max),
+        || reduced(heights, grid, whole(grid), limit, Reduce::Mean),
     );
     let (top, clipped) = pressure_top(pressure);
     let unit = unit_for(top, PASCALS);
@@ -197,9 +198,6 @@ pub(crate) fn upper_end(top: f64, clipped: bool, unit: Unit) -> String {
 }
 
 /// The window of the contact map, one square per point of the grid.
-///
-/// # Errors
-/// If the picture cannot be encoded.
 pub(crate) fn enlarged(
     pressure: &[f64],
     heights: &[f64],

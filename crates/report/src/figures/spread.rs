@@ -8,7 +8,6 @@ use crate::numbers::{SPACE, Unit, power_of_ten, signed_percent, significant, uni
 
 /// Area over load of many maps, `[load, area fraction]` each.
 pub(crate) struct Curves {
-    /// One curve each.
     pub each: Vec<Vec<[f64; 2]>>,
     /// What the loads are that all maps share, and its units; `None` if they are `p / (E* g)`.
     pub shared: Option<(&'static str, &'static [Unit])>,
@@ -112,9 +111,7 @@ pub(crate) fn curves(curves: &Curves, key: &str) -> Figure {
 
 /// The errors of one model over the maps.
 pub(crate) struct Strip {
-    /// Its label.
     pub label: String,
-    /// How it is drawn.
     pub look: Style,
     /// Signed relative errors.
     pub errors: Quantiles,

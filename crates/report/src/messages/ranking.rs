@@ -20,7 +20,6 @@ pub(crate) fn named(model: &ModelComparison) -> String {
 
 /// A closed form with its error at the reference load.
 pub(crate) struct Ranked<'a> {
-    /// The model.
     pub model: &'a ModelComparison,
     /// Its place among the models of the study.
     pub place: usize,

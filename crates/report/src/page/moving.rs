@@ -47,9 +47,6 @@ impl<'a> Moving<'a> {
     }
 
     /// Hidden pictures and facts behind the whole map: relief, load of first contact, pressures. The page is of so many `surfaces`.
-    ///
-    /// # Errors
-    /// If a picture cannot be encoded.
     pub(crate) fn whole(
         &self,
         relief_limit: usize,
@@ -128,9 +125,6 @@ impl<'a> Moving<'a> {
     }
 
     /// The relief of a window, and where it lies in the whole map.
-    ///
-    /// # Errors
-    /// If the picture cannot be encoded.
     pub(crate) fn relief(
         &self,
         window: MapPart,
@@ -162,9 +156,6 @@ pub(crate) struct Pressures {
 impl Pressures {
     /// All of a surface, in as many steps as its share of a page of `surfaces` bears; if that is too much even in the
     /// fewest, every second, every fourth, and at least the lightest and the heaviest.
-    ///
-    /// # Errors
-    /// If a picture cannot be encoded.
     pub(crate) fn of(surface: &SurfaceComparison, surfaces: usize) -> Result<Self, ReportError> {
         let Some(maps) = &surface.pressure_maps else { return Ok(Self::default()) };
         let last = maps.loads.len().saturating_sub(1);

@@ -192,8 +192,6 @@ pub(crate) struct HeightFigures {
 }
 
 impl HeightFigures {
-    /// # Errors
-    /// If the picture cannot be encoded.
     pub(crate) fn of(surface: &SurfaceComparison, limit: usize) -> Result<Self, ReportError> {
         let grid = surface.surface.grid();
         let is_map = !grid.shape().contains(&1);
