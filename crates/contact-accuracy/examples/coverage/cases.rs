@@ -1,6 +1,6 @@
 //! What is solved: a family on given points, and as the truth on four times as many.
 
-use crate::families::{FAMILIES, Heights, family, map};
+use crate::families::{FAMILIES, Heights, MANY_WAVES, family, map};
 use contact_accuracy::{
     Axis, ContactModulus, Estimate, Finer, Grid, HeightMap, Ladder, Leak, Load, Map, Maps, Numbers,
     Setup, Solution, Solver, SolverBuilder, median, thinned,
@@ -244,7 +244,7 @@ pub(crate) fn sampling() -> String {
     let families: Vec<&str> = FAMILIES
         .iter()
         .map(|f| f.0)
-        .chain(["waves, many"])
+        .chain([MANY_WAVES])
         .filter(|name| !name.starts_with("egg box") && *name != "sawtooth" && *name != "turned")
         .collect();
     let builder = || Solver::builder().tolerance(1e-3).threads(1);

@@ -1,11 +1,12 @@
 //! Surfaces given by formulas on the unit square, so that they are known on any grid: smooth ones, and ones with
 //! creases, tips, steps and edges that do not match.
 
+use Half::{Training as T, Validation as V};
 use contact_accuracy::{Grid, HeightMap};
 use std::f64::consts::TAU;
 
 /// A number from 0 to 1 for each place in a sequence.
-struct Dice(u64);
+pub(crate) struct Dice(u64);
 
 impl Dice {
     fn roll(&mut self) -> f64 {
@@ -89,183 +90,162 @@ pub(crate) enum Half {
     Validation,
 }
 
-/// Every family, and its half.
-pub(crate) const FAMILIES: [(&str, Half); 43] = {
-    use Half::{Training as T, Validation as V};
-    [
-        ("waves, long", T),
-        ("waves, 8 points", V),
-        ("waves, 4 points", T),
-        ("waves, 2.7 points", V),
-        ("short waves", T),
-        ("white noise on top", V),
-        ("lay", V),
-        ("lay, smooth", T),
-        ("turned", V),
-        ("egg box", T),
-        ("egg box, turned", V),
-        ("log-normal", T),
-        ("exponential tails", V),
-        ("balls", T),
-        ("packed balls", V),
-        ("foam", T),
-        ("folded, valleys", V),
-        ("higher of two", T),
-        ("lower of two", V),
-        ("two levels", T),
-        ("pillars", V),
-        ("pores", T),
-        ("terraces", V),
-        ("stairs", T),
-        ("cut", V),
-        ("burrs", T),
-        ("tips", V),
-        ("cones", T),
-        ("pyramids", V),
-        ("ridges", T),
-        ("wedges", V),
-        ("folded, ridges", T),
-        ("fractional parts", V),
-        ("cusps", T),
-        ("ridges of ridges", V),
-        ("ploughed", T),
-        ("lay of creases", V),
-        ("sawtooth", T),
-        ("scratched", V),
-        ("patchy", T),
-        ("crop", V),
-        ("crop, long waves", T),
-        ("crop of a lay", V),
-    ]
-};
+type Distances = Box<dyn Fn(f64, f64) -> [f64; 2]>;
+
+/// Heights from chance, waves of 3 to 8 periods, and the distances to the nearest two of 14 places.
+type FamilyRecipe = fn(&mut Dice, Heights, Distances) -> Heights;
+
+fn self_affine(dice: &mut Dice, hurst: f64, ends: [f64; 2]) -> Heights {
+    waves(dice, hurst, ends, 1.0)
+}
+
+fn positive(z: f64) -> f64 {
+    z.max(0.0)
+}
+
+/// Every family, its half, and what it is.
+pub(crate) const FAMILIES: [(&str, Half, FamilyRecipe); 43] = [
+    ("waves, long", T, |dice, _, _| self_affine(dice, 0.8, [2.0, 8.0])),
+    ("waves, 8 points", V, |dice, _, _| self_affine(dice, 0.8, [3.0, 16.0])),
+    ("waves, 4 points", T, |dice, _, _| self_affine(dice, 0.6, [3.0, 32.0])),
+    ("waves, 2.7 points", V, |dice, _, _| self_affine(dice, 0.5, [3.0, 47.0])),
+    ("short waves", T, |dice, _, _| self_affine(dice, 0.3, [3.0, 15.0])),
+    ("white noise on top", V, |dice, rough, _| {
+        let noise = self_affine(dice, -1.0, [3.0, 47.0]);
+        Box::new(move |y, x| rough(y, x) + 0.02 * noise(y, x))
+    }),
+    ("lay", V, |dice, _, _| waves(dice, 0.7, [3.0, 24.0], 0.2)),
+    ("lay, smooth", T, |dice, _, _| waves(dice, 0.9, [3.0, 10.0], 0.12)),
+    ("turned", V, |dice, rough, _| {
+        let (a, b) = (7.0, 1.0 + (2.0 * dice.roll()).floor());
+        Box::new(move |y, x| (TAU * (a * x + b * y)).cos() + 0.2 * rough(y, x))
+    }),
+    ("egg box", T, |_, _, _| Box::new(|y, x| (TAU * 4.0 * x).cos() * (TAU * 4.0 * y).cos())),
+    ("egg box, turned", V, |_, _, _| {
+        Box::new(|y, x| (TAU * (4.0 * x + y)).cos() + (TAU * (4.0 * y - x)).cos())
+    }),
+    ("log-normal", T, |_, rough, _| Box::new(move |y, x| (0.8 * rough(y, x)).exp())),
+    ("exponential tails", V, |_, rough, _| Box::new(move |y, x| (1.2 * rough(y, x)).exp())),
+    ("balls", T, |_, _, d| Box::new(move |y, x| positive(0.04 - d(y, x)[0].powi(2)).sqrt())),
+    ("packed balls", V, |dice, _, _| {
+        let d = distances(dice, 60);
+        Box::new(move |y, x| positive(0.02 - d(y, x)[0].powi(2)).sqrt())
+    }),
+    ("foam", T, |_, _, d| Box::new(move |y, x| d(y, x)[1] - d(y, x)[0])),
+    ("folded, valleys", V, |_, rough, _| Box::new(move |y, x| rough(y, x).abs())),
+    ("higher of two", T, |dice, rough, _| {
+        let other = self_affine(dice, 0.8, [3.0, 8.0]);
+        Box::new(move |y, x| rough(y, x).max(other(y, x)))
+    }),
+    ("lower of two", V, |dice, rough, _| {
+        let other = self_affine(dice, 0.8, [3.0, 8.0]);
+        Box::new(move |y, x| rough(y, x).min(other(y, x)))
+    }),
+    ("two levels", T, |_, rough, _| {
+        Box::new(move |y, x| (6.0 * rough(y, x)).tanh() + 0.1 * rough(y, x))
+    }),
+    ("pillars", V, |_, rough, d| {
+        Box::new(
+            move |y, x| {
+                if d(y, x)[0] < 0.08 { 1.0 + 0.1 * rough(y, x) } else { 0.1 * rough(y, x) }
+            },
+        )
+    }),
+    ("pores", T, |_, rough, d| {
+        Box::new(move |y, x| {
+            let depth = if d(y, x)[0] < 0.04 { 2.0 } else { 0.0 };
+            0.3 * rough(y, x) - depth
+        })
+    }),
+    ("terraces", V, |dice, rough, _| {
+        let fine = self_affine(dice, 0.8, [6.0, 16.0]);
+        Box::new(move |y, x| (1.5 * rough(y, x)).floor() + 0.1 * fine(y, x))
+    }),
+    ("stairs", T, |_, rough, _| {
+        Box::new(move |y, x| {
+            let s = 2.0 * rough(y, x);
+            s.floor() + (4.0 * (s - s.floor() - 0.5)).clamp(-0.5, 0.5)
+        })
+    }),
+    ("cut", V, |_, rough, _| Box::new(move |y, x| rough(y, x).min(0.3))),
+    ("burrs", T, |_, rough, d| {
+        Box::new(move |y, x| rough(y, x) + 3.0 * (-(d(y, x)[0] / 0.02).powi(2)).exp())
+    }),
+    ("tips", V, |_, rough, d| {
+        Box::new(move |y, x| 0.3 * rough(y, x) + 4.0 * (-d(y, x)[0] / 0.03).exp())
+    }),
+    ("cones", T, |_, _, d| Box::new(move |y, x| -d(y, x)[0])),
+    ("pyramids", V, |dice, _, _| pyramids(dice)),
+    ("ridges", T, |_, _, d| Box::new(move |y, x| d(y, x)[0] - d(y, x)[1])),
+    ("wedges", V, |_, rough, d| {
+        Box::new(move |y, x| 0.02 * rough(y, x) - (d(y, x)[1] - d(y, x)[0]).min(0.08))
+    }),
+    ("folded, ridges", T, |_, rough, _| Box::new(move |y, x| -rough(y, x).abs())),
+    ("fractional parts", V, |_, rough, _| Box::new(move |y, x| off(0.35 * rough(y, x)).abs())),
+    ("cusps", T, |_, rough, _| Box::new(move |y, x| -rough(y, x).abs().sqrt())),
+    ("ridges of ridges", V, |dice, _, _| {
+        let mut part = |share: f64, most| (share, self_affine(dice, 0.8, [3.0, most]));
+        let all = [part(1.0, 4.0), part(0.5, 8.0), part(0.25, 16.0)];
+        Box::new(move |y, x| all.iter().map(|(share, waves)| -share * waves(y, x).abs()).sum())
+    }),
+    ("ploughed", T, |dice, rough, _| {
+        let lines = lines(dice, 8, 2.0);
+        Box::new(move |y, x| {
+            let groove =
+                |s: f64| positive(1.0 - (s - 0.03).abs() / 0.01) - 2.0 * positive(1.0 - s / 0.02);
+            rough(y, x) + lines(y, x).into_iter().map(groove).sum::<f64>()
+        })
+    }),
+    ("lay of creases", V, |dice, _, _| {
+        let lines = lines(dice, 9, 5.0);
+        Box::new(move |y, x| lines(y, x).iter().sum())
+    }),
+    ("sawtooth", T, |dice, rough, _| {
+        let (a, phase) = (5.0 + (4.0 * dice.roll()).floor(), dice.roll());
+        Box::new(move |y, x| {
+            let s = a * x + y + phase;
+            let s = s - s.floor();
+            (if s < 0.7 { s / 0.7 } else { (1.0 - s) / 0.3 }) + 0.2 * rough(y, x)
+        })
+    }),
+    ("scratched", V, |dice, rough, _| {
+        let lines = lines(dice, 10, 2.0);
+        Box::new(move |y, x| {
+            let scratch = |s: f64| -2.0 * (-(s / 0.012).powi(2)).exp();
+            rough(y, x) + lines(y, x).into_iter().map(scratch).sum::<f64>()
+        })
+    }),
+    ("patchy", T, |dice, rough, _| {
+        let fine = self_affine(dice, 0.6, [8.0, 24.0]);
+        Box::new(move |y, x| (1.0 + 0.8 * rough(y, x).tanh()) * fine(y, x))
+    }),
+    // Places that are no whole period, so that opposite edges do not match.
+    ("crop", V, |dice, _, _| {
+        let whole = self_affine(dice, 0.8, [3.0, 24.0]);
+        Box::new(move |y, x| whole(0.61 * y, 0.61 * x))
+    }),
+    ("crop, long waves", T, |dice, _, _| {
+        let whole = self_affine(dice, 0.8, [1.0, 20.0]);
+        Box::new(move |y, x| whole(0.47 * y, 0.47 * x))
+    }),
+    ("crop of a lay", V, |dice, _, _| {
+        let whole = waves(dice, 0.7, [3.0, 24.0], 0.2);
+        Box::new(move |y, x| whole(0.61 * y, 0.61 * x))
+    }),
+];
+
+/// A family of the sampling variability alone.
+pub(crate) const MANY_WAVES: &str = "waves, many";
 
 /// The heights of a family, each from its own seeds.
 pub(crate) fn family(name: &str, seed: u64) -> Option<Heights> {
     let dice = &mut Dice(1000 * seed + name.bytes().map(u64::from).sum::<u64>());
-    let rough = waves(dice, 0.8, [3.0, 8.0], 1.0);
-    let d = distances(dice, 14);
-    let positive = |z: f64| z.max(0.0);
-    let mut self_affine = |hurst, ends| waves(dice, hurst, ends, 1.0);
-    Some(match name {
-        "waves, long" => self_affine(0.8, [2.0, 8.0]),
-        "waves, many" => self_affine(0.8, [16.0, 32.0]), // of the sampling variability alone
-        "waves, 8 points" => self_affine(0.8, [3.0, 16.0]),
-        "waves, 4 points" => self_affine(0.6, [3.0, 32.0]),
-        "waves, 2.7 points" => self_affine(0.5, [3.0, 47.0]),
-        "short waves" => self_affine(0.3, [3.0, 15.0]),
-        "white noise on top" => {
-            let noise = self_affine(-1.0, [3.0, 47.0]);
-            Box::new(move |y, x| rough(y, x) + 0.02 * noise(y, x))
-        }
-        "lay" => waves(dice, 0.7, [3.0, 24.0], 0.2),
-        "lay, smooth" => waves(dice, 0.9, [3.0, 10.0], 0.12),
-        "turned" => {
-            let (a, b) = (7.0, 1.0 + (2.0 * dice.roll()).floor());
-            Box::new(move |y, x| (TAU * (a * x + b * y)).cos() + 0.2 * rough(y, x))
-        }
-        "egg box" => Box::new(|y, x| (TAU * 4.0 * x).cos() * (TAU * 4.0 * y).cos()),
-        "egg box, turned" => {
-            Box::new(|y, x| (TAU * (4.0 * x + y)).cos() + (TAU * (4.0 * y - x)).cos())
-        }
-        "log-normal" => Box::new(move |y, x| (0.8 * rough(y, x)).exp()),
-        "exponential tails" => Box::new(move |y, x| (1.2 * rough(y, x)).exp()),
-        "balls" => Box::new(move |y, x| positive(0.04 - d(y, x)[0].powi(2)).sqrt()),
-        "packed balls" => {
-            let d = distances(dice, 60);
-            Box::new(move |y, x| positive(0.02 - d(y, x)[0].powi(2)).sqrt())
-        }
-        "foam" => Box::new(move |y, x| d(y, x)[1] - d(y, x)[0]),
-        "folded, valleys" => Box::new(move |y, x| rough(y, x).abs()),
-        "higher of two" => {
-            let other = self_affine(0.8, [3.0, 8.0]);
-            Box::new(move |y, x| rough(y, x).max(other(y, x)))
-        }
-        "lower of two" => {
-            let other = self_affine(0.8, [3.0, 8.0]);
-            Box::new(move |y, x| rough(y, x).min(other(y, x)))
-        }
-        "two levels" => Box::new(move |y, x| (6.0 * rough(y, x)).tanh() + 0.1 * rough(y, x)),
-        "pillars" => {
-            Box::new(
-                move |y, x| {
-                    if d(y, x)[0] < 0.08 { 1.0 + 0.1 * rough(y, x) } else { 0.1 * rough(y, x) }
-                },
-            )
-        }
-        "pores" => Box::new(move |y, x| {
-            let depth = if d(y, x)[0] < 0.04 { 2.0 } else { 0.0 };
-            0.3 * rough(y, x) - depth
-        }),
-        "terraces" => {
-            let fine = self_affine(0.8, [6.0, 16.0]);
-            Box::new(move |y, x| (1.5 * rough(y, x)).floor() + 0.1 * fine(y, x))
-        }
-        "stairs" => Box::new(move |y, x| {
-            let s = 2.0 * rough(y, x);
-            s.floor() + (4.0 * (s - s.floor() - 0.5)).clamp(-0.5, 0.5)
-        }),
-        "cut" => Box::new(move |y, x| rough(y, x).min(0.3)),
-        "burrs" => Box::new(move |y, x| rough(y, x) + 3.0 * (-(d(y, x)[0] / 0.02).powi(2)).exp()),
-        "tips" => Box::new(move |y, x| 0.3 * rough(y, x) + 4.0 * (-d(y, x)[0] / 0.03).exp()),
-        "cones" => Box::new(move |y, x| -d(y, x)[0]),
-        "pyramids" => pyramids(dice),
-        "ridges" => Box::new(move |y, x| d(y, x)[0] - d(y, x)[1]),
-        "wedges" => Box::new(move |y, x| 0.02 * rough(y, x) - (d(y, x)[1] - d(y, x)[0]).min(0.08)),
-        "folded, ridges" => Box::new(move |y, x| -rough(y, x).abs()),
-        "fractional parts" => Box::new(move |y, x| off(0.35 * rough(y, x)).abs()),
-        "cusps" => Box::new(move |y, x| -rough(y, x).abs().sqrt()),
-        "ridges of ridges" => {
-            let mut part = |share: f64, most| (share, self_affine(0.8, [3.0, most]));
-            let all = [part(1.0, 4.0), part(0.5, 8.0), part(0.25, 16.0)];
-            Box::new(move |y, x| all.iter().map(|(share, waves)| -share * waves(y, x).abs()).sum())
-        }
-        "ploughed" => {
-            let lines = lines(dice, 8, 2.0);
-            Box::new(move |y, x| {
-                let groove = |s: f64| {
-                    positive(1.0 - (s - 0.03).abs() / 0.01) - 2.0 * positive(1.0 - s / 0.02)
-                };
-                rough(y, x) + lines(y, x).into_iter().map(groove).sum::<f64>()
-            })
-        }
-        "lay of creases" => {
-            let lines = lines(dice, 9, 5.0);
-            Box::new(move |y, x| lines(y, x).iter().sum())
-        }
-        "sawtooth" => {
-            let (a, phase) = (5.0 + (4.0 * dice.roll()).floor(), dice.roll());
-            Box::new(move |y, x| {
-                let s = a * x + y + phase;
-                let s = s - s.floor();
-                (if s < 0.7 { s / 0.7 } else { (1.0 - s) / 0.3 }) + 0.2 * rough(y, x)
-            })
-        }
-        "scratched" => {
-            let lines = lines(dice, 10, 2.0);
-            Box::new(move |y, x| {
-                let scratch = |s: f64| -2.0 * (-(s / 0.012).powi(2)).exp();
-                rough(y, x) + lines(y, x).into_iter().map(scratch).sum::<f64>()
-            })
-        }
-        "patchy" => {
-            let fine = self_affine(0.6, [8.0, 24.0]);
-            Box::new(move |y, x| (1.0 + 0.8 * rough(y, x).tanh()) * fine(y, x))
-        }
-        // Places that are no whole period, so that opposite edges do not match.
-        "crop" => {
-            let whole = self_affine(0.8, [3.0, 24.0]);
-            Box::new(move |y, x| whole(0.61 * y, 0.61 * x))
-        }
-        "crop, long waves" => {
-            let whole = self_affine(0.8, [1.0, 20.0]);
-            Box::new(move |y, x| whole(0.47 * y, 0.47 * x))
-        }
-        "crop of a lay" => {
-            let whole = waves(dice, 0.7, [3.0, 24.0], 0.2);
-            Box::new(move |y, x| whole(0.61 * y, 0.61 * x))
-        }
-        _ => return None,
-    })
+    let rough = self_affine(dice, 0.8, [3.0, 8.0]);
+    let d = Box::new(distances(dice, 14));
+    if name == MANY_WAVES {
+        return Some(self_affine(dice, 0.8, [16.0, 32.0]));
+    }
+    Some(FAMILIES.iter().find(|family| family.0 == name)?.2(dice, rough, d))
 }
 
 /// The surface on `points` points along each side.
