@@ -171,7 +171,9 @@ pub fn write_tradeoff_pressure(table: &TradeoffTable, out: &mut impl Write) -> i
         let style = plot_style(&format!("{method} {precision}"), 0);
         let line: Vec<[f64; 2]> = series.iter().map(|r| plot.at(point(r))).collect();
         plot.line(&line, style, None);
-        line.iter().for_each(|place| plot.point(*place, None, style));
+        for place in line {
+            plot.point(place, None, style);
+        }
         let bold = name == "chord";
         drawn.push((series, CostLabel { bold, ..label(name, style) }));
     }
