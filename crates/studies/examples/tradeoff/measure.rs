@@ -17,7 +17,7 @@ use surface_stats::clean::resample;
 use surface_stats::spectrum::amplitudes;
 use surface_stats::{Edges, StatsOptions, SurfaceStatistics};
 
-type Measured<T> = Result<T, Box<dyn Error>>;
+type RunResult<T> = Result<T, Box<dyn Error>>;
 
 /// Contact modulus \[Pa\]; every ratio is free of it.
 const MODULUS: f64 = 1e11;
@@ -93,7 +93,7 @@ impl Plan {
 }
 
 /// Measures everything, one row at a time into `take`.
-pub(crate) fn run(plan: &Plan, take: &mut dyn FnMut(TradeoffRow)) -> Measured<()> {
+pub(crate) fn run(plan: &Plan, take: &mut dyn FnMut(TradeoffRow)) -> RunResult<()> {
     for mut recipe in built_in_recipes()?.into_iter().take(plan.surfaces) {
         if let Some(points) = plan.points {
             recipe.shape = [points; 2];
@@ -103,7 +103,7 @@ pub(crate) fn run(plan: &Plan, take: &mut dyn FnMut(TradeoffRow)) -> Measured<()
     Ok(())
 }
 
-fn surface(plan: &Plan, surface: Surface, take: &mut dyn FnMut(TradeoffRow)) -> Measured<()> {
+fn surface(plan: &Plan, surface: Surface, take: &mut dyn FnMut(TradeoffRow)) -> RunResult<()> {
     let name = surface.name.clone();
     let modulus = ContactModulus::from_pascals(MODULUS)?;
     let (map, inputs) = as_compared(surface)?;
@@ -144,7 +144,7 @@ fn scaled(points: usize, scale: f64) -> usize {
 }
 
 /// The map and the numbers that `compare` gives the models.
-fn as_compared(surface: Surface) -> Measured<(HeightMap, Inputs)> {
+fn as_compared(surface: Surface) -> RunResult<(HeightMap, Inputs)> {
     let settings = Settings {
         modulus: MODULUS,
         pressures: Some(vec![1e-4 * MODULUS]),
@@ -160,7 +160,7 @@ fn as_compared(surface: Surface) -> Measured<(HeightMap, Inputs)> {
 }
 
 /// Seconds for everything a model may need of a map.
-fn statistics_seconds(map: &HeightMap) -> Measured<f64> {
+fn statistics_seconds(map: &HeightMap) -> RunResult<f64> {
     let options = StatsOptions { level: Level::None, edges: PERIODIC, ..StatsOptions::default() };
     let mut best = f64::INFINITY;
     for _ in 0..REPEATS {
@@ -179,8 +179,8 @@ fn truth(
     finest: &HeightMap,
     modulus: ContactModulus,
     pressure: f64,
-) -> Measured<[f64; 2]> {
-    let solve = |map: &HeightMap| -> Measured<[f64; 2]> {
+) -> RunResult<[f64; 2]> {
+    let solve = |map: &HeightMap| -> RunResult<[f64; 2]> {
         let mut solver = Solver::builder().tolerance(1e-10).build(map.grid(), modulus)?;
         let found = solver.solve(map, Load::MeanPressure(pressure))?;
         let correction = PERIMETER_CORRECTION * found.diagnostics.contact_perimeter;
@@ -250,7 +250,7 @@ struct TimedSolution {
 }
 
 impl Job<'_> {
-    fn solve(&self, is_close_up: bool, take: &mut dyn FnMut(TradeoffRow)) -> Measured<()> {
+    fn solve(&self, is_close_up: bool, take: &mut dyn FnMut(TradeoffRow)) -> RunResult<()> {
         let Plan { tolerances: [all, some], few_tolerances, .. } = *self.plan;
         let tolerances = if is_close_up { all } else { some };
         if self.points > self.map.grid().shape()[0] {
@@ -285,7 +285,7 @@ impl Job<'_> {
         tolerances: &[f64],
         exact: Option<&[f64]>,
         take: &mut dyn FnMut(TradeoffRow),
-    ) -> Measured<()> {
+    ) -> RunResult<()> {
         for &tolerance in tolerances.iter().filter(|&&t| t >= Plan::lowest(precision)) {
             let first = self.answer(method, precision, tolerance)?;
             let mut seconds = first.seconds;
@@ -321,7 +321,7 @@ impl Job<'_> {
         method: Method,
         precision: Precision,
         tolerance: f64,
-    ) -> Measured<TimedSolution> {
+    ) -> RunResult<TimedSolution> {
         let most = self.plan.most_pairs;
         let watch = |it: &Iteration<'_>| {
             if it.transforms < most { ControlFlow::Continue(()) } else { ControlFlow::Break(()) }
@@ -350,7 +350,7 @@ impl Job<'_> {
     }
 
     /// The time of one FFT pair on this grid in both precisions.
-    fn pairs(&self, take: &mut dyn FnMut(TradeoffRow)) -> Measured<()> {
+    fn pairs(&self, take: &mut dyn FnMut(TradeoffRow)) -> RunResult<()> {
         let [ny, nx] = [self.points; 2];
         let [ly, lx] = self.map.grid().size();
         let grid = Grid::new([ny, nx], [ly / ny as f64, lx / nx as f64])?;
@@ -367,7 +367,7 @@ impl Job<'_> {
     }
 }
 
-fn one_pair<T: Real>(grid: Grid, modulus: ContactModulus, budget: f64) -> Measured<f64> {
+fn one_pair<T: Real>(grid: Grid, modulus: ContactModulus, budget: f64) -> RunResult<f64> {
     let mut half_space = HalfSpace::<T>::new(grid, modulus);
     let mut field = vec![T::of(1.0); grid.len()];
     let mut trouble = None;
