@@ -1,10 +1,10 @@
 //! From a scaled state to the solution in SI units with its diagnostics.
 
-use crate::engine::{Engine, Run};
+use crate::engine::{Engine, StateOrigin};
 use crate::methods::{Top, under};
 use crate::problem::Problem;
 use crate::simd::vectorised;
-use crate::tally::{Fields, tally};
+use crate::tally::{AnswerFields, tally};
 use crate::{
     Boundary, Diagnostics, Load, Maps, PERIMETER_CORRECTION, Real, Residuals, Solution, Yielded,
     certificate, fields,
@@ -14,11 +14,16 @@ use contact_types::{ContactState, Grid};
 use grid_fft::parallel::prelude::*;
 
 impl<T: Real> Engine<T> {
-    pub(crate) fn solution(&mut self, problem: &Problem<T>, run: &Run, load: Load) -> Solution {
+    pub(crate) fn solution(
+        &mut self,
+        problem: &Problem<T>,
+        run: &StateOrigin,
+        load: Load,
+    ) -> Solution {
         let mut transforms = run.outcome.transforms;
         let ceilings = self.ceilings();
         let ceiling = self.top(problem, &ceilings);
-        let hardness_map = self.hardness_map.clone();
+        let hardness_map = self.settings.hardness_map.clone();
         let energy_bound = match run.exact {
             _ if !self.settings.certified => None,
             Some(_) => Some(0.0),
@@ -34,7 +39,7 @@ impl<T: Real> Engine<T> {
                 error.relative.is_finite().then_some(error.relative)
             }
         };
-        let (units, settings, state) = (problem.units, self.settings, &self.state);
+        let (units, settings, state) = (problem.units, &self.settings, &self.state);
         let (p, u, h, level) =
             (&state.pressure, &state.displacement, &problem.heights, state.level);
         let is_full = |i: usize| p[i] >= ceiling.at(i);
@@ -47,7 +52,7 @@ impl<T: Real> Engine<T> {
         let grid = problem.given;
         let blocks = coarse(grid).shape();
         let mut coarse_gap = vec![0.0; blocks[0] * blocks[1]];
-        let fields = Fields { pressure: p, displacement: u, heights: h, level };
+        let fields = AnswerFields { pressure: p, displacement: u, heights: h, level };
         let (shape, boundary) = (grid.shape(), settings.boundary);
         let found = under!(ceiling, top => {
             tally(top, fields, boundary, shape, blocks, &mut coarse_gap)

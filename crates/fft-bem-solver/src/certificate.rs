@@ -20,7 +20,7 @@
 //!
 //! The bound says nothing about the contact area.
 
-use crate::methods::{Ceiling, Compliance, Elastic, State, Top, passes, under};
+use crate::methods::{Ceiling, Compliance, NoCeiling, State, Top, passes, under};
 use crate::row_work::{Partial, TASK};
 use crate::{End, Real, fields};
 use std::f64::consts::FRAC_PI_2;
@@ -106,7 +106,7 @@ pub(crate) struct Patience {
 const STALL: usize = 10;
 
 /// What [`Patience::judge`] found.
-pub(crate) struct Verdict {
+pub(crate) struct Judgement {
     pub(crate) end: Option<End>,
     pub(crate) residual: Option<f64>,
     pub(crate) transforms: f64,
@@ -125,15 +125,15 @@ impl Patience {
         gap: &[T],
         scratch: &mut [T],
         operator: &mut dyn Compliance<T>,
-    ) -> Verdict {
+    ) -> Judgement {
         let p = &state.pressure;
-        let square = |i: usize| violation(Elastic, i, p[i], gap[i]).wide().powi(2);
+        let square = |i: usize| violation(NoCeiling, i, p[i], gap[i]).wide().powi(2);
         let plain = FRAC_PI_2 * (fields::sum_of(p.len(), square) / fields::dot(p, p)).sqrt();
         let is_rounding = is_rounding(state, heights, gap);
         if plain > self.worthwhile.max(30.0 * T::ATTAINABLE) && !is_rounding {
-            return Verdict { end: None, residual: None, transforms: 0.0 };
+            return Judgement { end: None, residual: None, transforms: 0.0 };
         }
-        let bound = energy_error(Elastic, state, |i| gap[i], scratch, operator);
+        let bound = energy_error(NoCeiling, state, |i| gap[i], scratch, operator);
         let relative = if bound.relative.is_finite() { CAUTION * bound.relative } else { plain };
         self.since += 1;
         if relative <= 0.5 * self.best {
@@ -150,14 +150,14 @@ impl Patience {
         if relative <= T::ATTAINABLE {
             self.worthwhile = 2.0 * plain; // near rounding: look every time
         }
-        Verdict { end, residual: Some(relative), transforms: bound.transforms }
+        Judgement { end, residual: Some(relative), transforms: bound.transforms }
     }
 }
 
 /// True if what is left of the gap in contact is rounding of the two fields it is made of.
 fn is_rounding<T: Real>(state: &State<T>, heights: &[T], gap: &[T]) -> bool {
     let (p, u) = (&state.pressure, &state.displacement);
-    let violation = |i: usize| violation(Elastic, i, p[i], gap[i]).wide().abs();
+    let violation = |i: usize| violation(NoCeiling, i, p[i], gap[i]).wide().abs();
     let worst = fields::largest_of(p.len(), violation);
     let size = fields::largest_of(p.len(), |i| {
         let matters = violation(i) > 0.0 || p[i] > T::zero();

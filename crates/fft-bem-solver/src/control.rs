@@ -2,7 +2,7 @@
 //! secant in the logarithm of the mean pressure, kept inside a bracket, warm-started.
 
 use crate::methods::{
-    Compliance, ContactMethod, Outcome, RISE, Start, State, Step, Target, Task, Watch,
+    Compliance, ContactMethod, ContactTask, IterateView, Outcome, RISE, Start, State, Target, Watch,
 };
 use crate::{Boundary, End, Real, certificate, fields, yield_control};
 
@@ -18,7 +18,7 @@ const MAX_LOADS: usize = 100;
 /// Solves `task`: by the method alone where it can, by loads where it cannot or does not succeed.
 pub(crate) fn solve<T: Real>(
     method: &mut dyn ContactMethod<T>,
-    task: &Task<'_, T>,
+    task: &ContactTask<'_, T>,
     operator: &mut dyn Compliance<T>,
     start: Start,
     state: &mut State<T>,
@@ -36,7 +36,8 @@ pub(crate) fn solve<T: Real>(
     if !method.controls_level() {
         return by_loads(method, task, (level, guess), operator, start, state, watch, nothing);
     }
-    let native = Task { max_iterations: task.max_iterations.min(NATIVE_ITERATIONS), ..*task };
+    let native =
+        ContactTask { max_iterations: task.max_iterations.min(NATIVE_ITERATIONS), ..*task };
     let tried = method.solve(&native, operator, start, state, watch);
     if tried.end != End::Exhausted || tried.iterations >= task.max_iterations {
         return tried;
@@ -52,7 +53,7 @@ pub(crate) fn solve<T: Real>(
 #[expect(clippy::too_many_arguments, reason = "those of a method, and what came before")]
 fn by_loads<T: Real>(
     method: &mut dyn ContactMethod<T>,
-    task: &Task<'_, T>,
+    task: &ContactTask<'_, T>,
     (level, guess): (f64, f64),
     operator: &mut dyn Compliance<T>,
     start: Start,
@@ -75,7 +76,7 @@ fn by_loads<T: Real>(
     let mut loads = 0;
     loop {
         loads += 1;
-        let sub = Task {
+        let sub = ContactTask {
             target: Target::Pressure(load),
             tolerance: accuracy.max(finest),
             max_iterations: task.max_iterations - iterations,
@@ -83,12 +84,12 @@ fn by_loads<T: Real>(
         };
         // An iterate that fits its load is no answer yet while its level is another.
         let known_slope = last_slope;
-        let mut shifted = |step: &Step<'_, T>| {
+        let mut shifted = |step: &IterateView<'_, T>| {
             let missing = known_slope.map_or(f64::INFINITY, |slope| {
                 let reached = certificate::level(step.state, &task.problem.heights, task.ceiling);
                 ((level - reached) / slope).abs()
             });
-            watch(&Step {
+            watch(&IterateView {
                 iteration: iterations + step.iteration,
                 transforms: transforms + step.transforms,
                 residual: step.residual.max(missing),

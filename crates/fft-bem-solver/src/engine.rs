@@ -1,44 +1,27 @@
 //! From a surface and a load in SI units to a solution, through the scaled problem.
 
 use crate::methods::{
-    self, Compliance, ContactMethod, Outcome, Start, State, Step, Target, Task, Top,
+    self, Compliance, ContactMethod, ContactTask, IterateView, Outcome, Start, State, Target, Top,
 };
 use crate::observer::Observe;
 use crate::problem::Problem;
 use crate::{
-    Boundary, End, Iteration, Load, Maps, Method, Precision, Real, Solution, SolverError, control,
+    Boundary, End, Iteration, Load, Method, Real, Solution, SolverBuilder, SolverError, control,
     fields, special_cases,
 };
 use contact_types::{Clock, ContactModulus, Grid, HeightMap};
 use std::sync::Arc;
 
-/// The settings of a solver, checked.
-#[derive(Debug, Clone, Copy)]
-pub(crate) struct Settings {
-    pub(crate) method: Method,
-    pub(crate) boundary: Boundary,
-    pub(crate) precision: Precision,
-    pub(crate) tolerance: f64,
-    pub(crate) max_iterations: Option<usize>,
-    pub(crate) certified: bool,
-    pub(crate) maps: Maps,
-    pub(crate) section: Option<usize>,
-    /// Pa; infinite for elastic bodies, the mean of a map.
-    pub(crate) hardness: f64,
-    pub(crate) modulus: ContactModulus,
-}
-
 /// Everything a solve needs, in the floating-point type of the solve.
 pub(crate) struct Engine<T> {
-    pub(crate) settings: Settings,
+    pub(crate) settings: SolverBuilder,
+    modulus: ContactModulus,
     scaled: Grid,
     method: Box<dyn ContactMethod<T>>,
     operator: Box<dyn Compliance<T>>,
     pub(crate) state: State<T>,
     problem: Option<Arc<Problem<T>>>,
-    /// Hardness of each pixel (Pa), if it is not the same everywhere.
-    pub(crate) hardness_map: Option<Arc<[f64]>>,
-    /// The same in units of the problem.
+    /// Hardness of each pixel in units of the problem, if it is not the same everywhere.
     ceilings: Arc<[T]>,
     /// Mean pressure that closes every gap of the problem, once it is known.
     closing_load: Option<f64>,
@@ -48,7 +31,7 @@ pub(crate) struct Engine<T> {
 }
 
 /// How a state came about.
-pub(crate) struct Run {
+pub(crate) struct StateOrigin {
     pub(crate) exact: Option<&'static str>,
     pub(crate) outcome: Outcome,
     pub(crate) clock: Clock,
@@ -56,20 +39,21 @@ pub(crate) struct Run {
 
 impl<T: Real> Engine<T> {
     pub(crate) fn new(
-        settings: Settings,
+        mut settings: SolverBuilder,
+        modulus: ContactModulus,
         scaled: Grid,
-        hardness_map: Option<Arc<[f64]>>,
     ) -> Result<Self, SolverError> {
         let (method, iteration) = methods::build(settings.method, scaled, settings.boundary)?;
+        settings.method = method;
         let operator = methods::operator(scaled, settings.boundary);
         Ok(Self {
-            settings: Settings { method, ..settings },
+            settings,
+            modulus,
             scaled,
             method: iteration,
             operator,
             state: State::new(scaled.len()),
             problem: None,
-            hardness_map,
             ceilings: Arc::new([]),
             closing_load: None,
             suspected_closing_load: None,
@@ -90,9 +74,8 @@ impl<T: Real> Engine<T> {
         self.closing_load = None;
         self.suspected_closing_load = None;
         self.problem = None;
-        let new = || Problem::new(surface, self.scaled, self.settings.modulus);
-        let problem = new()?;
-        if let Some(map) = &self.hardness_map {
+        let problem = Problem::new(surface, self.scaled, self.modulus)?;
+        if let Some(map) = &self.settings.hardness_map {
             self.ceilings = map.iter().map(|h| T::of(h / problem.units.pressure)).collect();
         }
         self.problem = Some(Arc::new(problem));
@@ -105,27 +88,17 @@ impl<T: Real> Engine<T> {
         observer: &mut Observe<'_>,
         clock: Clock,
     ) -> Result<Solution, SolverError> {
-        let problem = self.problem.clone().ok_or(SolverError::NoSurface)?;
-        self.solve_problem(&problem, load, observer, clock)
-    }
-
-    fn solve_problem(
-        &mut self,
-        problem: &Problem<T>,
-        load: Load,
-        observer: &mut Observe<'_>,
-        clock: Clock,
-    ) -> Result<Solution, SolverError> {
+        let problem = &*self.problem.clone().ok_or(SolverError::NoSurface)?;
         let ceilings = self.ceilings.clone();
         let ceiling = self.top(problem, &ceilings);
         let prescribed = self.prescribed(problem, load, ceiling)?;
         let start = if self.is_warm { Start::Warm } else { Start::Cold };
         self.is_warm = false; // until this solve has left a useful state behind
         let found = match prescribed {
-            Prescribed::Apart(level) => self.apart(level, clock),
-            Prescribed::Closed => self.closed(problem, clock),
-            Prescribed::Yielded => self.yielded(problem, ceiling, clock),
-            Prescribed::Target(target) => {
+            LoadMeaning::Apart(level) => self.apart(level, clock),
+            LoadMeaning::Closed => self.closed(problem, clock),
+            LoadMeaning::Yielded => self.yielded(problem, ceiling, clock),
+            LoadMeaning::Target(target) => {
                 self.target(problem, ceiling, target, start, observer, clock)
             }
         };
@@ -157,7 +130,7 @@ impl<T: Real> Engine<T> {
         problem: &Problem<T>,
         load: Load,
         ceiling: Top<'_, T>,
-    ) -> Result<Prescribed, SolverError> {
+    ) -> Result<LoadMeaning, SolverError> {
         let (quantity, value, unit) = match load {
             Load::MeanPressure(p) => ("mean pressure", p, "Pa"),
             Load::MeanGap(g) => ("mean gap", g, "m"),
@@ -175,7 +148,7 @@ impl<T: Real> Engine<T> {
                 return Err(SolverError::AboveHardness { mean_pressure: pressure, hardness });
             }
             Load::MeanPressure(pressure) if pressure >= hardness => {
-                return Ok(Prescribed::Yielded);
+                return Ok(LoadMeaning::Yielded);
             }
             Load::MeanPressure(pressure) => {
                 let scaled = pressure / problem.units.pressure;
@@ -188,8 +161,8 @@ impl<T: Real> Engine<T> {
                     });
                 }
                 return Ok(match scaled {
-                    s if s > 0.0 => Prescribed::Target(Target::Pressure(s)),
-                    _ => Prescribed::Apart(0.0),
+                    s if s > 0.0 => LoadMeaning::Target(Target::Pressure(s)),
+                    _ => LoadMeaning::Apart(0.0),
                 });
             }
             Load::MeanGap(_) if !is_periodic => {
@@ -209,39 +182,39 @@ impl<T: Real> Engine<T> {
                 let gap = gap / problem.units.height;
                 if gap < most {
                     let guess = first_guess(problem, (most - gap).min(0.999 * most));
-                    return Ok(Prescribed::Target(Target::OpenGap(gap, guess)));
+                    return Ok(LoadMeaning::Target(Target::OpenGap(gap, guess)));
                 }
                 most - gap
             }
             Load::MeanGap(gap) => {
                 if gap <= 0.0 {
-                    return Ok(Prescribed::Closed);
+                    return Ok(LoadMeaning::Closed);
                 }
                 most - gap / problem.units.height
             }
             Load::Approach(approach) => approach / problem.units.height,
         };
         if level <= 0.0 {
-            return Ok(Prescribed::Apart(level));
+            return Ok(LoadMeaning::Apart(level));
         }
         if is_periodic && yields && level >= 1.0 {
-            if self.hardness_map.is_some() {
+            if self.settings.hardness_map.is_some() {
                 return bad(
                     "it would take the flat deeper than the lowest point, and with a map of hardness \
                             nobody knows where all yields; prescribe the mean pressure instead",
                 );
             }
-            return Ok(Prescribed::Yielded); // deeper than the lowest point
+            return Ok(LoadMeaning::Yielded); // deeper than the lowest point
         }
         if is_periodic && !yields && level >= most {
             return bad("it would take the flat deeper than where every gap is closed; \
                         prescribe the mean pressure instead");
         }
-        Ok(Prescribed::Target(Target::Level(level, first_guess(problem, level))))
+        Ok(LoadMeaning::Target(Target::Level(level, first_guess(problem, level))))
     }
 
     /// Nothing carries load: the undeformed surface, its highest point at `-level` from the flat.
-    fn apart(&mut self, level: f64, clock: Clock) -> Run {
+    fn apart(&mut self, level: f64, clock: Clock) -> StateOrigin {
         self.state.pressure.fill(T::zero());
         self.state.displacement.fill(T::zero());
         self.state.level = level;
@@ -249,7 +222,7 @@ impl<T: Real> Engine<T> {
     }
 
     /// The least load that closes every gap.
-    fn closed(&mut self, problem: &Problem<T>, clock: Clock) -> Run {
+    fn closed(&mut self, problem: &Problem<T>, clock: Clock) -> StateOrigin {
         let (operator, state) = (self.operator.as_mut(), &mut self.state);
         let least = special_cases::flattening_pressure(problem, operator, &mut state.pressure);
         special_cases::full_contact(problem, least.unwrap_or(0.0), state);
@@ -257,11 +230,11 @@ impl<T: Real> Engine<T> {
     }
 
     /// Everything at the ceiling. The flat is where the lowest point still touches it.
-    fn yielded(&mut self, problem: &Problem<T>, ceiling: Top<'_, T>, clock: Clock) -> Run {
+    fn yielded(&mut self, problem: &Problem<T>, ceiling: Top<'_, T>, clock: Clock) -> StateOrigin {
         let State { pressure, displacement, level } = &mut self.state;
         fields::write(pressure, |i, _| ceiling.at(i));
         let mut spent = 0.0;
-        let is_even = self.hardness_map.is_none();
+        let is_even = self.settings.hardness_map.is_none();
         if self.settings.boundary == Boundary::Periodic && is_even {
             displacement.fill(T::zero());
         } else {
@@ -281,17 +254,16 @@ impl<T: Real> Engine<T> {
         start: Start,
         observer: &mut Observe<'_>,
         clock: Clock,
-    ) -> Run {
+    ) -> StateOrigin {
         let mut spent = 0.0;
         let mut start = start;
         if let Target::Pressure(load) = target {
-            let tried = { self.without_iterating(problem, load, ceiling, &mut start) };
-            match tried {
+            match self.without_iterating(problem, load, ceiling, &mut start) {
                 (Some(reason), pairs) => return exact(reason, pairs, clock),
                 (None, pairs) => spent += pairs,
             }
         }
-        let task = Task {
+        let task = ContactTask {
             problem,
             target,
             ceiling,
@@ -302,20 +274,23 @@ impl<T: Real> Engine<T> {
             }),
         };
         let is_patient = self.settings.max_iterations.is_none_or(|n| n >= 200);
-        let units = problem.units;
-        let mut watch = |step: &Step<'_, T>| {
+        let (units, n) = (problem.units, problem.heights.len() as f64);
+        let mut watch = |step: &IterateView<'_, T>| {
             let state = step.state;
             observer(&Iteration {
                 number: step.iteration,
                 transforms: spent + step.transforms,
                 residual: step.residual,
                 tolerance: task.tolerance,
-                area: &|| {
-                    fields::contact_count(&state.pressure) as f64 / state.pressure.len() as f64
-                },
+                area: &|| fields::contact_count(&state.pressure) as f64 / n,
                 fields: &|| {
-                    let level = crate::certificate::level(state, &problem.heights, ceiling);
-                    [pressure_si(state, units.pressure), gap_si(state, problem, level)]
+                    let (p, u, h) = (&state.pressure, &state.displacement, &problem.heights);
+                    let level = crate::certificate::level(state, h, ceiling);
+                    let gap = |i: usize| u[i].wide() - h[i].wide() - level;
+                    [
+                        fields::filled(p.len(), |i| p[i].wide() * units.pressure),
+                        fields::filled(p.len(), |i| gap(i) * units.height),
+                    ]
                 },
             })
         };
@@ -326,7 +301,7 @@ impl<T: Real> Engine<T> {
         if outcome.end == End::Exhausted && outcome.residual <= T::ATTAINABLE && is_patient {
             outcome.end = End::Rounding;
         }
-        Run { exact: None, outcome, clock }
+        StateOrigin { exact: None, outcome, clock }
     }
 
     /// Tries the answers that need no iteration. Returns which it was, and the pairs spent.
@@ -354,7 +329,7 @@ impl<T: Real> Engine<T> {
         }
         let bears = |i: usize| load <= ceiling.at(i).wide();
         let n = problem.heights.len();
-        if problem.is_flat() && (self.hardness_map.is_none() || (0..n).all(bears)) {
+        if problem.is_flat() && (self.settings.hardness_map.is_none() || (0..n).all(bears)) {
             state.pressure.fill(T::of(load));
             state.displacement.fill(T::zero());
             state.level = 0.0;
@@ -406,7 +381,7 @@ impl<T: Real> Engine<T> {
 }
 
 /// What a load means for a problem.
-enum Prescribed {
+enum LoadMeaning {
     /// No contact; level of the flat.
     Apart(f64),
     /// Every gap just closed.
@@ -416,9 +391,9 @@ enum Prescribed {
     Target(Target),
 }
 
-fn exact(reason: &'static str, transforms: f64, clock: Clock) -> Run {
+fn exact(reason: &'static str, transforms: f64, clock: Clock) -> StateOrigin {
     let outcome = Outcome::without_iterating(transforms);
-    Run { exact: Some(reason), outcome, clock }
+    StateOrigin { exact: Some(reason), outcome, clock }
 }
 
 /// A rough mean pressure for a level: slope times the fraction of the surface above the flat.
@@ -432,14 +407,4 @@ fn first_guess<T: Real>(problem: &Problem<T>, level: f64) -> f64 {
     }) / (ny * nx) as f64;
     let above = problem.heights.iter().filter(|h| h.wide() > -level).count().max(1);
     0.25 * slope2.sqrt() * above as f64 / (ny * nx) as f64
-}
-
-pub(crate) fn pressure_si<T: Real>(state: &State<T>, unit: f64) -> Vec<f64> {
-    fields::filled(state.pressure.len(), |i| state.pressure[i].wide() * unit)
-}
-
-pub(crate) fn gap_si<T: Real>(state: &State<T>, problem: &Problem<T>, level: f64) -> Vec<f64> {
-    let unit = problem.units.height;
-    let (u, h) = (&state.displacement, &problem.heights);
-    fields::filled(u.len(), |i| (u[i].wide() - h[i].wide() - level) * unit)
 }

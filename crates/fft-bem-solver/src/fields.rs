@@ -130,6 +130,11 @@ pub(crate) fn sum<T: Real>(a: &[T]) -> f64 {
     by_blocks(0..a.len(), &piece, &|a, b| a + b)
 }
 
+/// Mean of a field.
+pub(crate) fn mean<T: Real>(a: &[T]) -> f64 {
+    sum(a) / a.len() as f64
+}
+
 /// Sums of `w (a - b)` and of `w`.
 pub(crate) fn weighted_difference<T: Real>(w: &[T], [a, b]: [&[T]; 2]) -> [f64; 2] {
     let piece = |range: Range<usize>| {

@@ -1,8 +1,9 @@
 //! Pressure to displacement on a periodic half space.
 
-use crate::row_work::{Partial, RowWork};
+use crate::methods::Compliance;
+use crate::row_work::{Partial, RowWork, total};
 use crate::simd::vectorised;
-use crate::{Real, SolverError};
+use crate::{Boundary, Real, SolverError};
 use contact_types::{ContactModulus, Grid};
 use grid_fft::Convolution;
 
@@ -30,11 +31,6 @@ impl<T: Real> HalfSpace<T> {
         let qy2 = |ky| T::of(grid.wavenumber(ky, 0).powi(2));
         let qy2 = (0..=grid.shape()[0] / 2).map(qy2).collect();
         Self { grid, modulus, transform, qy2 }
-    }
-
-    /// The grid of the fields.
-    pub(crate) fn grid(&self) -> Grid {
-        self.grid
     }
 
     /// Replaces a pressure field by the surface displacement it causes.
@@ -85,44 +81,7 @@ impl<T: Real> HalfSpace<T> {
         Ok(())
     }
 
-    /// [`displace`](Self::displace) from one field into another.
-    pub(crate) fn displacement(&mut self, pressure: &[T], displacement: &mut [T]) {
-        let symbol = |kx: usize, column: &mut [T]| self.compliance(kx, column);
-        self.transform.apply(pressure, symbol, displacement);
-    }
-
-    /// [`displacement`](Self::displacement), with work on blocks of rows while they are in cache: see
-    /// [`Convolution::apply_around`].
-    pub(crate) fn displacement_around(
-        &mut self,
-        pressure: &mut [T],
-        displacement: &mut [T],
-        gap: &mut [f32],
-        work: RowWork<'_, T>,
-        results: &mut [Partial],
-    ) -> Option<T> {
-        let nx = self.grid.shape()[1];
-        let symbol = |kx: usize, column: &mut [T]| self.compliance(kx, column);
-        let RowWork { prepare, factor, finish, .. } = work;
-        let prepare = |row: usize, p: &mut [T]| prepare(row * nx, p);
-        let factor = |sums: &[Partial]| factor(sums).map(T::of);
-        let finish = |row: usize, factor: T, p: &mut [T], u: &mut [T], gap: &mut [f32]| {
-            finish(row * nx, factor, [p, u], gap)
-        };
-        let transform = &self.transform;
-        transform.apply_around(
-            pressure,
-            prepare,
-            factor,
-            symbol,
-            displacement,
-            gap,
-            finish,
-            results,
-        )
-    }
-
-    /// Rows that [`displacement_around`](Self::displacement_around) handles at a time.
+    /// Rows that work around an application is done on at a time.
     pub(crate) const BLOCK_ROWS: usize = Convolution::<T>::BLOCK_ROWS;
 
     /// Number of these blocks.
@@ -149,6 +108,45 @@ impl<T: Real> HalfSpace<T> {
     fn check(&self, found: usize) -> Result<(), SolverError> {
         let expected = self.grid.len();
         if found == expected { Ok(()) } else { Err(SolverError::Shape { expected, found }) }
+    }
+}
+
+impl<T: Real> Compliance<T> for HalfSpace<T> {
+    fn apply(&mut self, pressure: &[T], displacement: &mut [T]) {
+        let symbol = |kx: usize, column: &mut [T]| self.compliance(kx, column);
+        self.transform.apply(pressure, symbol, displacement);
+    }
+    fn apply_in_place(&mut self, field: &mut [T]) {
+        self.displace(field).expect("it has the pixels of the grid");
+    }
+    fn apply_around(
+        &mut self,
+        pressure: &mut [T],
+        displacement: &mut [T],
+        gap: &mut [f32],
+        work: RowWork<'_, T>,
+        partial: &mut [Partial],
+    ) -> Option<Partial> {
+        let [ny, nx] = self.grid.shape();
+        let partial = &mut partial[..Self::pieces([ny, nx])];
+        let RowWork { prepare, factor, finish, .. } = work;
+        self.transform.apply_around(
+            pressure,
+            |row, p| prepare(row * nx, p),
+            |sums| factor(sums).map(T::of),
+            |kx, column| self.compliance(kx, column),
+            displacement,
+            gap,
+            |row, factor, p, u, gap| finish(row * nx, factor, [p, u], gap),
+            partial,
+        )?;
+        Some(total(partial))
+    }
+    fn invert(&mut self, field: &mut [T]) -> bool {
+        self.press(field).is_ok()
+    }
+    fn boundary(&self) -> Boundary {
+        Boundary::Periodic
     }
 }
 

@@ -1,6 +1,7 @@
 //! Pressure to displacement on a half space that is loaded nowhere but on the map.
 
-use crate::{Real, SolverError};
+use crate::methods::Compliance;
+use crate::{Boundary, Real, SolverError};
 use contact_types::{ContactModulus, Grid};
 use grid_fft::{Convolution, GridFft};
 use std::f64::consts::PI;
@@ -74,37 +75,40 @@ impl<T: Real> FreeHalfSpace<T> {
         if found != expected {
             return Err(SolverError::Shape { expected, found });
         }
-        let pressure = field.to_vec();
-        self.displacement(&pressure, field);
+        self.convolution.apply_in_place(field, |kx, column| self.symbol(kx, column));
         Ok(())
     }
 
-    /// [`displace`](Self::displace) from one field into another.
-    pub(crate) fn displacement(&self, pressure: &[T], displacement: &mut [T]) {
-        let symbol = |kx: usize, column: &mut [T]| {
-            column.copy_from_slice(&self.compliance[kx * self.rows..][..self.rows]);
-        };
-        self.convolution.apply(pressure, symbol, displacement);
+    /// Transform of the coefficients for the waves `(0..=py/2, kx)`.
+    fn symbol(&self, kx: usize, column: &mut [T]) {
+        column.copy_from_slice(&self.compliance[kx * self.rows..][..self.rows]);
     }
+}
 
-    /// Replaces `w` by the part on the map of `C^-1 w`, with `C` the periodic operator on the padded
-    /// grid of which this half space is a part. For every `w`, `<w, K^-1 w> <= <w, C^-1 w>`: among
-    /// all fields on the padded grid that equal `w` on the map the one with the least `C^-1` norm
-    /// has that of `K^-1`, and `w` continued by zeros is one of them. False if `C` is not positive
-    /// definite, so that the inequality proves nothing.
-    pub(crate) fn dominating_inverse(&self, field: &mut [T], scratch: &mut Vec<T>) -> bool {
-        if !self.is_definite {
-            return false;
+impl<T: Real> Compliance<T> for FreeHalfSpace<T> {
+    fn apply(&mut self, pressure: &[T], displacement: &mut [T]) {
+        self.convolution.apply(pressure, |kx, column| self.symbol(kx, column), displacement);
+    }
+    fn apply_in_place(&mut self, field: &mut [T]) {
+        self.displace(field).expect("it has the pixels of the grid");
+    }
+    /// `B w` is the part on the map of `C^-1 w`, with `C` the periodic operator on the padded grid of which
+    /// this half space is a part: among all fields on the padded grid that equal `w` on the map the one with
+    /// the least `C^-1` norm has that of `K^-1`, and `w` continued by zeros is one of them. Not if `C` is not
+    /// positive definite.
+    fn invert(&mut self, field: &mut [T]) -> bool {
+        if self.is_definite {
+            self.convolution.apply_in_place(field, |kx, column| {
+                self.symbol(kx, column);
+                for s in column {
+                    *s = T::one() / *s;
+                }
+            });
         }
-        let symbol = |kx: usize, column: &mut [T]| {
-            for (s, c) in column.iter_mut().zip(&self.compliance[kx * self.rows..][..self.rows]) {
-                *s = T::one() / *c;
-            }
-        };
-        scratch.clear();
-        scratch.extend_from_slice(field);
-        self.convolution.apply(scratch, symbol, field);
-        true
+        self.is_definite
+    }
+    fn boundary(&self) -> Boundary {
+        Boundary::Free
     }
 }
 

@@ -24,7 +24,6 @@
 mod assemble;
 mod certificate;
 mod control;
-mod curve;
 mod engine;
 mod error;
 mod fields;

@@ -1,6 +1,6 @@
 //! How much memory a solver takes, asked before it takes any.
 
-use crate::{Boundary, Maps, Method, Precision, SolverError};
+use crate::{Boundary, Maps, Method, Precision, SolverBuilder, SolverError};
 use contact_types::Grid;
 
 /// Points from which on memory is what limits, 8192 x 8192.
@@ -11,85 +11,44 @@ pub(crate) fn is_large(points: usize) -> bool {
     points >= LARGE
 }
 
-/// What decides how much it is.
-#[derive(Debug, Clone, Copy)]
-pub(crate) struct Needs {
-    pub(crate) method: Method,
-    pub(crate) boundary: Boundary,
-    pub(crate) precision: Precision,
-    pub(crate) certified: bool,
-    pub(crate) maps: Maps,
-    /// Whether each pixel has a hardness of its own.
-    pub(crate) ceilings: bool,
-}
-
-impl Needs {
-    /// Bytes per pixel at the peak, the maps of one solution included; counted array by array in
-    /// `docs/src/solver/overview.md`, within a tenth of what an allocator counts.
-    fn per_pixel(self, points: usize) -> f64 {
-        let t = match self.precision {
-            Precision::Double => 8.0,
-            Precision::Single => 4.0,
-        };
-        let maps = match self.maps {
-            Maps::None => 0.0,
-            Maps::Pressure => 8.0,
-            Maps::PressureAndGap => 16.0,
-        };
-        // As given, and as the iteration has it.
-        let ceilings = if self.ceilings { 8.0 + t } else { 0.0 };
-        let (heights, iterate) = (t, 2.0 * t);
-        let solving = ceilings + heights + iterate + self.method(t, points) + self.half_space(t);
-        let answering = maps + if self.certified { t } else { 0.0 };
-        // The coefficients of the free half space are transformed on a doubled grid in f64.
-        let building = match self.boundary {
-            Boundary::Periodic => 0.0,
-            Boundary::Free => 64.0 - (self.half_space(t) - t) - heights - iterate,
-        };
-        solving + answering.max(building)
-    }
-
-    /// Of the operator.
-    fn half_space(self, t: f64) -> f64 {
-        match self.boundary {
-            Boundary::Periodic => t, // half spectrum
-            // Kernel and half spectrum on a doubled grid, and a field for its inverse.
-            Boundary::Free => t + 2.0 * t + t,
+/// Bytes that a solver for a grid takes at its peak, the maps of one solution included; within a tenth of
+/// what an allocator counts.
+pub(crate) fn bytes(settings: &SolverBuilder, grid: Grid) -> u128 {
+    let t = match settings.precision {
+        Precision::Double => 8.0,
+        Precision::Single => 4.0,
+    };
+    let maps = match settings.maps {
+        Maps::None => 0.0,
+        Maps::Pressure => 8.0,
+        Maps::PressureAndGap => 16.0,
+    };
+    // As given, and as the iteration has it.
+    let ceilings = if settings.hardness_map.is_some() { 8.0 + t } else { 0.0 };
+    let (heights, iterate) = (t, 2.0 * t);
+    let points = match settings.boundary {
+        Boundary::Periodic => grid.len(),
+        Boundary::Free => grid.len() * 25 / 16,
+    };
+    let trial_and_before = if is_large(points) { 2.0 * t } else { 4.0 * t };
+    // Residual, nodes, pyramid, sweep, grids of S: in single precision whatever the fields are.
+    let preconditioner = 4.0 + 1.0 + 2.7 + 1.1 + 0.6;
+    let method = match (settings.method, settings.boundary) {
+        (Method::Auto | Method::Chord, Boundary::Periodic) => trial_and_before + preconditioner,
+        // On a grid a quarter larger each way, heights and iterate there as well; and a pair.
+        (Method::Auto | Method::Chord, Boundary::Free) => {
+            1.5625 * (heights + iterate + trial_and_before + preconditioner) + 2.0 * t
         }
-    }
-
-    /// Of the method.
-    fn method(self, t: f64, points: usize) -> f64 {
-        // Residual, nodes, pyramid, sweep, grids of S: in single precision whatever the fields are.
-        let preconditioner = 4.0 + 1.0 + 2.7 + 1.1 + 0.6;
-        let points = match self.boundary {
-            Boundary::Periodic => points,
-            Boundary::Free => points * 25 / 16,
-        };
-        let before = if is_large(points) { 0.0 } else { 2.0 * t };
-        let trial_and_before = 2.0 * t + before;
-        match (self.method, self.boundary) {
-            (Method::Auto | Method::Chord, Boundary::Periodic) => trial_and_before + preconditioner,
-            // On a grid a quarter larger each way, heights and iterate there as well; and a pair.
-            (Method::Auto | Method::Chord, Boundary::Free) => {
-                1.5625 * (3.0 * t + trial_and_before + preconditioner) + 2.0 * t
-            }
-            (Method::PolonskyKeer | Method::StanleyKato, _) => 3.0 * t,
-        }
-    }
-
-    /// Bytes for a grid, about.
-    pub(crate) fn bytes(self, grid: Grid) -> u128 {
-        (self.per_pixel(grid.len()) * grid.len() as f64) as u128
-    }
-
-    /// Whether the machine grants as much.
-    ///
-    /// # Errors
-    /// [`SolverError::Memory`] if not.
-    pub(crate) fn check(self, grid: Grid) -> Result<(), SolverError> {
-        check(grid, self.bytes(grid))
-    }
+        (Method::PolonskyKeer | Method::StanleyKato, _) => 3.0 * t,
+    };
+    // The coefficients of the free half space are transformed on a doubled grid in f64.
+    let (half_space, building) = match settings.boundary {
+        Boundary::Periodic => (t, 0.0), // half spectrum
+        Boundary::Free => (3.0 * t, 64.0 - 2.0 * t - heights - iterate), // on a doubled grid
+    };
+    let solving = ceilings + heights + iterate + method + half_space;
+    let answering = maps + if settings.certified { t } else { 0.0 };
+    ((solving + f64::max(answering, building)) * grid.len() as f64) as u128
 }
 
 /// Whether the machine grants what the mixed problem of a set of so many pixels takes: a field, half a
@@ -109,7 +68,10 @@ pub(crate) fn check_set(grid: Grid, boundary: Boundary, pixels: usize) -> Result
 }
 
 /// Whether the machine grants so many bytes for a grid.
-fn check(grid: Grid, bytes: u128) -> Result<(), SolverError> {
+///
+/// # Errors
+/// [`SolverError::Memory`] if not.
+pub(crate) fn check(grid: Grid, bytes: u128) -> Result<(), SolverError> {
     if bytes < SMALL {
         return Ok(());
     }

@@ -14,7 +14,7 @@
 //!
 //! Source: Barber (2003), *Proc. R. Soc. A* 459, 53–66.
 
-use crate::methods::{Compliance, Node, SetInverse};
+use crate::methods::{Compliance, NodeState, SetInverse};
 use crate::{Boundary, SolverError, fields};
 use contact_types::{ContactModulus, Grid};
 
@@ -101,7 +101,7 @@ pub(crate) fn solve(
     unit: f64,
 ) -> SetStiffness {
     let n = scaled.len();
-    let nodes: Vec<Node> = (0..n).map(|i| Node::of(is_in(i))).collect();
+    let nodes: Vec<NodeState> = (0..n).map(|i| NodeState::of(is_in(i))).collect();
     let size = nodes.iter().filter(|m| m.is_in()).count();
     let exact = |per_area, density| SetStiffness {
         per_area,

@@ -141,7 +141,7 @@ pub(crate) fn scale_below<T: Real, C: Ceiling<T>>(
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::methods::Hardness;
+    use crate::methods::UniformCeiling;
     use proptest::prelude::*;
 
     proptest! {
@@ -175,7 +175,7 @@ mod tests {
         ) {
             let mut projected = field.clone();
             let load = part * ceiling;
-            between(&mut projected, load, Hardness(ceiling));
+            between(&mut projected, load, UniformCeiling(ceiling));
             let n = field.len() as f64;
             let mean = projected.iter().sum::<f64>() / n;
             prop_assert!((mean - load).abs() <= 1e-12 * ceiling, "{mean} and {load}");

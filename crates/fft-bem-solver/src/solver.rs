@@ -1,13 +1,12 @@
 //! The solver: settings checked once, transforms planned once, memory taken once.
 
-use crate::engine::{Engine, Settings};
-use crate::memory::{self, Needs};
+use crate::engine::Engine;
 use crate::methods::{self, Compliance};
 use crate::observer::{Observe, ObserverResult};
 use crate::pool::Pool;
 use crate::{
     Boundary, Iteration, Load, Maps, Method, Precision, SetStiffness, Solution, SolverError,
-    mixed_problem, problem,
+    memory, mixed_problem, problem,
 };
 use contact_types::{Clock, ContactModulus, Grid, HeightMap};
 use std::sync::Arc;
@@ -15,17 +14,19 @@ use std::sync::Arc;
 /// Settings of a [`Solver`], each with a default.
 #[derive(Debug, Clone)]
 pub struct SolverBuilder {
-    method: Method,
-    boundary: Boundary,
-    precision: Precision,
-    tolerance: f64,
-    max_iterations: Option<usize>,
+    pub(crate) method: Method,
+    pub(crate) boundary: Boundary,
+    pub(crate) precision: Precision,
+    pub(crate) tolerance: f64,
+    pub(crate) max_iterations: Option<usize>,
     threads: Option<usize>,
-    certified: bool,
-    maps: Maps,
-    section: Option<usize>,
-    hardness: f64,
-    hardness_map: Option<Arc<[f64]>>,
+    pub(crate) certified: bool,
+    pub(crate) maps: Maps,
+    pub(crate) section: Option<usize>,
+    /// Pa; infinite for elastic bodies, the mean of a map.
+    pub(crate) hardness: f64,
+    /// Of each pixel (Pa).
+    pub(crate) hardness_map: Option<Arc<[f64]>>,
 }
 
 impl Default for SolverBuilder {
@@ -161,13 +162,7 @@ impl SolverBuilder {
     /// Memory that a solver for this grid takes at its peak, the [maps](Self::maps) of one solution
     /// included (bytes); to a tenth.
     pub fn bytes(&self, grid: Grid) -> u128 {
-        self.needs().bytes(grid)
-    }
-
-    fn needs(&self) -> Needs {
-        let Self { method, boundary, precision, certified, maps, .. } = *self;
-        let ceilings = self.hardness_map.is_some();
-        Needs { method, boundary, precision, certified, maps, ceilings }
+        memory::bytes(self, grid)
     }
 
     /// Checks the settings, plans the transforms and allocates: iterations allocate nothing.
@@ -175,7 +170,7 @@ impl SolverBuilder {
     /// # Errors
     /// [`SolverError::BadSetting`] or [`SolverError::Range`] if a setting or the grid cannot be used,
     /// [`SolverError::Memory`] if the machine does not have the memory it would take.
-    pub fn build(self, grid: Grid, modulus: ContactModulus) -> Result<Solver, SolverError> {
+    pub fn build(mut self, grid: Grid, modulus: ContactModulus) -> Result<Solver, SolverError> {
         let bad = |setting, value, limit| Err(SolverError::BadSetting { setting, value, limit });
         if !(self.tolerance > 0.0 && self.tolerance < 1.0) {
             return bad("tolerance", self.tolerance, "it must lie between 0 and 1");
@@ -209,10 +204,6 @@ impl SolverBuilder {
         if self.hardness.is_nan() || self.hardness <= 0.0 {
             return bad("hardness", self.hardness, "it must be a pressure above 0 Pa, or infinite");
         }
-        // The same everywhere is one number, which needs no array.
-        let lowest = |map: &Arc<[f64]>| map.iter().copied().fold(f64::INFINITY, f64::min);
-        let varies = |map: &Arc<[f64]>| lowest(map) < self.hardness;
-        let hardness_map = self.hardness_map.clone().filter(varies);
         if self.hardness.is_finite() && !matches!(self.method, Method::Auto | Method::Chord) {
             return Err(SolverError::Combination {
                 first: "a hardness",
@@ -220,29 +211,20 @@ impl SolverBuilder {
                 way_out: "choose the method chord, or solve for elastic bodies",
             });
         }
-        let settings = Settings {
-            method: self.method,
-            boundary: self.boundary,
-            precision: self.precision,
-            tolerance: self.tolerance,
-            max_iterations: self.max_iterations,
-            certified: self.certified,
-            maps: self.maps,
-            section: self.section,
-            hardness: self.hardness,
-            modulus,
-        };
+        // The same everywhere is one number, which needs no array.
+        let hardness = self.hardness;
+        self.hardness_map = self.hardness_map.filter(|map| map.iter().any(|h| *h < hardness));
         let scaled = problem::scaled_grid(grid)?;
-        self.needs().check(grid)?;
+        memory::check(grid, self.bytes(grid))?;
         // Transforms are planned for the threads of the pool they are planned in.
         let pool = Pool::new(self.threads)?;
         let engine = pool.run(|| {
             Ok::<_, SolverError>(match self.precision {
                 Precision::Double => {
-                    Work::Double(Box::new(Engine::new(settings, scaled, hardness_map)?))
+                    AnyEngine::Double(Box::new(Engine::new(self, modulus, scaled)?))
                 }
                 Precision::Single => {
-                    Work::Single(Box::new(Engine::new(settings, scaled, hardness_map)?))
+                    AnyEngine::Single(Box::new(Engine::new(self, modulus, scaled)?))
                 }
             })
         })??;
@@ -250,17 +232,17 @@ impl SolverBuilder {
     }
 }
 
-enum Work {
+enum AnyEngine {
     Double(Box<Engine<f64>>),
     Single(Box<Engine<f32>>),
 }
 
 /// The same of either.
 macro_rules! either {
-    ($work:expr, $engine:ident => $it:expr) => {
-        match $work {
-            Work::Double($engine) => $it,
-            Work::Single($engine) => $it,
+    ($any:expr, $engine:ident => $it:expr) => {
+        match $any {
+            AnyEngine::Double($engine) => $it,
+            AnyEngine::Single($engine) => $it,
         }
     };
 }
@@ -272,7 +254,7 @@ macro_rules! either {
 pub struct Solver {
     grid: Grid,
     modulus: ContactModulus,
-    engine: Work,
+    engine: AnyEngine,
     pool: Pool,
 }
 
@@ -365,6 +347,26 @@ impl Solver {
     ) -> Result<Solution, SolverError> {
         let clock = Clock::now();
         self.solve_kept(load, &mut |iteration: &Iteration<'_>| observer(iteration).flow(), clock)
+    }
+
+    /// Solves for each of `mean_pressures` (Pa), given in any order, and returns the results in that
+    /// order. Loads are visited in rising order. Each starts from the one before, scaled; the answers are
+    /// those of cold starts, to the tolerance. An error of one load does not keep the others from being solved.
+    ///
+    /// All solutions are kept, with their [maps](SolverBuilder::maps).
+    pub fn curve(
+        &mut self,
+        surface: &HeightMap,
+        mean_pressures: &[f64],
+    ) -> Vec<Result<Solution, SolverError>> {
+        let mut order: Vec<usize> = (0..mean_pressures.len()).collect();
+        order.sort_by(|&i, &j| mean_pressures[i].total_cmp(&mean_pressures[j]));
+        let mut found: Vec<_> = mean_pressures.iter().map(|_| None).collect();
+        for index in order {
+            let load = Load::MeanPressure(mean_pressures[index]);
+            found[index] = Some(self.solve(surface, load));
+        }
+        found.into_iter().flatten().collect()
     }
 
     /// How stiff the contact of the last solution is against a little more load, and how well it conducts: the

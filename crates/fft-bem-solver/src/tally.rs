@@ -12,7 +12,7 @@ use std::ops::Range;
 
 /// Pressure, displacement and heights with the level of the flat: the gap is `u - h - level`.
 #[derive(Clone, Copy)]
-pub(crate) struct Fields<'a, T> {
+pub(crate) struct AnswerFields<'a, T> {
     pub(crate) pressure: &'a [T],
     pub(crate) displacement: &'a [T],
     pub(crate) heights: &'a [T],
@@ -46,6 +46,9 @@ pub(crate) struct Tally {
     pub(crate) largest: f64,
 }
 
+/// Least gap, largest `|u|` and largest pressure of no pixel.
+const NO_EXTREMES: [f64; 3] = [f64::INFINITY, f64::NEG_INFINITY, f64::NEG_INFINITY];
+
 /// The same in lanes.
 struct Lanes<S: Simd> {
     sums: [f64x4<S>; 9],
@@ -63,15 +66,13 @@ pub(crate) fn pixels(block: usize, blocks: usize, n: usize) -> Range<usize> {
 /// `[by, bx]`; in contact it counts as 0.
 pub(crate) fn tally<T: Real, C: Ceiling<T>>(
     ceiling: C,
-    fields: Fields<'_, T>,
+    fields: AnswerFields<'_, T>,
     boundary: Boundary,
     [ny, nx]: [usize; 2],
     [by, bx]: [usize; 2],
     means: &mut [f64],
 ) -> Tally {
-    let nothing = (f64::INFINITY, f64::NEG_INFINITY);
-    let empty = Tally::of([0.0; 9], nothing.0, nothing.1, nothing.1);
-    let mut rows = vec![empty; by];
+    let mut rows = vec![([0.0; 9], NO_EXTREMES); by];
     rows.par_iter_mut().zip(means.par_chunks_mut(bx)).enumerate().for_each(
         |(block, (row, means))| {
             let lines = pixels(block, by, ny);
@@ -82,7 +83,27 @@ pub(crate) fn tally<T: Real, C: Ceiling<T>>(
             }
         },
     );
-    rows.into_iter().fold(empty, Tally::and)
+    let (mut sums, mut extremes) = ([0.0; 9], NO_EXTREMES);
+    for (more, [lowest, highest, largest]) in rows {
+        sums.iter_mut().zip(more).for_each(|(sum, x)| *sum += x);
+        extremes = [extremes[0].min(lowest), extremes[1].max(highest), extremes[2].max(largest)];
+    }
+    let [load, contact, full, borne, work, complementarity, duality, open, depth] = sums;
+    let [lowest, highest, largest] = extremes;
+    Tally {
+        load,
+        contact,
+        full,
+        borne,
+        work,
+        complementarity,
+        duality,
+        open,
+        depth,
+        lowest,
+        highest,
+        largest,
+    }
 }
 
 /// The rows `lines`; adds the gap beside the contact to each block.
@@ -91,16 +112,16 @@ pub(crate) fn tally<T: Real, C: Ceiling<T>>(
 fn block_row<S: Simd, T: Real, C: Ceiling<T>>(
     x: S,
     ceiling: C,
-    fields: Fields<'_, T>,
+    fields: AnswerFields<'_, T>,
     boundary: Boundary,
     nx: usize,
     lines: Range<usize>,
     blocks: &mut [f64],
-) -> Tally {
+) -> ([f64; 9], [f64; 3]) {
     let zero = f64x4::splat(x, 0.0);
     let (inf, minus) = (f64x4::splat(x, f64::INFINITY), f64x4::splat(x, f64::NEG_INFINITY));
     let mut lanes = Lanes { sums: [zero; 9], lowest: inf, highest: minus, largest: minus };
-    let kernel = Kernel { ceiling, level: fields.level, is_free: boundary == Boundary::Free };
+    let kernel = PixelTally { ceiling, level: fields.level, is_free: boundary == Boundary::Free };
     blocks.fill(0.0);
     let count = blocks.len();
     for iy in lines {
@@ -126,18 +147,18 @@ fn block_row<S: Simd, T: Real, C: Ceiling<T>>(
     let least = |lanes: f64x4<S>| lanes.iter().copied().fold(f64::INFINITY, f64::min);
     let most = |lanes: f64x4<S>| lanes.iter().copied().fold(f64::NEG_INFINITY, f64::max);
     let sums = lanes.sums.map(|lanes| lanes.iter().sum());
-    Tally::of(sums, least(lanes.lowest), most(lanes.highest), most(lanes.largest))
+    (sums, [least(lanes.lowest), most(lanes.highest), most(lanes.largest)])
 }
 
 /// What is done with four pixels.
 #[derive(Clone, Copy)]
-struct Kernel<C> {
+struct PixelTally<C> {
     ceiling: C,
     level: f64,
     is_free: bool,
 }
 
-impl<C> Kernel<C> {
+impl<C> PixelTally<C> {
     /// Adds `[p, u, h]` of four pixels from `node` on, or of the first few of them. Returns their gap beside the contact.
     #[inline(always)]
     #[allow(clippy::inline_always, reason = "inner loops belong to each version of `vectorised!`")]
@@ -191,43 +212,5 @@ impl<C> Kernel<C> {
         lanes.highest = larger(larger(u, -u), lanes.highest);
         lanes.largest = larger(p, lanes.largest);
         beside
-    }
-}
-
-impl Tally {
-    fn of(sums: [f64; 9], lowest: f64, highest: f64, largest: f64) -> Self {
-        let [load, contact, full, borne, work, complementarity, duality, open, depth] = sums;
-        Self {
-            load,
-            contact,
-            full,
-            borne,
-            work,
-            complementarity,
-            duality,
-            open,
-            depth,
-            lowest,
-            highest,
-            largest,
-        }
-    }
-
-    /// That of both parts.
-    fn and(self, other: Self) -> Self {
-        Self {
-            load: self.load + other.load,
-            contact: self.contact + other.contact,
-            full: self.full + other.full,
-            borne: self.borne + other.borne,
-            work: self.work + other.work,
-            complementarity: self.complementarity + other.complementarity,
-            duality: self.duality + other.duality,
-            open: self.open + other.open,
-            depth: self.depth + other.depth,
-            lowest: self.lowest.min(other.lowest),
-            highest: self.highest.max(other.highest),
-            largest: self.largest.max(other.largest),
-        }
     }
 }

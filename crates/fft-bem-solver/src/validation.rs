@@ -1,7 +1,7 @@
 //! The solver against exact solutions, on this machine: what `rough-contact validate` prints.
 
 use crate::reference::{
-    BiSinusoid, FlatPunch, Hertz, TwoHarmonic, Westergaard, full_contact, wavy_2d,
+    BiSinusoid, FlatPunch, Hertz, ROWS, TwoHarmonic, Westergaard, full_contact,
 };
 use crate::{Boundary, Load, Method, Solution, Solver, SolverError};
 use contact_types::{ContactModulus, Grid, HeightMap, ModelError, SurfaceError};
@@ -118,41 +118,51 @@ pub fn run(
     Ok(rows)
 }
 
-struct Case {
+struct ValidationCase {
     name: &'static str,
     source: &'static str,
     is_profile: bool,
-    solve: fn(&Options, usize) -> Solved,
+    solve: fn(&Options, usize) -> CaseResult,
 }
 
-const CASES: &[Case] = &[
-    Case {
+const CASES: &[ValidationCase] = &[
+    ValidationCase {
         name: "Hertz sphere, free boundary",
         source: "Hertz 1882",
         is_profile: false,
         solve: |options, n| hertz(options, n, [0.012, 0.012]),
     },
-    Case {
+    ValidationCase {
         name: "Hertz ellipse, free boundary",
         source: "Hertz 1882",
         is_profile: false,
         solve: |options, n| hertz(options, n, [0.004, 0.012]),
     },
-    Case {
+    ValidationCase {
         name: "flat punch, free boundary",
         source: "Johnson 1985, section 3.4",
         is_profile: false,
         solve: flat_punch,
     },
-    Case { name: "sinusoid", source: "Westergaard 1939", is_profile: true, solve: sinusoid },
-    Case { name: "two harmonics", source: "Manners 1998", is_profile: true, solve: two_harmonics },
-    Case {
+    ValidationCase {
+        name: "sinusoid",
+        source: "Westergaard 1939",
+        is_profile: true,
+        solve: sinusoid,
+    },
+    ValidationCase {
+        name: "two harmonics",
+        source: "Manners 1998",
+        is_profile: true,
+        solve: two_harmonics,
+    },
+    ValidationCase {
         name: "bi-sinusoid",
         source: "converged table; Johnson, Greenwood & Higginson 1985",
         is_profile: false,
         solve: bi_sinusoid,
     },
-    Case {
+    ValidationCase {
         name: "full contact",
         source: "Johnson 1985, section 13.2",
         is_profile: false,
@@ -161,9 +171,9 @@ const CASES: &[Case] = &[
 ];
 
 /// A solution and the numbers to compare.
-type Solved = Result<(Solution, Vec<Number>), ValidationError>;
+type CaseResult = Result<(Solution, Vec<Compared>), ValidationError>;
 
-struct Number {
+struct Compared {
     quantity: &'static str,
     computed: f64,
     exact: f64,
@@ -172,23 +182,23 @@ struct Number {
     order: Option<f64>,
 }
 
-fn number(quantity: &'static str, computed: f64, exact: f64, order: f64) -> Number {
+fn number(quantity: &'static str, computed: f64, exact: f64, order: f64) -> Compared {
     let error = computed / exact - 1.0;
-    Number { quantity, computed, exact, error, uncertainty: 0.0, order: Some(order) }
+    Compared { quantity, computed, exact, error, uncertainty: 0.0, order: Some(order) }
 }
 
-fn area_number(quantity: &'static str, computed: f64, exact: f64) -> Number {
-    Number { order: None, ..number(quantity, computed, exact, 0.0) }
+fn area_number(quantity: &'static str, computed: f64, exact: f64) -> Compared {
+    Compared { order: None, ..number(quantity, computed, exact, 0.0) }
 }
 
-fn field(quantity: &'static str, computed: &[f64], exact: &[f64], order: f64) -> Number {
+fn field(quantity: &'static str, computed: &[f64], exact: &[f64], order: f64) -> Compared {
     let rms = |values: &mut dyn Iterator<Item = f64>| {
         (values.map(|v| v * v).sum::<f64>() / exact.len() as f64).sqrt()
     };
     let size = rms(&mut exact.iter().copied());
     let error = rms(&mut exact.iter().zip(computed).map(|(e, c)| e - c)) / size;
     let computed = rms(&mut computed.iter().copied());
-    Number { quantity, computed, exact: size, error, uncertainty: 0.0, order: Some(order) }
+    Compared { quantity, computed, exact: size, error, uncertainty: 0.0, order: Some(order) }
 }
 
 /// Slope of log |error| over log pixel side by least squares, through `new` and all earlier rows of
@@ -230,7 +240,7 @@ fn solve(
 
 /// A paraboloid in the middle of a map of 1 mm, its summit between pixels; contact to about two
 /// thirds of the map.
-fn hertz(options: &Options, n: usize, radii: [f64; 2]) -> Solved {
+fn hertz(options: &Options, n: usize, radii: [f64; 2]) -> CaseResult {
     let side = 1e-3;
     let paraboloid = Hertz::new(radii, modulus()?)?;
     let contact = paraboloid.at_approach(8e-6)?;
@@ -254,7 +264,7 @@ fn hertz(options: &Options, n: usize, radii: [f64; 2]) -> Solved {
     Ok((solution, numbers))
 }
 
-fn flat_punch(options: &Options, n: usize) -> Solved {
+fn flat_punch(options: &Options, n: usize) -> CaseResult {
     let (side, radius, force) = (1e-3, 0.41e-3, 1.0);
     let punch = FlatPunch::new(radius, modulus()?)?;
     let d = side / n as f64;
@@ -269,16 +279,26 @@ fn flat_punch(options: &Options, n: usize) -> Solved {
     Ok((solution, numbers))
 }
 
-fn sinusoid(options: &Options, n: usize) -> Solved {
+/// A profile of `n` pixels over a `wavelength`, its crest between two pixels, and their places from it (m).
+fn profile(
+    n: usize,
+    wavelength: f64,
+    height: impl Fn(f64) -> f64,
+) -> Result<(HeightMap, Vec<f64>), ValidationError> {
+    let d = wavelength / n as f64;
+    let places: Vec<f64> = (0..n).map(|i| i as f64 * d - 0.3 * d).collect();
+    let heights = places.iter().map(|x| height(*x)).collect();
+    Ok((HeightMap::new(Grid::new([1, n], [d, d])?, heights)?, places))
+}
+
+fn sinusoid(options: &Options, n: usize) -> CaseResult {
     let (wavelength, amplitude) = (1e-4, 1e-6);
     let surface = Westergaard::new(amplitude, wavelength, modulus()?)?;
     let mean_pressure = 0.3 * surface.closing_pressure();
     let contact = surface.at_pressure(mean_pressure)?;
-    let d = wavelength / n as f64;
-    let x0 = 0.3 * d;
-    let map = HeightMap::from_fn(Grid::new([1, n], [d, d])?, |_, x| surface.height(x - x0))?;
+    let (map, places) = profile(n, wavelength, |x| surface.height(x))?;
     let solution = solve(options, Boundary::Periodic, &map, mean_pressure)?;
-    let exact: Vec<f64> = (0..n).map(|i| contact.pressure(i as f64 * d - x0)).collect();
+    let exact: Vec<f64> = places.iter().map(|x| contact.pressure(*x)).collect();
     let mean_gap = solution.state.mean_gap.unwrap_or(f64::NAN);
     let numbers = vec![
         number("mean gap", mean_gap, contact.mean_gap(), 2.0),
@@ -288,17 +308,14 @@ fn sinusoid(options: &Options, n: usize) -> Solved {
     Ok((solution, numbers))
 }
 
-fn two_harmonics(options: &Options, n: usize) -> Solved {
+fn two_harmonics(options: &Options, n: usize) -> CaseResult {
     let wavelength = 1e-4;
     let surface = TwoHarmonic::new([1e-6, 1e-7], wavelength, modulus()?)?;
     let contact = surface.at_area_fraction(0.37)?;
-    let d = wavelength / n as f64;
-    let x0 = 0.3 * d;
-    let map = HeightMap::from_fn(Grid::new([1, n], [d, d])?, |_, x| surface.height(x - x0))?;
+    let (map, places) = profile(n, wavelength, |x| surface.height(x))?;
     let solution = solve(options, Boundary::Periodic, &map, contact.mean_pressure())?;
-    let x = |i: usize| i as f64 * d - x0;
-    let pressure: Vec<f64> = (0..n).map(|i| contact.pressure(x(i))).collect();
-    let gap: Vec<f64> = (0..n).map(|i| contact.gap(x(i))).collect();
+    let pressure: Vec<f64> = places.iter().map(|x| contact.pressure(*x)).collect();
+    let gap: Vec<f64> = places.iter().map(|x| contact.gap(*x)).collect();
     let numbers = vec![
         field("gap, rms", &solution.gap, &gap, 2.0),
         field("pressure, rms", &solution.pressure, &pressure, 1.0),
@@ -307,10 +324,10 @@ fn two_harmonics(options: &Options, n: usize) -> Solved {
     Ok((solution, numbers))
 }
 
-fn bi_sinusoid(options: &Options, n: usize) -> Solved {
+fn bi_sinusoid(options: &Options, n: usize) -> CaseResult {
     let (wavelength, amplitude) = (1e-4, 1e-6);
     let surface = BiSinusoid::new(amplitude, wavelength, modulus()?)?;
-    let known = wavy_2d::ROWS[5];
+    let known = ROWS[5];
     let d = wavelength / n as f64;
     let (y0, x0) = (0.31 * d, 0.17 * d);
     let grid = Grid::new([n, n], [d, d])?;
@@ -320,11 +337,11 @@ fn bi_sinusoid(options: &Options, n: usize) -> Solved {
     let gap = solution.state.mean_gap.unwrap_or(f64::NAN) / amplitude;
     let area = solution.state.area_fraction;
     let numbers = vec![
-        Number {
+        Compared {
             uncertainty: known.gap_uncertainty / known.mean_gap,
             ..number("mean gap / amplitude", gap, known.mean_gap, 2.0)
         },
-        Number {
+        Compared {
             uncertainty: known.area_uncertainty / known.area_fraction,
             ..area_number("area fraction, corrected", area, known.area_fraction)
         },
@@ -332,7 +349,7 @@ fn bi_sinusoid(options: &Options, n: usize) -> Solved {
     Ok((solution, numbers))
 }
 
-fn closed(options: &Options, n: usize) -> Solved {
+fn closed(options: &Options, n: usize) -> CaseResult {
     let (wavelength, amplitude) = (1e-4, 1e-6);
     let surface = BiSinusoid::new(amplitude, wavelength, modulus()?)?;
     let d = wavelength / n as f64;
@@ -344,8 +361,8 @@ fn closed(options: &Options, n: usize) -> Solved {
     let solution = solve(options, Boundary::Periodic, &map, 1.1 * least)?;
     let p_star = surface.closing_pressure();
     let numbers = vec![
-        Number { order: None, ..number("closing pressure", least, p_star, 0.0) },
-        Number { order: None, ..field("pressure, rms", &solution.pressure, &exact, 0.0) },
+        Compared { order: None, ..number("closing pressure", least, p_star, 0.0) },
+        Compared { order: None, ..field("pressure, rms", &solution.pressure, &exact, 0.0) },
     ];
     Ok((solution, numbers))
 }

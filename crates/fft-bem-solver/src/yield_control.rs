@@ -6,7 +6,8 @@
 //! out; the level rises with it, the open gap falls. A secant, kept inside a bracket.
 
 use crate::methods::{
-    Compliance, ContactMethod, Outcome, RISE, Start, State, Step, Target, Task, Top, Watch,
+    Compliance, ContactMethod, ContactTask, IterateView, Outcome, RISE, Start, State, Target, Top,
+    Watch,
 };
 use crate::problem::Problem;
 use crate::{End, Real, certificate, fields};
@@ -25,7 +26,7 @@ fn open_gap<T: Real>(state: &State<T>, heights: &[T], level: f64, top: Top<'_, T
 }
 
 /// How far a state has come, and how far it should: both rise with the load.
-fn progress<T: Real>(task: &Task<'_, T>, state: &State<T>) -> [f64; 2] {
+fn progress<T: Real>(task: &ContactTask<'_, T>, state: &State<T>) -> [f64; 2] {
     let Problem { heights, .. } = task.problem;
     let level = certificate::level(state, heights, task.ceiling);
     match task.target {
@@ -38,7 +39,7 @@ fn progress<T: Real>(task: &Task<'_, T>, state: &State<T>) -> [f64; 2] {
 /// Solves `task` by loads.
 pub(crate) fn solve<T: Real>(
     method: &mut dyn ContactMethod<T>,
-    task: &Task<'_, T>,
+    task: &ContactTask<'_, T>,
     guess: f64,
     operator: &mut dyn Compliance<T>,
     start: Start,
@@ -63,19 +64,19 @@ pub(crate) fn solve<T: Real>(
         Outcome { end: End::Exhausted, residual: f64::INFINITY, ..Outcome::without_iterating(0.0) };
     for _ in 0..MOST_LOADS {
         let load = load_of(y);
-        let sub = Task {
+        let sub = ContactTask {
             target: Target::Pressure(load),
             tolerance: accuracy.max(finest),
             max_iterations: task.max_iterations - all.iterations,
             ..*task
         };
         let (before, known) = (all, slope);
-        let mut shown = |step: &Step<'_, T>| {
+        let mut shown = |step: &IterateView<'_, T>| {
             let missing = known.map_or(f64::INFINITY, |slope: f64| {
                 let [reached, target] = progress(task, step.state);
                 (target - reached).abs() / slope
             });
-            watch(&Step {
+            watch(&IterateView {
                 iteration: before.iterations + step.iteration,
                 transforms: before.transforms + step.transforms,
                 residual: step.residual.max(missing),
@@ -84,10 +85,7 @@ pub(crate) fn solve<T: Real>(
         };
         let found = method.solve(&sub, operator, start, state, &mut shown);
         start = Start::Warm;
-        all.iterations += found.iterations;
-        all.transforms += found.transforms;
-        all.fallbacks.gradient_steps += found.fallbacks.gradient_steps;
-        all.fallbacks.face_cg_steps += found.fallbacks.face_cg_steps;
+        all.add(&found);
         let [reached, target] = progress(task, state);
         // Elastic bodies rise by so much per logarithm of the load, which changes by 1 - P/H per y.
         let indentation =

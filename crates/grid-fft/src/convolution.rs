@@ -2,7 +2,7 @@
 
 use crate::float::{Float, Plans};
 use crate::parallel::prelude::*;
-use crate::parallel::{for_each_index, thread_index, threads};
+use crate::parallel::{thread_index, threads};
 use crate::rows::RowScratch;
 use rustfft::num_complex::Complex;
 use std::sync::{Mutex, MutexGuard, PoisonError};
@@ -188,7 +188,7 @@ impl<T: Float> Convolution<T> {
     }
 
     fn filter_all(&self, symbol: impl Fn(usize, &mut [T]) + Sync, factor: T) {
-        for_each_index(self.groups(), |group| self.filter(group, &symbol, factor));
+        Pieces::for_each(0..self.groups(), |group| self.filter(group, &symbol, factor));
     }
 
     fn analyse_all(&self, input: &[T]) {

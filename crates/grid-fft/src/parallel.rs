@@ -25,11 +25,6 @@ pub(crate) fn threads() -> usize {
     1
 }
 
-/// Calls `work` with every index below `count`.
-pub(crate) fn for_each_index(count: usize, work: impl Fn(usize) + Sync) {
-    Pieces::for_each(0..count, work);
-}
-
 /// Calls both functions, at the same time if a thread is free.
 pub fn join<A: Send, B: Send>(
     a: impl FnOnce() -> A + Send,

@@ -47,9 +47,9 @@ pub(crate) trait Ceiling<T: Real>: Copy + Send + Sync {
 
 /// None: the bodies stay elastic.
 #[derive(Debug, Clone, Copy)]
-pub(crate) struct Elastic;
+pub(crate) struct NoCeiling;
 
-impl<T: Real> Ceiling<T> for Elastic {
+impl<T: Real> Ceiling<T> for NoCeiling {
     const IS_FINITE: bool = false;
     #[inline(always)]
     fn at(self, _: usize) -> T {
@@ -63,9 +63,9 @@ impl<T: Real> Ceiling<T> for Elastic {
 
 /// The softer body yields at this pressure.
 #[derive(Debug, Clone, Copy)]
-pub(crate) struct Hardness<T>(pub(crate) T);
+pub(crate) struct UniformCeiling<T>(pub(crate) T);
 
-impl<T: Real> Ceiling<T> for Hardness<T> {
+impl<T: Real> Ceiling<T> for UniformCeiling<T> {
     const IS_FINITE: bool = true;
     #[inline(always)]
     fn at(self, _: usize) -> T {
@@ -79,9 +79,9 @@ impl<T: Real> Ceiling<T> for Hardness<T> {
 
 /// It yields at another pressure at each node.
 #[derive(Debug, Clone, Copy)]
-pub(crate) struct HardnessMap<'a, T>(pub(crate) &'a [T]);
+pub(crate) struct CeilingMap<'a, T>(pub(crate) &'a [T]);
 
-impl<T: Real> Ceiling<T> for HardnessMap<'_, T> {
+impl<T: Real> Ceiling<T> for CeilingMap<'_, T> {
     const IS_FINITE: bool = true;
     #[inline(always)]
     fn at(self, node: usize) -> T {
@@ -139,15 +139,15 @@ macro_rules! under {
     ($top:expr, $ceiling:ident => $body:expr) => {
         match $top {
             $crate::methods::Top::Same(top) if top.is_finite() => {
-                let $ceiling = $crate::methods::Hardness($crate::Real::of(top));
+                let $ceiling = $crate::methods::UniformCeiling($crate::Real::of(top));
                 $body
             }
             $crate::methods::Top::Same(_) => {
-                let $ceiling = $crate::methods::Elastic;
+                let $ceiling = $crate::methods::NoCeiling;
                 $body
             }
             $crate::methods::Top::Map(map, _) => {
-                let $ceiling = $crate::methods::HardnessMap(map);
+                let $ceiling = $crate::methods::CeilingMap(map);
                 $body
             }
         }

@@ -1,7 +1,8 @@
 //! Which method is run.
 
+use super::baseline::Baseline;
 use super::chord::Chord;
-use super::compliance::{Compliance, Free};
+use super::compliance::Compliance;
 use super::contract::ContactMethod;
 use super::free_chord::FreeChord;
 use super::polonsky_keer::PolonskyKeer;
@@ -15,7 +16,7 @@ pub(crate) fn operator<T: Real>(scaled: Grid, boundary: Boundary) -> Box<dyn Com
     let unit = ContactModulus::from_pascals(1.0).expect("1 Pa is a modulus");
     match boundary {
         Boundary::Periodic => Box::new(HalfSpace::new(scaled, unit)),
-        Boundary::Free => Box::new(Free::new(FreeHalfSpace::new(scaled, unit), scaled.len())),
+        Boundary::Free => Box::new(FreeHalfSpace::new(scaled, unit)),
     }
 }
 
@@ -42,8 +43,10 @@ pub(crate) fn build<T: Real>(
             (Method::Chord, Box::new(FreeChord::new(scaled)?))
         }
         (Method::PolonskyKeer, _) => {
-            (Method::PolonskyKeer, Box::new(PolonskyKeer::new(scaled.len())))
+            (Method::PolonskyKeer, Box::new(Baseline::<T, PolonskyKeer>::new(scaled.len())))
         }
-        (Method::StanleyKato, _) => (Method::StanleyKato, Box::new(StanleyKato::new(scaled.len()))),
+        (Method::StanleyKato, _) => {
+            (Method::StanleyKato, Box::new(Baseline::<T, StanleyKato>::new(scaled.len())))
+        }
     })
 }

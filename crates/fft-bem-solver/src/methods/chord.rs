@@ -14,4 +14,4 @@ mod work;
 
 pub(crate) use iteration::Chord;
 #[cfg(test)]
-pub(crate) use memory::Kind;
+pub(crate) use memory::StepKind;

@@ -1,7 +1,7 @@
 //! The operator `K` as a method sees it.
 
 use crate::row_work::{Partial, RowWork, total};
-use crate::{Boundary, FreeHalfSpace, HalfSpace, Real};
+use crate::{Boundary, Real};
 use grid_fft::parallel::prelude::*;
 
 /// `u = K p` and, where it is diagonal, its inverse.
@@ -49,55 +49,4 @@ pub(crate) trait Compliance<T: Real>: Send + Sync {
     fn invert(&mut self, field: &mut [T]) -> bool;
     /// Which kind of half space this is.
     fn boundary(&self) -> Boundary;
-}
-
-impl<T: Real> Compliance<T> for HalfSpace<T> {
-    fn apply(&mut self, pressure: &[T], displacement: &mut [T]) {
-        self.displacement(pressure, displacement);
-    }
-    fn apply_in_place(&mut self, field: &mut [T]) {
-        self.displace(field).expect("it has the pixels of the grid");
-    }
-    fn apply_around(
-        &mut self,
-        pressure: &mut [T],
-        displacement: &mut [T],
-        gap: &mut [f32],
-        work: RowWork<'_, T>,
-        partial: &mut [Partial],
-    ) -> Option<Partial> {
-        let partial = &mut partial[..Self::pieces(self.grid().shape())];
-        self.displacement_around(pressure, displacement, gap, work, partial)?;
-        Some(total(partial))
-    }
-    fn invert(&mut self, field: &mut [T]) -> bool {
-        self.press(field).is_ok()
-    }
-    fn boundary(&self) -> Boundary {
-        Boundary::Periodic
-    }
-}
-
-/// A free half space and the memory its inverse needs.
-pub(crate) struct Free<T: Real> {
-    half_space: FreeHalfSpace<T>,
-    scratch: Vec<T>,
-}
-
-impl<T: Real> Free<T> {
-    pub(crate) fn new(half_space: FreeHalfSpace<T>, pixels: usize) -> Self {
-        Self { half_space, scratch: Vec::with_capacity(pixels) }
-    }
-}
-
-impl<T: Real> Compliance<T> for Free<T> {
-    fn apply(&mut self, pressure: &[T], displacement: &mut [T]) {
-        self.half_space.displacement(pressure, displacement);
-    }
-    fn invert(&mut self, field: &mut [T]) -> bool {
-        self.half_space.dominating_inverse(field, &mut self.scratch)
-    }
-    fn boundary(&self) -> Boundary {
-        Boundary::Free
-    }
 }

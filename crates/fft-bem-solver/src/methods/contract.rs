@@ -1,6 +1,6 @@
 //! The contract between the solver and a method.
 //!
-//! A method receives a [`Task`]: the scaled [`Problem`] (heights from -1 to 0, finer pixel side 1,
+//! A method receives a [`ContactTask`]: the scaled [`Problem`] (heights from -1 to 0, finer pixel side 1,
 //! `K` with symbol `2/|q|`), what is prescribed, when to stop. It changes a [`State`], the pair
 //! `pressure`, `displacement = K pressure` and the `level` of the rigid flat, and returns an
 //! [`Outcome`]. The gap is `displacement - heights - level` and is never stored by the solver.
@@ -22,6 +22,7 @@
 
 use super::ceiling::Top;
 use super::compliance::Compliance;
+use super::passes;
 use crate::problem::Problem;
 use crate::{End, Fallbacks, Real};
 use std::ops::ControlFlow;
@@ -41,7 +42,7 @@ pub(crate) enum Target {
 
 /// One problem to solve.
 #[derive(Clone, Copy)]
-pub(crate) struct Task<'a, T> {
+pub(crate) struct ContactTask<'a, T> {
     pub(crate) problem: &'a Problem<T>,
     pub(crate) target: Target,
     /// Highest pressure, in scaled units.
@@ -69,10 +70,16 @@ impl<T: Real> State<T> {
     pub(crate) fn new(n: usize) -> Self {
         Self { pressure: vec![T::zero(); n], displacement: vec![T::zero(); n], level: 0.0 }
     }
+
+    /// Multiplies pressure and displacement: K is linear.
+    pub(crate) fn scale(&mut self, factor: f64) {
+        passes::scale(factor, &mut self.pressure);
+        passes::scale(factor, &mut self.displacement);
+    }
 }
 
 /// What `watch` is shown.
-pub(crate) struct Step<'a, T> {
+pub(crate) struct IterateView<'a, T> {
     pub(crate) iteration: usize,
     pub(crate) transforms: f64,
     /// Estimated relative rms pressure error; infinite while there is none.
@@ -81,7 +88,7 @@ pub(crate) struct Step<'a, T> {
 }
 
 /// Called once per iteration; `Break` ends the run.
-pub(crate) type Watch<'a, T> = dyn FnMut(&Step<'_, T>) -> ControlFlow<()> + Send + 'a;
+pub(crate) type Watch<'a, T> = dyn FnMut(&IterateView<'_, T>) -> ControlFlow<()> + Send + 'a;
 
 /// What a method reports.
 #[derive(Debug, Clone, Copy)]
@@ -100,6 +107,14 @@ impl Outcome {
         let fallbacks = Fallbacks::default();
         Self { end: End::Converged, iterations: 0, transforms, residual: 0.0, fallbacks }
     }
+
+    /// Counts the work of another run as well.
+    pub(crate) fn add(&mut self, other: &Self) {
+        self.iterations += other.iterations;
+        self.transforms += other.transforms;
+        self.fallbacks.gradient_steps += other.fallbacks.gradient_steps;
+        self.fallbacks.face_cg_steps += other.fallbacks.face_cg_steps;
+    }
 }
 
 /// One way of solving the contact problem.
@@ -107,7 +122,7 @@ pub(crate) trait ContactMethod<T: Real>: Send + Sync {
     /// Solves the task, see the module documentation.
     fn solve(
         &mut self,
-        task: &Task<'_, T>,
+        task: &ContactTask<'_, T>,
         operator: &mut dyn Compliance<T>,
         start: Start,
         state: &mut State<T>,

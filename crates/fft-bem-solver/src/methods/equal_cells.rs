@@ -5,7 +5,7 @@
 //! has no seam.
 
 /// The cells of one axis.
-pub(super) struct Cells {
+pub(super) struct EqualCells {
     /// For each cell the first pixel it has a part of; then the number of pixels.
     start: Vec<usize>,
     /// The part of that pixel that belongs to the cell before; then 0.
@@ -16,7 +16,7 @@ pub(super) struct Cells {
     share: f32,
 }
 
-impl Cells {
+impl EqualCells {
     /// Cells of about `factor` of `pixels` pixels.
     pub(super) fn new(pixels: usize, factor: usize) -> Self {
         let cells = ((2 * pixels + factor) / (2 * factor)).max(1); // rounded
@@ -135,7 +135,7 @@ mod tests {
     fn cells_cover_the_axis_evenly() {
         for n in 1..60 {
             for factor in [1, 2, 4, 8].into_iter().filter(|f| *f <= n) {
-                let cells = Cells::new(n, factor);
+                let cells = EqualCells::new(n, factor);
                 let m = cells.len();
                 let width = n as f32 / m as f32;
                 let mut mean = vec![vec![0.0_f32; n]; m];

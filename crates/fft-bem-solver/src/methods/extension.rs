@@ -17,7 +17,7 @@
 //! square, the cell leans on its neighbours as much less as it is longer than wide: `(1 - w)/w`
 //! counts [`COUPLING`] times width over length. Everything is single precision: the result is a step, corrected by the next one.
 
-use super::transfer::{Transfer, Weight};
+use super::transfer::{FilledPart, Transfer};
 use crate::row_work::TASK;
 use crate::simd::vectorised;
 use grid_fft::parallel::prelude::*;
@@ -59,7 +59,7 @@ fn inverse(m: f32) -> f32 {
 }
 
 /// One grid of the pyramid above the finest.
-pub(crate) struct Level {
+pub(crate) struct PyramidLevel {
     /// From the next finer grid to this one.
     pub(crate) transfer: Transfer,
     pub(crate) capacity: Capacity,
@@ -69,7 +69,7 @@ pub(crate) struct Level {
     pub(crate) value: Vec<f32>,
 }
 
-impl Level {
+impl PyramidLevel {
     /// `pixel` is that of this level.
     fn new(transfer: Transfer, pixel: [f64; 2]) -> Self {
         let n = transfer.coarse[0] * transfer.coarse[1];
@@ -91,90 +91,23 @@ impl Level {
         (TASK / (self.transfer.fine[1] * self.transfer.rows_per_coarse_row())).max(1)
     }
 
-    /// Pulls weights, and values if there are any, of the next finer level whose pixels this one cuts.
-    fn pull_cut(&mut self, w: &[f32], v: Option<&[f32]>) {
-        let (t, capacity, rows) = (self.transfer, self.capacity, self.rows_per_task());
-        let (nx, mx) = (t.fine[1], t.coarse[1]);
-        self.weight
-            .par_chunks_mut(rows * mx)
-            .zip(self.value.par_chunks_mut(rows * mx))
-            .enumerate()
-            .for_each(|(task, (weight, value))| {
-                let lines = weight.chunks_exact_mut(mx).zip(value.chunks_exact_mut(mx));
-                vectorised!({
-                    for (r, (weight, value)) in lines.enumerate() {
-                        let j = task * rows + r;
-                        t.down_row_of(
-                            j,
-                            weight,
-                            #[inline(always)]
-                            |iy, share, ix, line| {
-                                let w = &w[iy * nx + ix..][..line.len()];
-                                line.iter_mut().zip(w).for_each(|(l, w)| *l += share * w);
-                            },
-                        );
-                        if let Some(v) = v {
-                            t.down_row_of(
-                                j,
-                                value,
-                                #[inline(always)]
-                                |iy, share, ix, line| {
-                                    let w = w[iy * nx + ix..][..line.len()].iter();
-                                    let fields = line.iter_mut().zip(w.zip(&v[iy * nx + ix..]));
-                                    fields.for_each(|(l, (w, v))| *l += share * w * v);
-                                },
-                            );
-                            value.iter_mut().zip(&*weight).for_each(|(v, m)| *v *= inverse(*m));
-                        }
-                        for w in weight {
-                            *w = capacity.of(*w);
-                        }
-                    }
-                });
-            });
-    }
-
     /// Pulls weights and values of the next finer level.
-    fn pull(&mut self, w: &[f32], v: &[f32]) {
-        if self.transfer.has_cut_cells() {
-            self.pull_cut(w, Some(v));
-        } else {
-            self.pull_pairs(w, v);
-        }
-        self.uncouple();
-    }
-
-    /// The same where no pixel is cut.
-    fn pull_pairs(&mut self, w: &[f32], v: &[f32]) {
+    fn pull(&mut self, finer: &Self) {
         let (t, capacity, rows) = (self.transfer, self.capacity, self.rows_per_task());
         let (fine, coarse) = (rows * t.rows_per_coarse_row() * t.fine[1], rows * t.coarse[1]);
-        w.par_chunks(fine)
-            .zip(v.par_chunks(fine))
-            .zip(self.weight.par_chunks_mut(coarse))
-            .zip(self.value.par_chunks_mut(coarse))
-            .for_each(|(((w, v), weight), value)| {
+        let here = self.weight.par_chunks_mut(coarse).zip(self.value.par_chunks_mut(coarse));
+        if t.has_cut_cells() {
+            here.enumerate().for_each(|(task, (weight, value))| {
+                let (w, v) = (&finer.weight, &finer.value);
+                vectorised!(pull_cut_rows(&t, capacity, task * rows, w, v, weight, value));
+            });
+        } else {
+            let below = finer.weight.par_chunks(fine).zip(finer.value.par_chunks(fine));
+            below.zip(here).for_each(|((w, v), (weight, value))| {
                 vectorised!(pull_rows(&t, capacity, w, v, weight, value));
             });
-    }
-
-    /// Pulls weights alone.
-    fn pull_weights(&mut self, w: &[f32]) {
-        if self.transfer.has_cut_cells() {
-            self.pull_cut(w, None);
-        } else {
-            self.pull_pairs_of_weights(w);
         }
         self.uncouple();
-    }
-
-    /// The same where no pixel is cut.
-    fn pull_pairs_of_weights(&mut self, w: &[f32]) {
-        let (t, capacity, rows) = (self.transfer, self.capacity, self.rows_per_task());
-        let (nx, mx) = (t.fine[1], t.coarse[1]);
-        let (fine, coarse) = (rows * t.rows_per_coarse_row() * nx, rows * mx);
-        w.par_chunks(fine)
-            .zip(self.weight.par_chunks_mut(coarse))
-            .for_each(|(w, weight)| vectorised!(pull_weight_rows(&t, capacity, w, weight)));
     }
 
     /// Lets the cells lean less on their neighbours.
@@ -267,7 +200,7 @@ impl Level {
 
 /// Pulls the fine rows `w` and `v` into the coarse rows that cover them.
 #[inline(always)]
-pub(crate) fn pull_rows<W: Weight>(
+pub(crate) fn pull_rows<W: FilledPart>(
     t: &Transfer,
     capacity: Capacity,
     w: &[W],
@@ -291,6 +224,46 @@ pub(crate) fn pull_rows<W: Weight>(
     }
 }
 
+/// Pulls the finer level `w`, `v` into the coarse rows from `first` on, where cells cut pixels.
+#[inline(always)]
+fn pull_cut_rows(
+    t: &Transfer,
+    capacity: Capacity,
+    first: usize,
+    w: &[f32],
+    v: &[f32],
+    weight: &mut [f32],
+    value: &mut [f32],
+) {
+    let (nx, mx) = (t.fine[1], t.coarse[1]);
+    let lines = weight.chunks_exact_mut(mx).zip(value.chunks_exact_mut(mx));
+    for (r, (weight, value)) in lines.enumerate() {
+        t.down_row_of(
+            first + r,
+            weight,
+            #[inline(always)]
+            |iy, share, ix, line| {
+                let w = &w[iy * nx + ix..][..line.len()];
+                line.iter_mut().zip(w).for_each(|(l, w)| *l += share * w);
+            },
+        );
+        t.down_row_of(
+            first + r,
+            value,
+            #[inline(always)]
+            |iy, share, ix, line| {
+                let w = w[iy * nx + ix..][..line.len()].iter();
+                let fields = line.iter_mut().zip(w.zip(&v[iy * nx + ix..]));
+                fields.for_each(|(l, (w, v))| *l += share * w * v);
+            },
+        );
+        for (w, v) in weight.iter_mut().zip(value) {
+            *v *= inverse(*w);
+            *w = capacity.of(*w);
+        }
+    }
+}
+
 /// `w x + (1 - w) up(coarse)` in row `i` of x.
 #[inline(always)]
 fn push_row(t: &Transfer, i: usize, weight: &[f32], coarse: &[f32], value: &mut [f32]) {
@@ -307,23 +280,15 @@ fn push_row(t: &Transfer, i: usize, weight: &[f32], coarse: &[f32], value: &mut 
     );
 }
 
-/// The same as [`pull_rows`] for weights alone.
-#[inline(always)]
-fn pull_weight_rows(t: &Transfer, capacity: Capacity, w: &[f32], weight: &mut [f32]) {
-    let (nx, mx) = (t.fine[1], t.coarse[1]);
-    let pairs = w.chunks(t.rows_per_coarse_row() * nx);
-    for (pair, weight) in pairs.zip(weight.chunks_exact_mut(mx)) {
-        t.down_weight_row([&pair[..nx], &pair[pair.len() - nx..]], weight);
-        let share = if t.lacks_row(pair.len() / nx) { 0.5 } else { 1.0 };
-        for w in weight {
-            *w = capacity.of(share * *w);
-        }
-    }
-}
-
 /// Row `j` of `up^T ((1 - w) x)`.
 #[inline(always)]
-pub(crate) fn gather_row<W: Weight>(t: &Transfer, j: usize, w: &[W], x: &[f32], out: &mut [f32]) {
+pub(crate) fn gather_row<W: FilledPart>(
+    t: &Transfer,
+    j: usize,
+    w: &[W],
+    x: &[f32],
+    out: &mut [f32],
+) {
     let nx = t.fine[1];
     t.up_transposed_row(
         j,
@@ -341,7 +306,7 @@ pub(crate) fn gather_row<W: Weight>(t: &Transfer, j: usize, w: &[W], x: &[f32], 
 
 /// The levels above the finest grid, finest first; none on a grid of at most 4 x 4.
 pub(crate) struct Pyramid {
-    pub(crate) levels: Vec<Level>,
+    pub(crate) levels: Vec<PyramidLevel>,
 }
 
 impl Pyramid {
@@ -364,7 +329,7 @@ impl Pyramid {
                 }
             }
             n = transfer.coarse;
-            levels.push(Level::new(transfer, d));
+            levels.push(PyramidLevel::new(transfer, d));
         }
         Self { levels }
     }
@@ -385,16 +350,20 @@ impl Pyramid {
             weight[mx - 1] = capacity.of(rows * share(mx - 1, 1));
         });
         first.value.fill(0.0);
-        self.reweigh_above();
+        self.pull_above();
+    }
+
+    /// Brings the weights of all levels up to date with those of the first; with its values, means of them.
+    pub(crate) fn pull_above(&mut self) {
+        for l in 1..self.levels.len() {
+            let (finer, coarser) = self.levels.split_at_mut(l);
+            coarser[0].pull(&finer[l - 1]);
+        }
     }
 
     /// Pulls and pushes: from weights and values of the first level to the extended field on it.
     pub(crate) fn extend_above(&mut self) {
-        for l in 1..self.levels.len() {
-            let (finer, coarser) = self.levels.split_at_mut(l);
-            let finer = &finer[l - 1];
-            coarser[0].pull(&finer.weight, &finer.value);
-        }
+        self.pull_above();
         if let Some(top) = self.levels.last_mut() {
             for (x, w) in top.value.iter_mut().zip(&top.weight) {
                 *x *= w;
@@ -416,14 +385,6 @@ impl Pyramid {
         for l in (0..self.levels.len()).rev() {
             let (finer, coarser) = self.levels.split_at_mut(l + 1);
             finer[l].scatter(coarser.first());
-        }
-    }
-
-    /// Brings the weights of all levels up to date with those of the first.
-    pub(crate) fn reweigh_above(&mut self) {
-        for l in 1..self.levels.len() {
-            let (finer, coarser) = self.levels.split_at_mut(l);
-            coarser[0].pull_weights(&finer[l - 1].weight);
         }
     }
 }

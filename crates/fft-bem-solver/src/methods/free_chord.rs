@@ -10,7 +10,9 @@
 use super::ceiling::{Ceiling, Top, under};
 use super::chord::Chord;
 use super::compliance::Compliance;
-use super::contract::{ContactMethod, Outcome, Start, State, Step, Target, Task, Watch};
+use super::contract::{
+    ContactMethod, ContactTask, IterateView, Outcome, Start, State, Target, Watch,
+};
 use crate::problem::Problem;
 use crate::{Boundary, End, Real, SolverError, fields, projection};
 use contact_types::Grid;
@@ -104,7 +106,7 @@ impl<T: Real> Compliance<T> for Around<'_, T> {
 impl<T: Real> ContactMethod<T> for FreeChord<T> {
     fn solve(
         &mut self,
-        task: &Task<'_, T>,
+        task: &ContactTask<'_, T>,
         operator: &mut dyn Compliance<T>,
         start: Start,
         state: &mut State<T>,
@@ -146,12 +148,12 @@ impl<T: Real> ContactMethod<T> for FreeChord<T> {
                 Top::Map(&bears, mean)
             }
         };
-        let task = Task { problem: &self.problem, target, ceiling, ..*task };
-        let mut shown = |step: &Step<'_, T>| {
+        let task = ContactTask { problem: &self.problem, target, ceiling, ..*task };
+        let mut shown = |step: &IterateView<'_, T>| {
             cut(map, &step.state.pressure, stride, &mut state.pressure);
             cut(map, &step.state.displacement, stride, &mut state.displacement);
             let transforms = transforms + step.transforms;
-            watch(&Step { transforms, state: &*state, ..*step })
+            watch(&IterateView { transforms, state: &*state, ..*step })
         };
         let mut around = Around { inner: operator, map, stride, buffer: &mut self.on_map };
         let mut outcome =

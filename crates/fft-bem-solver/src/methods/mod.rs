@@ -11,7 +11,7 @@
     reason = "inner loops belong to each version of `vectorised!`, and have no branches"
 )]
 
-mod begin;
+mod baseline;
 mod ceiling;
 mod choice;
 mod chord;
@@ -35,10 +35,12 @@ mod tension;
 mod thin_pixels;
 mod transfer;
 
-pub(crate) use ceiling::{Ceiling, Elastic, Hardness, HardnessMap, Top, under};
+pub(crate) use ceiling::{Ceiling, CeilingMap, NoCeiling, Top, UniformCeiling, under};
 pub(crate) use choice::{build, operator};
 pub(crate) use compliance::Compliance;
-pub(crate) use contract::{ContactMethod, Outcome, Start, State, Step, Target, Task, Watch};
+pub(crate) use contract::{
+    ContactMethod, ContactTask, IterateView, Outcome, Start, State, Target, Watch,
+};
 pub(crate) use level_control::RISE;
-pub(crate) use node::Node;
+pub(crate) use node::NodeState;
 pub(crate) use set_inverse::SetInverse;

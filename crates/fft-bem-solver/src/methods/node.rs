@@ -1,11 +1,11 @@
 //! On which side a node of the finest grid is.
 
-use super::transfer::Weight;
+use super::transfer::FilledPart;
 
 /// State of a node during one step. A byte, so that passes over a field of them keep their speed.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 #[repr(u8)]
-pub(crate) enum Node {
+pub(crate) enum NodeState {
     /// Outside the contact set F, without load.
     Gap,
     /// In F.
@@ -20,7 +20,7 @@ pub(crate) enum Node {
     Filled,
 }
 
-impl Node {
+impl NodeState {
     /// In F or outside, whatever it carries.
     #[inline(always)]
     pub(crate) fn of(is_in_contact: bool) -> Self {
@@ -46,7 +46,7 @@ impl Node {
     }
 }
 
-impl Weight for Node {
+impl FilledPart for NodeState {
     #[inline(always)]
     fn value(self) -> f32 {
         if self.is_in() { 1.0 } else { 0.0 }

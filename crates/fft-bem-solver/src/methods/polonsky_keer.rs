@@ -3,130 +3,83 @@
 //! # Source
 //! Polonsky & Keer (1999), *Wear* 231, 206–219, doi:10.1016/S0043-1648(99)00113-1, section 3.
 
-use super::begin::{begin, mean_gap_in_contact_to_zero};
-use super::ceiling::{Elastic, Top};
+use super::baseline::BaselineStep;
 use super::compliance::Compliance;
-use super::contract::{ContactMethod, Outcome, Start, State, Step, Target, Task, Watch};
-use super::passes;
-use crate::certificate::{self, Patience};
-use crate::{End, Fallbacks, Real, fields};
+use super::contract::State;
+use crate::{Real, fields};
 use std::sync::atomic::{AtomicBool, Ordering};
 
-/// The method and its fields: gap, direction, and what a transform gives back.
-pub(crate) struct PolonskyKeer<T> {
-    gap: Vec<T>,
-    direction: Vec<T>,
-    response: Vec<T>,
+/// What one step tells the next.
+pub(crate) struct PolonskyKeer {
+    /// delta of the paper.
+    is_conjugate: bool,
+    /// G_old.
+    last_norm: f64,
+    /// tau, pressure per gap.
+    length: f64,
 }
 
-impl<T: Real> PolonskyKeer<T> {
-    pub(crate) fn new(n: usize) -> Self {
-        let zeros = || vec![T::zero(); n];
-        Self { gap: zeros(), direction: zeros(), response: zeros() }
-    }
-}
+impl<T: Real> BaselineStep<T> for PolonskyKeer {
+    const START: Self = Self { is_conjugate: false, last_norm: 1.0, length: 1.0 };
 
-impl<T: Real> ContactMethod<T> for PolonskyKeer<T> {
-    fn solve(
+    /// The gap is that of eqs. 8 and 9.
+    fn step(
         &mut self,
-        task: &Task<'_, T>,
-        operator: &mut dyn Compliance<T>,
-        start: Start,
+        load: f64,
         state: &mut State<T>,
-        watch: &mut Watch<'_, T>,
-    ) -> Outcome {
-        let Target::Pressure(load) = task.target else {
-            unreachable!("a level is controlled from outside: controls_level() is false")
+        gap: &[T],
+        t: &mut [T],
+        r: &mut [T],
+        operator: &mut dyn Compliance<T>,
+    ) -> Option<f64> {
+        // Conjugate direction on the contact (eqs. 10, 11).
+        let (p, n) = (&state.pressure, gap.len());
+        let on = |i: usize| p[i] > T::zero();
+        let sum_on = |term: &(dyn Fn(usize) -> f64 + Sync)| {
+            fields::sum_of(n, |i| if on(i) { term(i) } else { 0.0 })
         };
-        let heights = &task.problem.heights;
-        let n = heights.len();
-        let mut transforms = begin(load, operator, start, state);
-        let (gap, t, r) = (&mut self.gap, &mut self.direction, &mut self.response);
-        passes::fill(0.0, t);
-        let mut conjugate = false; // delta of the paper
-        let mut last_norm = 1.0; // G_old
-        let mut length = 1.0; // tau, pressure per gap
-        let mut patience = Patience::new(task.tolerance);
-        let mut iterations = 0;
-        let mut residual = f64::INFINITY;
-        let mut end = loop {
-            // Gap, counted so that its mean over the contact is zero (eqs. 8, 9).
-            mean_gap_in_contact_to_zero(state, heights, gap);
-            let check = patience.judge(state, heights, gap, r, operator);
-            transforms += check.transforms;
-            residual = check.residual.unwrap_or(residual);
-            let step = Step { iteration: iterations, transforms, residual, state };
-            if watch(&step).is_break() {
-                break End::Stopped;
-            }
-            if let Some(end) = check.end {
-                break end;
-            }
-            if iterations >= task.max_iterations {
-                break End::Exhausted;
-            }
-            iterations += 1;
+        let norm = sum_on(&|i| gap[i].wide().powi(2));
+        let beta = T::of(if self.is_conjugate { norm / self.last_norm } else { 0.0 });
+        self.last_norm = norm;
+        fields::write(t, |i, t| if on(i) { gap[i] + beta * t } else { T::zero() });
+        // Its response, and the length of the step (eqs. 12-14).
+        operator.apply(t, r);
+        let mean = sum_on(&|i| r[i].wide()) / fields::contact_count(p) as f64;
+        let descent = sum_on(&|i| gap[i].wide() * t[i].wide());
+        let curvature = sum_on(&|i| (r[i].wide() - mean) * t[i].wide());
+        let overlaps = |i: usize| p[i] <= T::zero() && gap[i] < T::zero();
+        if curvature > 0.0 {
+            self.length = descent / curvature;
+        } else if !(0..n).any(overlaps) {
+            return None;
+        } // else the contact is at rest, and the last length takes in what overlaps
+        let tau = T::of(self.length);
 
-            // Conjugate direction on the contact (eqs. 10, 11).
-            let p = &state.pressure;
-            let on = |i: usize| p[i] > T::zero();
-            let norm = fields::sum_of(n, |i| if on(i) { gap[i].wide().powi(2) } else { 0.0 });
-            let beta = T::of(if conjugate { norm / last_norm } else { 0.0 });
-            last_norm = norm;
-            fields::write(t, |i, t| if on(i) { gap[i] + beta * t } else { T::zero() });
-            // Its response, and the length of the step (eqs. 12-14).
-            operator.apply(t, r);
-            transforms += 1.0;
-            let contact = fields::contact_count(p) as f64;
-            let mean = fields::sum_of(n, |i| if on(i) { r[i].wide() } else { 0.0 }) / contact;
-            let descent =
-                fields::sum_of(n, |i| if on(i) { gap[i].wide() * t[i].wide() } else { 0.0 });
-            let curvature =
-                fields::sum_of(n, |i| if on(i) { (r[i].wide() - mean) * t[i].wide() } else { 0.0 });
-            let overlaps = |i: usize| p[i] <= T::zero() && gap[i] < T::zero();
-            if curvature > 0.0 {
-                length = descent / curvature;
-            } else if fields::sum_of(n, |i| if overlaps(i) { 1.0 } else { 0.0 }) < 1.0 {
-                break End::Exhausted; // nothing left but rounding
-            } // else the contact is at rest, and the last length takes in what overlaps
-            let tau = T::of(length);
-
-            // Step, truncate, and take in the pixels that overlap (eqs. 15-17).
-            let (truncated, taken_in) = (AtomicBool::new(false), AtomicBool::new(false));
-            fields::write(&mut state.pressure, |i, p| {
-                let trial = p - tau * t[i];
-                if trial < T::zero() {
-                    truncated.store(true, Ordering::Relaxed);
-                }
-                let p = trial.larger(T::zero());
-                if p <= T::zero() && gap[i] < T::zero() {
-                    taken_in.store(true, Ordering::Relaxed);
-                    return p - tau * gap[i];
-                }
-                p
-            });
-            let [truncated, taken_in] = [truncated, taken_in].map(AtomicBool::into_inner);
-            conjugate = !taken_in;
-            // Restore the load (eq. 18). K is linear: unless a pixel changed sides, the response
-            // is known without a transform.
-            let scale = T::of(load * n as f64 / fields::sum(&state.pressure));
-            fields::write(&mut state.pressure, |_, p| p * scale);
-            if truncated || taken_in {
-                operator.apply(&state.pressure, &mut state.displacement);
-                transforms += 1.0;
-            } else {
-                fields::write(&mut state.displacement, |i, u| (u - tau * r[i]) * scale);
+        // Step, truncate, and take in the pixels that overlap (eqs. 15-17).
+        let (truncated, taken_in) = (AtomicBool::new(false), AtomicBool::new(false));
+        fields::write(&mut state.pressure, |i, p| {
+            let trial = p - tau * t[i];
+            if trial < T::zero() {
+                truncated.store(true, Ordering::Relaxed);
             }
-        };
-        if end == End::Exhausted && residual.is_infinite() {
-            let check = certificate::energy_error(Elastic, state, |i| gap[i], r, operator);
-            transforms += check.transforms;
-            residual = certificate::CAUTION * check.relative;
+            let p = trial.larger(T::zero());
+            if p <= T::zero() && gap[i] < T::zero() {
+                taken_in.store(true, Ordering::Relaxed);
+                return p - tau * gap[i];
+            }
+            p
+        });
+        let [truncated, taken_in] = [truncated, taken_in].map(AtomicBool::into_inner);
+        self.is_conjugate = !taken_in;
+        // Restore the load (eq. 18). K is linear: unless a pixel changed sides, the response is known
+        // without a transform.
+        let scale = T::of(load * n as f64 / fields::sum(&state.pressure));
+        fields::write(&mut state.pressure, |_, p| p * scale);
+        if truncated || taken_in {
+            operator.apply(&state.pressure, &mut state.displacement);
+            return Some(2.0);
         }
-        if end == End::Exhausted && residual <= task.tolerance {
-            end = End::Converged;
-        }
-        state.level = certificate::level(state, heights, Top::NONE);
-        Outcome { end, iterations, transforms, residual, fallbacks: Fallbacks::default() }
+        fields::write(&mut state.displacement, |i, u| (u - tau * r[i]) * scale);
+        Some(1.0)
     }
 }

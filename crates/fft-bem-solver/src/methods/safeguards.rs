@@ -1,8 +1,9 @@
 //! Tests that force each safeguard of the chord iteration.
 
+use super::baseline::Baseline;
 use super::ceiling::Top;
-use super::chord::{Chord, Kind};
-use super::contract::{ContactMethod, Outcome, Start, State, Target, Task};
+use super::chord::{Chord, StepKind};
+use super::contract::{ContactMethod, ContactTask, Outcome, Start, State, Target};
 use super::polonsky_keer::PolonskyKeer;
 use crate::problem::{self, Problem};
 use crate::simd::IS_PLAIN;
@@ -29,7 +30,6 @@ fn surface_of<T: Real>(shape: [usize; 2]) -> (Problem<T>, Grid) {
 fn run<T: Real>(
     method: &mut dyn ContactMethod<T>,
     problem: &Problem<T>,
-    ceiling: f64,
     tolerance: f64,
     load: f64,
 ) -> (Outcome, State<T>) {
@@ -37,9 +37,9 @@ fn run<T: Real>(
     let mut half_space = HalfSpace::new(problem.grid, modulus);
     let mut state = State::new(problem.grid.len());
     let target = Target::Pressure(load);
-    let ceiling = Top::Same(ceiling);
-    let task = Task { problem, target, ceiling, tolerance, max_iterations: 20_000 };
-    let mut watch = |_: &super::contract::Step<'_, T>| ControlFlow::Continue(());
+    let task =
+        ContactTask { problem, target, ceiling: Top::NONE, tolerance, max_iterations: 20_000 };
+    let mut watch = |_: &super::contract::IterateView<'_, T>| ControlFlow::Continue(());
     let outcome = method.solve(&task, &mut half_space, Start::Cold, &mut state, &mut watch);
     (outcome, state)
 }
@@ -50,16 +50,21 @@ fn difference(a: &State<f64>, b: &State<f64>) -> f64 {
     (square / fields::dot(&b.pressure, &b.pressure)).sqrt()
 }
 
+/// The pressure that Polonsky & Keer's method finds.
+fn exact(problem: &Problem<f64>, load: f64) -> State<f64> {
+    let mut method = Baseline::<f64, PolonskyKeer>::new(problem.grid.len());
+    run(&mut method, problem, 1e-11, load).1
+}
+
 #[test]
 fn each_kind_of_step_alone_finds_the_solution() {
     let (problem, grid) = surface();
     for load in [0.003, 0.05, 0.2] {
-        let (_, exact) =
-            run(&mut PolonskyKeer::new(grid.len()), &problem, f64::INFINITY, 1e-11, load);
-        for kind in [Kind::Chord, Kind::Gradient, Kind::FaceCg] {
+        let exact = exact(&problem, load);
+        for kind in [StepKind::Chord, StepKind::Gradient, StepKind::FaceCg] {
             let mut chord = Chord::new(grid);
             chord.force = Some(kind);
-            let (outcome, found) = run(&mut chord, &problem, f64::INFINITY, 1e-8, load);
+            let (outcome, found) = run(&mut chord, &problem, 1e-8, load);
             assert_eq!(outcome.end, End::Converged, "{kind:?} at {load}");
             let error = difference(&found, &exact);
             assert!(error < 1e-7, "{kind:?} at {load}: {error:e}");
@@ -73,17 +78,16 @@ fn each_kind_of_step_alone_finds_the_solution() {
 fn without_room_for_the_step_before_the_answer_is_the_same() {
     let (problem, grid) = surface();
     for load in [0.003, 0.05, 0.2] {
-        let (_, exact) =
-            run(&mut PolonskyKeer::new(grid.len()), &problem, f64::INFINITY, 1e-11, load);
-        for kind in [None, Some(Kind::Gradient), Some(Kind::FaceCg)] {
+        let exact = exact(&problem, load);
+        for kind in [None, Some(StepKind::Gradient), Some(StepKind::FaceCg)] {
             let mut chord = Chord::new(grid);
             chord.force = kind;
             chord.work.pairs.give_up_room();
-            let (outcome, found) = run(&mut chord, &problem, f64::INFINITY, 1e-8, load);
+            let (outcome, found) = run(&mut chord, &problem, 1e-8, load);
             assert_eq!(outcome.end, End::Converged, "{kind:?} at {load}");
             let error = difference(&found, &exact);
             assert!(error < 1e-7, "{kind:?} at {load}: {error:e}");
-            assert_eq!(chord.work.pairs.has_room(), kind == Some(Kind::FaceCg));
+            assert_eq!(chord.work.pairs.has_room(), kind == Some(StepKind::FaceCg));
         }
     }
 }
@@ -93,12 +97,12 @@ fn without_room_for_the_step_before_the_answer_is_the_same() {
 #[test]
 fn a_bad_preconditioner_costs_time_only() {
     let (problem, grid) = surface();
-    let (_, exact) = run(&mut PolonskyKeer::new(grid.len()), &problem, f64::INFINITY, 1e-11, 0.05);
+    let exact = exact(&problem, 0.05);
     let mut fallbacks = 0;
     for (factor, ripple) in [(0.0, 0.0), (0.02, 0.0), (30.0, 0.0), (-1.0, 0.0), (1.0, 3.0)] {
         let mut chord = Chord::new(grid);
         chord.work.stiffness.spoil(factor, ripple);
-        let (outcome, found) = run(&mut chord, &problem, f64::INFINITY, 1e-8, 0.05);
+        let (outcome, found) = run(&mut chord, &problem, 1e-8, 0.05);
         assert_eq!(outcome.end, End::Converged, "{factor} {ripple}");
         let error = difference(&found, &exact);
         // The estimate is made with the same S: weak by the same factor.
@@ -115,7 +119,7 @@ fn vectors_change_no_bit() {
         let (problem, grid) = surface_of::<T>(shape);
         let solved = |is_plain: bool| {
             IS_PLAIN.store(is_plain, Ordering::Relaxed);
-            let (_, found) = run(&mut Chord::new(grid), &problem, f64::INFINITY, tolerance, 0.05);
+            let (_, found) = run(&mut Chord::new(grid), &problem, tolerance, 0.05);
             IS_PLAIN.store(false, Ordering::Relaxed);
             [found.pressure, found.displacement]
                 .map(|field| field.iter().map(|x| x.wide().to_bits()).collect::<Vec<_>>())

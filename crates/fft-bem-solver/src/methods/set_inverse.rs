@@ -2,7 +2,7 @@
 //! pass as in the iteration, with fields of their own.
 
 use super::extension::{Pyramid, pull_rows};
-use super::node::Node;
+use super::node::NodeState;
 use super::passes;
 use super::stiffness::Stiffness;
 use crate::simd::vectorised;
@@ -14,7 +14,7 @@ const PIECE: usize = 64;
 
 /// `E^T S E` on one set.
 pub(crate) struct SetInverse {
-    nodes: Vec<Node>,
+    nodes: Vec<NodeState>,
     columns: usize,
     pyramid: Pyramid,
     stiffness: Stiffness,
@@ -24,7 +24,7 @@ pub(crate) struct SetInverse {
 
 impl SetInverse {
     /// For a grid whose finer pixel side is 1.
-    pub(crate) fn new(scaled: Grid, nodes: Vec<Node>) -> Self {
+    pub(crate) fn new(scaled: Grid, nodes: Vec<NodeState>) -> Self {
         let (shape, pixel, n) = (scaled.shape(), scaled.pixel(), scaled.len());
         Self {
             nodes,

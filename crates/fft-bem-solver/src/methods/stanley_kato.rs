@@ -12,104 +12,57 @@
 //! # Source
 //! Stanley & Kato (1997), *J. Tribol.* 119, 481–485, doi:10.1115/1.2833523.
 
-use super::begin::{begin, mean_gap_in_contact_to_zero};
-use super::ceiling::{Elastic, Top};
+use super::baseline::BaselineStep;
 use super::compliance::Compliance;
-use super::contract::{ContactMethod, Outcome, Start, State, Step, Target, Task, Watch};
-use crate::certificate::{self, Patience};
-use crate::{End, Fallbacks, Real, fields, projection};
+use super::contract::State;
+use crate::{Real, fields, projection};
 
-/// The method and its fields: gap, redistributed pressure and its displacement.
-pub(crate) struct StanleyKato<T> {
-    gap: Vec<T>,
-    trial: Vec<T>,
-    response: Vec<T>,
-}
+/// Length of the next step down the gradient, pressure per gap.
+pub(crate) struct StanleyKato(f64);
 
-impl<T: Real> StanleyKato<T> {
-    pub(crate) fn new(n: usize) -> Self {
-        let zeros = || vec![T::zero(); n];
-        Self { gap: zeros(), trial: zeros(), response: zeros() }
-    }
-}
+impl<T: Real> BaselineStep<T> for StanleyKato {
+    const START: Self = Self(1.0);
 
-impl<T: Real> ContactMethod<T> for StanleyKato<T> {
-    fn solve(
+    fn step(
         &mut self,
-        task: &Task<'_, T>,
-        operator: &mut dyn Compliance<T>,
-        start: Start,
+        load: f64,
         state: &mut State<T>,
-        watch: &mut Watch<'_, T>,
-    ) -> Outcome {
-        let Target::Pressure(load) = task.target else {
-            unreachable!("a level is controlled from outside: controls_level() is false")
-        };
-        let heights = &task.problem.heights;
-        let n = heights.len();
-        let mut transforms = begin(load, operator, start, state);
-        let (gap, trial, response) = (&mut self.gap, &mut self.trial, &mut self.response);
-        let mut length = 1.0; // of the step down the gradient; pressure per gap
-        let mut patience = Patience::new(task.tolerance);
-        let (mut iterations, mut residual) = (0, f64::INFINITY);
-        let end = loop {
-            mean_gap_in_contact_to_zero(state, heights, gap);
-            let check = patience.judge(state, heights, gap, response, operator);
-            transforms += check.transforms;
-            residual = check.residual.unwrap_or(residual);
-            if watch(&Step { iteration: iterations, transforms, residual, state }).is_break() {
-                break End::Stopped;
-            }
-            if let Some(end) = check.end {
-                break end;
-            }
-            if iterations >= task.max_iterations {
-                break End::Exhausted;
-            }
-            iterations += 1;
+        gap: &[T],
+        trial: &mut [T],
+        response: &mut [T],
+        operator: &mut dyn Compliance<T>,
+    ) -> Option<f64> {
+        // Down the gradient, then redistribute.
+        let (State { pressure: p, displacement: u, .. }, n) = (&mut *state, gap.len());
+        let length = T::of(self.0);
+        fields::write(trial, |i, _| p[i] - length * gap[i]);
+        projection::onto_admissible(trial, load);
+        operator.apply(trial, response);
 
-            // Down the gradient, then redistribute.
-            let (p, step) = (&state.pressure, T::of(length));
-            fields::write(trial, |i, _| p[i] - step * gap[i]);
-            projection::onto_admissible(trial, load);
-            operator.apply(trial, response);
-            transforms += 1.0;
-
-            // The best point on the way: theta = -<g, s> / <s, K s>.
-            let (p, u) = (&state.pressure, &state.displacement);
-            let s = |i: usize| trial[i].wide() - p[i].wide();
-            let descent = -fields::sum_of(n, |i| gap[i].wide() * s(i));
-            let curvature = fields::sum_of(n, |i| s(i) * (response[i].wide() - u[i].wide()));
-            if descent <= 0.0 || curvature <= 0.0 || (descent / curvature).is_nan() {
-                break End::Exhausted; // nothing left but rounding
-            }
-            let theta = descent / curvature;
-            length *= theta.clamp(0.2, 5.0);
-            // Beyond the end of the way only as far as no pressure turns negative, and little, since
-            // the error of u grows by the factor 1 - part; the next step will be longer.
-            let mut part = theta.min(1.5);
-            if theta > 1.0 {
-                let reach = fields::least_of(n, |i| {
-                    if trial[i] < p[i] { p[i].wide() / -s(i) } else { f64::INFINITY }
-                });
-                part = part.min(reach.max(1.0));
-            }
-            let part = T::of(part);
-            let State { pressure: p, displacement: u, .. } = &mut *state;
-            fields::write_both([p, u], |i, [p, u]| {
-                [(p + part * (trial[i] - p)).larger(T::zero()), u + part * (response[i] - u)]
-            });
-            // Beyond the end of the way rounding of the load would grow; K is linear.
-            let scale = T::of(load * n as f64 / fields::sum(&state.pressure));
-            let State { pressure: p, displacement: u, .. } = &mut *state;
-            fields::write_both([p, u], |_, [p, u]| [p * scale, u * scale]);
-        };
-        if end == End::Exhausted && residual.is_infinite() {
-            let check = certificate::energy_error(Elastic, state, |i| gap[i], response, operator);
-            transforms += check.transforms;
-            residual = certificate::CAUTION * check.relative;
+        // The best point on the way: theta = -<g, s> / <s, K s>.
+        let s = |i: usize| trial[i].wide() - p[i].wide();
+        let descent = -fields::sum_of(n, |i| gap[i].wide() * s(i));
+        let curvature = fields::sum_of(n, |i| s(i) * (response[i].wide() - u[i].wide()));
+        if descent <= 0.0 || curvature <= 0.0 || (descent / curvature).is_nan() {
+            return None;
         }
-        state.level = certificate::level(state, heights, Top::NONE);
-        Outcome { end, iterations, transforms, residual, fallbacks: Fallbacks::default() }
+        let theta = descent / curvature;
+        self.0 *= theta.clamp(0.2, 5.0);
+        // Beyond the end of the way only as far as no pressure turns negative, and little, since
+        // the error of u grows by the factor 1 - part; the next step will be longer.
+        let mut part = theta.min(1.5);
+        if theta > 1.0 {
+            let reach = fields::least_of(n, |i| {
+                if trial[i] < p[i] { p[i].wide() / -s(i) } else { f64::INFINITY }
+            });
+            part = part.min(reach.max(1.0));
+        }
+        let part = T::of(part);
+        fields::write_both([p, u], |i, [p, u]| {
+            [(p + part * (trial[i] - p)).larger(T::zero()), u + part * (response[i] - u)]
+        });
+        // Beyond the end of the way rounding of the load would grow; K is linear.
+        state.scale(load * n as f64 / fields::sum(&state.pressure));
+        Some(1.0)
     }
 }

@@ -9,7 +9,7 @@
 //! the quarter-resolution grid the long ones, at 1/20 of the cost of a transform at full size.
 //! `B`, the response of the block mean, makes the long waves come out at full strength.
 
-use super::equal_cells::Cells;
+use super::equal_cells::EqualCells;
 use super::thin_pixels;
 use crate::love;
 use crate::row_work::TASK;
@@ -24,7 +24,7 @@ const SHORTEST: usize = 16;
 /// Columns handled at a time.
 const TILE: usize = 512;
 /// Pixels per coarse cell: about square, and 16 to 32 of them.
-const CELLS: &thin_pixels::Cells = &[[4, 4], [4, 8], [2, 8], [2, 16], [1, 16]];
+const CELLS: &[[usize; 2]] = &[[4, 4], [4, 8], [2, 8], [2, 16], [1, 16]];
 /// Waves of which the mean over a cell leaves less are not brought to full strength: they are too short
 /// for the coarse grid, and what it answers comes back at other wavelengths as well.
 const LEAST_RESPONSE: f64 = 0.8;
@@ -43,7 +43,7 @@ pub(crate) struct Stiffness {
     /// Stencil of `dy` in `0..=radius[0]`, `dx` in `0..=radius[1]`; it is even in both.
     taps: [[f32; MAX_RADIUS + 1]; MAX_RADIUS + 1],
     /// The coarse cells along each axis.
-    cells: [Cells; 2],
+    cells: [EqualCells; 2],
     transform: Convolution<f32>,
     /// Symbol of the coarse part, `kx`-major, `ky` in `0..=cy/2`.
     symbol: Vec<f32>,
@@ -119,7 +119,7 @@ impl Stiffness {
             1 if shape[a] < SHORTEST => 2.min(shape[a] / 2),
             f => f / 2,
         });
-        let cells = [0, 1].map(|a| Cells::new(shape[a], factor[a]));
+        let cells = [0, 1].map(|a| EqualCells::new(shape[a], factor[a]));
         let coarse = [cells[0].len(), cells[1].len()];
         let transform = Convolution::new(coarse);
         let is_exact = factor == [1, 1];
@@ -128,9 +128,9 @@ impl Stiffness {
         let (sy, sx) = (coarse[0] / 2 + 1, coarse[1] / 2 + 1);
         let mut symbol = vec![0.0; sy * sx];
         // Phases per pixel of the finest grid.
-        let along = |count: usize, a: usize| -> Vec<Along> {
+        let along = |count: usize, a: usize| -> Vec<AxisResponse> {
             let phase = |k: usize| TAU * k as f64 / shape[a] as f64;
-            (0..count).map(|k| Along::new(phase(k), factor[a], radius[a])).collect()
+            (0..count).map(|k| AxisResponse::new(phase(k), factor[a], radius[a])).collect()
         };
         let (along_y, along_x) = (along(sy, 0), along(sx, 1));
         for kx in 0..sx {
@@ -231,7 +231,7 @@ impl Stiffness {
         let nx = self.shape[1];
         let rows = (TASK / nx).max(1);
         y.par_chunks_mut(rows * nx).enumerate().for_each(|(task, y)| {
-            let mut lines = Lines::default();
+            let mut lines = FoldedRows::default();
             vectorised!({
                 for (r, y) in y.chunks_exact_mut(nx).enumerate() {
                     self.stencil_and_smooth_row(task * rows + r, x, y, &mut lines);
@@ -242,7 +242,7 @@ impl Stiffness {
 
     /// Row `i` of it.
     #[inline(always)]
-    fn stencil_and_smooth_row(&self, i: usize, x: &[f32], y: &mut [f32], lines: &mut Lines) {
+    fn stencil_and_smooth_row(&self, i: usize, x: &[f32], y: &mut [f32], lines: &mut FoldedRows) {
         let ([ny, nx], [ry, rx]) = (self.shape, self.radius);
         let cx = self.transform.shape()[1];
         let [along_y, along_x] = &self.cells;
@@ -305,9 +305,9 @@ fn columns_of(symbol: &[f32], rows: usize) -> impl Fn(usize, &mut [f32]) + Sync 
 }
 
 /// Sums of the two rows at the same distance, a tile of columns and what the stencil reaches beyond.
-struct Lines([[f32; TILE + 2 * MAX_RADIUS]; ROWS]);
+struct FoldedRows([[f32; TILE + 2 * MAX_RADIUS]; ROWS]);
 
-impl Default for Lines {
+impl Default for FoldedRows {
     fn default() -> Self {
         Self([[0.0; TILE + 2 * MAX_RADIUS]; ROWS])
     }
@@ -317,7 +317,7 @@ impl Default for Lines {
 #[inline(always)]
 fn add_square_stencil(
     taps: &[[f32; MAX_RADIUS + 1]; MAX_RADIUS + 1],
-    lines: &Lines,
+    lines: &FoldedRows,
     y: &mut [f32],
 ) {
     let n = y.len();
@@ -397,14 +397,14 @@ fn stencil(shape: [usize; 2], pixel: [f64; 2], radius: [usize; 2]) -> Taps {
 }
 
 /// What the taps and the cells are to a wave, along one axis.
-struct Along {
+struct AxisResponse {
     /// `cos(d phase)`, twice where a tap has a mirror image, for each distance d.
     waves: Vec<f64>,
     /// How much of the wave the mean over a cell leaves: a cosine for each halving.
     halvings: Vec<f64>,
 }
 
-impl Along {
+impl AxisResponse {
     /// For a wave of this phase per pixel, cells of `factor` pixels and taps up to `radius`.
     fn new(phase: f64, factor: usize, radius: usize) -> Self {
         debug_assert!(phase.abs() <= 1.001 * PI);
@@ -418,7 +418,7 @@ impl Along {
 }
 
 /// Fourier symbol of the stencil for a wave.
-fn stencil_symbol(taps: &Taps, [along_y, along_x]: [&Along; 2]) -> f64 {
+fn stencil_symbol(taps: &Taps, [along_y, along_x]: [&AxisResponse; 2]) -> f64 {
     let mut sum = 0.0;
     for (row, y) in taps.iter().zip(&along_y.waves) {
         for (tap, x) in row.iter().zip(&along_x.waves) {

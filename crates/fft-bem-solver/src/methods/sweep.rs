@@ -14,9 +14,9 @@
 //! waits until little tension is left: while much load is still moved, nobody knows how much it will carry.
 
 use super::ceiling::Ceiling;
-use super::extension::{Level, Pyramid};
-use super::node::Node;
-use super::tension::{Added, Bounds, Handed, Rows};
+use super::extension::{Pyramid, PyramidLevel};
+use super::node::NodeState;
+use super::tension::{Added, Bounds, CellRows, Handed};
 use crate::Real;
 use crate::simd::vectorised;
 use grid_fft::parallel::prelude::*;
@@ -47,7 +47,7 @@ pub(crate) struct Sweep {
 
 impl Sweep {
     /// For the first level of a pyramid.
-    pub(crate) fn new(first: Option<&Level>) -> Self {
+    pub(crate) fn new(first: Option<&PyramidLevel>) -> Self {
         let [my, mx] = first.map_or([0, 0], |level| level.transfer.coarse);
         let tasks = first.map_or(0, |level| my.div_ceil(rows_per_task(level)));
         Self {
@@ -68,7 +68,7 @@ impl Sweep {
     #[inline(always)]
     pub(crate) fn added_below(&self, i: usize, pyramid: &Pyramid) -> Added<'_> {
         match pyramid.levels.first() {
-            Some(Level { transfer: t, .. }) if self.has_added => {
+            Some(PyramidLevel { transfer: t, .. }) if self.has_added => {
                 Added::Cells(&self.added[t.parent(i) * t.coarse[1]..][..t.coarse[1]])
             }
             _ => Added::Same(self.shift),
@@ -86,7 +86,7 @@ impl Sweep {
         ceiling: C,
         pyramid: &mut Pyramid,
         trial: &[T],
-        nodes: &mut [Node],
+        nodes: &mut [NodeState],
         smallest: &mut [f32],
         active: usize,
         has_released: bool,
@@ -116,7 +116,7 @@ impl Sweep {
                 continue; // only the ceiling is still to be looked at
             }
             self.collect(pyramid);
-            pyramid.reweigh_above();
+            pyramid.pull_above();
             pyramid.restrict_above();
             has_more = true;
         }
@@ -127,7 +127,7 @@ impl Sweep {
         ceiling: C,
         pyramid: &mut Pyramid,
         trial: &[T],
-        nodes: &[Node],
+        nodes: &[NodeState],
     ) {
         let level = &mut pyramid.levels[0];
         let (t, rows) = (level.transfer, level.rows_per_task());
@@ -142,8 +142,8 @@ impl Sweep {
                         |iy, factor, ix, line: &mut [f32]| {
                             let first = iy * nx + ix;
                             let nodes = &nodes[first..][..line.len()];
-                            let fills = |m: Node| C::IS_FINITE && m == Node::Filled;
-                            let is_off = |m: Node| (m == Node::Released) | fills(m);
+                            let fills = |m: NodeState| C::IS_FINITE && m == NodeState::Filled;
+                            let is_off = |m: NodeState| (m == NodeState::Released) | fills(m);
                             if !nodes.iter().fold(false, |any, m| any | is_off(*m)) {
                                 return; // as most lines, but in a first step
                             }
@@ -168,7 +168,7 @@ impl Sweep {
         bounds: Bounds<C>,
         pyramid: &mut Pyramid,
         trial: &[T],
-        nodes: &mut [Node],
+        nodes: &mut [NodeState],
         smallest: &mut [f32],
         has_more: bool,
     ) -> (f64, usize) {
@@ -201,8 +201,15 @@ impl Sweep {
                         }
                     }
                     let handed = Handed { t: &t, value, beyond };
-                    let mut rows =
-                        Rows { bounds, capacity, trial, nodes, weight, handed, found: (0.0, 0) };
+                    let mut rows = CellRows {
+                        bounds,
+                        capacity,
+                        trial,
+                        nodes,
+                        weight,
+                        handed,
+                        found: (0.0, 0),
+                    };
                     let lines = smallest.chunks_exact_mut(mx).zip(added.chunks_exact(mx));
                     for (r, (smallest, added)) in lines.enumerate() {
                         let added =
@@ -239,7 +246,7 @@ impl Sweep {
 }
 
 /// Rows of cells that one task of the sweep handles.
-fn rows_per_task(level: &Level) -> usize {
+fn rows_per_task(level: &PyramidLevel) -> usize {
     level.rows_per_task().max(ROWS)
 }
 
@@ -253,7 +260,7 @@ fn add(row: Option<&[f32]>, to: &mut [f32]) {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::methods::ceiling::Elastic;
+    use crate::methods::ceiling::NoCeiling;
 
     /// What dropped nodes hand up is the transpose of the interpolation, applied to their load, on
     /// shapes of one and several tasks, odd sides and cells that are halved along one axis alone.
@@ -274,7 +281,8 @@ mod tests {
             sweep.begin(0.25);
             let wave = |i: usize| ((i as f64 + 1.3) * 12.9898).sin();
             let trial: Vec<f64> = (0..n).map(|i| 0.5 + wave(i)).collect();
-            let before: Vec<Node> = (0..n).map(|i| Node::of(wave(7 * i) > -0.5)).collect();
+            let before: Vec<NodeState> =
+                (0..n).map(|i| NodeState::of(wave(7 * i) > -0.5)).collect();
             let below = |i: usize| {
                 let parents = [t.parent(i / nx), if t.halved[1] { i % nx / 2 } else { i % nx }];
                 parents[0] * t.coarse[1] + parents[1]
@@ -284,7 +292,7 @@ mod tests {
                 smallest[below(i)] = smallest[below(i)].min(trial[i] as f32);
             }
             let mut nodes = before.clone();
-            let bounds = Bounds { ceiling: Elastic, fills: false };
+            let bounds = Bounds { ceiling: NoCeiling, fills: false };
             let (tension, count) =
                 sweep.drop_beyond(bounds, &mut pyramid, &trial, &mut nodes, &mut smallest, false);
             sweep.collect(&mut pyramid);

@@ -4,7 +4,7 @@
 
 use super::ceiling::Ceiling;
 use super::extension::Capacity;
-use super::node::Node;
+use super::node::NodeState;
 use super::transfer::Transfer;
 use crate::Real;
 
@@ -91,7 +91,7 @@ pub(super) struct Bounds<C> {
 }
 
 /// What becomes of the nodes below a cell.
-struct Cell {
+struct CellDrop {
     /// What the dropped ones would carry beyond their bound, signed and not.
     loads: [[f32; 2]; 2],
     excess: f64,
@@ -101,7 +101,7 @@ struct Cell {
     filled: f32,
 }
 
-impl Cell {
+impl CellDrop {
     /// Drops the nodes that are beyond a bound with `added`. The cell is one of those above these fields.
     #[inline(always)]
     fn drop_beyond<T: Real, C: Ceiling<T>>(
@@ -110,7 +110,7 @@ impl Cell {
         [r, c]: [usize; 2],
         added: f32,
         trial: &[T],
-        field: &mut [Node],
+        field: &mut [NodeState],
     ) -> Self {
         let nx = t.fine[1];
         let (rows, columns) = (t.rows_per_coarse_row(), if t.halved[1] { 2 } else { 1 });
@@ -131,13 +131,13 @@ impl Cell {
             rest[k] = if on[k] & !drops[k] { q[k].narrow() } else { f32::INFINITY };
         }
         for (place, drops) in places.iter().zip(drops) {
-            field[*place] = field[*place].or(Node::Dropped, drops);
+            field[*place] = field[*place].or(NodeState::Dropped, drops);
         }
         if C::IS_FINITE {
             for k in 0..4 {
                 let top = bounds.ceiling.at(places[k]);
                 let fills = on[k] & bounds.fills & (p[k] > top.wide());
-                field[places[k]] = field[places[k]].or(Node::Full, fills);
+                field[places[k]] = field[places[k]].or(NodeState::Full, fills);
                 load[k] += if fills { p[k] - top.wide() } else { 0.0 };
                 drops[k] |= fills;
                 let nearer = q[k].narrow().min((top - q[k]).narrow());
@@ -159,18 +159,18 @@ impl Cell {
 }
 
 /// Some rows of cells, with the rows of nodes below them.
-pub(super) struct Rows<'a, T, C> {
+pub(super) struct CellRows<'a, T, C> {
     pub(super) bounds: Bounds<C>,
     pub(super) capacity: Capacity,
     pub(super) trial: &'a [T],
-    pub(super) nodes: &'a mut [Node],
+    pub(super) nodes: &'a mut [NodeState],
     pub(super) weight: &'a mut [f32],
     pub(super) handed: Handed<'a>,
     /// What was handed up so far, and of how many nodes.
     pub(super) found: (f64, usize),
 }
 
-impl<T: Real, C: Ceiling<T>> Rows<'_, T, C> {
+impl<T: Real, C: Ceiling<T>> CellRows<'_, T, C> {
     /// Takes the nodes below row `r` of the cells that are beyond a bound out of the contact, lowers the
     /// weights and hands up what they would carry beyond it.
     #[inline(always)]
@@ -185,7 +185,8 @@ impl<T: Real, C: Ceiling<T>> Rows<'_, T, C> {
     #[inline(always)]
     fn drop_cell(&mut self, [r, c]: [usize; 2], added: Added<'_>, smallest: &mut f32) {
         let t = self.handed.t;
-        let cell = Cell::drop_beyond(self.bounds, t, [r, c], added.at(c), self.trial, self.nodes);
+        let cell =
+            CellDrop::drop_beyond(self.bounds, t, [r, c], added.at(c), self.trial, self.nodes);
         if cell.dropped > 0 {
             self.handed.begin_with(self.found.1);
             self.handed.add(r, c, cell.loads);

@@ -24,11 +24,9 @@ pub(crate) fn ratio_of_sides(grid: Grid) -> f64 {
     if ny > 1 && nx > 1 { (height / width).max(width / height) } else { 1.0 }
 }
 
-/// Pixels per cell `[along the longer sides, along the shorter]`, for each octave of the ratio.
-pub(crate) type Cells = [[usize; 2]];
-
-/// The entry of `cells` for these pixels, by axis. The last holds for all ratios beyond.
-pub(crate) fn cell(pixel: [f64; 2], cells: &Cells) -> [usize; 2] {
+/// The entry of `cells` for these pixels, by axis. They are pixels per cell `[along the longer sides, along the
+/// shorter]` for each octave of the ratio; the last holds for all ratios beyond.
+pub(crate) fn cell(pixel: [f64; 2], cells: &[[usize; 2]]) -> [usize; 2] {
     let octave = (pixel[0] / pixel[1]).log2();
     let [long, short] = cells[(octave.abs().round() as usize).min(cells.len() - 1)];
     if octave > 0.0 { [long, short] } else { [short, long] }

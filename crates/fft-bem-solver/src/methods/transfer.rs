@@ -10,12 +10,12 @@ use super::cut_cells::Cut;
 /// Columns of the coarse grid handled at a time, so that lines fit the stack.
 const TILE: usize = 256;
 
-/// A weight from 0 (gap) to 1 (contact): a [`Node`](super::node::Node) on the finest grid, a number above.
-pub(crate) trait Weight: Copy + Send + Sync {
+/// A weight from 0 (gap) to 1 (contact): a [`NodeState`](super::node::NodeState) on the finest grid, a number above.
+pub(crate) trait FilledPart: Copy + Send + Sync {
     fn value(self) -> f32;
 }
 
-impl Weight for f32 {
+impl FilledPart for f32 {
     fn value(self) -> f32 {
         self
     }
@@ -66,7 +66,7 @@ impl Transfer {
     /// One row of `down(w)` and of `down(w v)`. `w` and `v` are the two rows of
     /// [`children`](Self::children); where the second is missing, the result is to be halved.
     #[inline(always)]
-    pub(crate) fn down_row<W: Weight>(
+    pub(crate) fn down_row<W: FilledPart>(
         &self,
         w: [&[W]; 2],
         v: [&[f32]; 2],
@@ -88,7 +88,7 @@ impl Transfer {
         let (va, vb) = (&v[0].as_chunks::<2>().0[..pairs], &v[1].as_chunks::<2>().0[..pairs]);
         let (inner_mass, inner_value) = (&mut mass[..pairs], &mut value[..pairs]);
         for j in 0..pairs {
-            let (a, b) = (wa[j].map(Weight::value), wb[j].map(Weight::value));
+            let (a, b) = (wa[j].map(FilledPart::value), wb[j].map(FilledPart::value));
             inner_mass[j] = 0.25 * ((a[0] + a[1]) + (b[0] + b[1]));
             inner_value[j] =
                 0.25 * ((a[0] * va[j][0] + a[1] * va[j][1]) + (b[0] * vb[j][0] + b[1] * vb[j][1]));
@@ -96,26 +96,6 @@ impl Transfer {
         if self.fine[1] % 2 == 1 {
             let (m, s) = cell(2 * pairs); // half of its cell
             (mass[pairs], value[pairs]) = (0.5 * m, 0.5 * s);
-        }
-    }
-
-    /// One row of `down(w)`, likewise.
-    #[inline(always)]
-    pub(crate) fn down_weight_row(&self, w: [&[f32]; 2], mass: &mut [f32]) {
-        let cell = |i: usize| 0.5 * (w[0][i] + w[1][i]);
-        if !self.halved[1] {
-            for (i, m) in mass.iter_mut().enumerate() {
-                *m = cell(i);
-            }
-            return;
-        }
-        let pairs = self.fine[1] / 2;
-        let (wa, wb) = (&w[0].as_chunks::<2>().0[..pairs], &w[1].as_chunks::<2>().0[..pairs]);
-        for ((m, a), b) in mass.iter_mut().zip(wa).zip(wb) {
-            *m = 0.25 * ((a[0] + a[1]) + (b[0] + b[1]));
-        }
-        if self.fine[1] % 2 == 1 {
-            mass[pairs] = 0.5 * cell(2 * pairs);
         }
     }
 
@@ -236,7 +216,7 @@ impl Transfer {
     }
 
     /// Whether the cells of an axis cut pixels: then the two functions below are to be used for
-    /// `down`. They do for any axis, but the four others are faster.
+    /// `down`. They do for any axis, but the three others are faster.
     pub(crate) fn has_cut_cells(&self) -> bool {
         self.cut.iter().any(Option::is_some)
     }

@@ -12,7 +12,7 @@ use contact_types::{ContactModulus, ModelError};
 /// # Source
 /// Johnson (1985), *Contact Mechanics*, §3.4, eqs. (3.34)–(3.36).
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub struct FlatPunch {
+pub(crate) struct FlatPunch {
     radius: f64,
     modulus: ContactModulus,
 }

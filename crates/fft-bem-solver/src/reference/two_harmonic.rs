@@ -25,7 +25,7 @@ use std::f64::consts::{PI, TAU};
 /// After Manners (1998), *J. Mech. Phys. Solids* 46, 1; checked here by quadrature and against the
 /// solver.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub struct TwoHarmonic {
+pub(crate) struct TwoHarmonic {
     amplitudes: [f64; 2],
     wavelength: f64,
     modulus: ContactModulus,
@@ -33,7 +33,7 @@ pub struct TwoHarmonic {
 
 /// The contact for one position of the contact line.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub struct TwoHarmonicContact {
+pub(crate) struct TwoHarmonicContact {
     surface: TwoHarmonic,
     half_angle: f64, // t_a
     q: [f64; 2],     // Q = q[0] + q[1] X [Pa]

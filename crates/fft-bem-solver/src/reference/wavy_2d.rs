@@ -6,7 +6,7 @@ use std::f64::consts::{PI, SQRT_2};
 
 /// The surface `z = amplitude cos(2 pi x / wavelength) cos(2 pi y / wavelength)` pressed on a flat.
 ///
-/// No closed form is known between its two limits; [`ROWS`] tabulates converged calculations.
+/// No closed form is known between its two limits; a table in this module holds converged calculations.
 ///
 /// ```math
 /// p^*=\sqrt2\,\pi E^*\frac{\Delta}{\lambda},\quad x=\frac{\bar p}{p^*},\quad
@@ -26,17 +26,17 @@ pub struct BiSinusoid {
 
 /// One row of the table.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub struct BiSinusoidRow {
+pub(crate) struct BiSinusoidRow {
     /// Mean pressure over p*.
-    pub pressure_ratio: f64,
+    pub(crate) pressure_ratio: f64,
     /// Area fraction.
-    pub area_fraction: f64,
+    pub(crate) area_fraction: f64,
     /// Its uncertainty.
-    pub area_uncertainty: f64,
+    pub(crate) area_uncertainty: f64,
     /// Mean gap over amplitude.
-    pub mean_gap: f64,
+    pub(crate) mean_gap: f64,
     /// Its uncertainty.
-    pub gap_uncertainty: f64,
+    pub(crate) gap_uncertainty: f64,
 }
 
 const fn row(
@@ -58,7 +58,7 @@ const fn row(
 /// FFT conjugate-gradient solutions with 1024 x 1024 nodes per asperity, area by sub-pixel
 /// extrapolation of the squared pressure to zero; uncertainty from the change between 512 and 1024
 /// nodes. Independent check: the mean gap integrates over x to 0.125004 (exact: 1/8).
-pub const ROWS: [BiSinusoidRow; 21] = [
+pub(crate) const ROWS: [BiSinusoidRow; 21] = [
     row(0.0005, 0.004822, 2e-5, 0.9718326, 1e-6),
     row(0.001, 0.007658, 2.1e-5, 0.95611729, 3e-6),
     row(0.005, 0.022685, 2.4e-5, 0.88015147, 9e-7),

@@ -2,11 +2,9 @@
 
 use crate::common;
 
-use common::{measured_like, self_affine, unit_grid, unit_modulus};
-use contact_types::{Grid, HeightMap};
-use fft_bem_solver::{
-    Boundary, HalfSpace, Load, Method, Solution, Solver, SolverBuilder, SolverError,
-};
+use common::{difference, energy_norm, measured_like, self_affine, solve, unit_grid, unit_modulus};
+use contact_types::HeightMap;
+use fft_bem_solver::{Boundary, Load, Method, Solution, Solver, SolverBuilder, SolverError};
 
 /// Rough surfaces resolved (A8), rough to the pixel (B8, B3), like a measurement (C), and a ball.
 fn families(n: usize, seed: u64) -> Vec<(&'static str, HeightMap)> {
@@ -41,31 +39,11 @@ fn iterate(
         .tolerance(1e-13)
         .max_iterations(iterations)
         .build(map.grid(), unit_modulus());
-    match built.unwrap().solve(map, Load::MeanPressure(load)) {
-        Ok(solution) => solution,
-        Err(SolverError::NotConverged(solution) | SolverError::Rounding(solution)) => *solution,
-        Err(other) => panic!("{other}"),
-    }
+    built.unwrap().solve(map, Load::MeanPressure(load)).or_else(SolverError::into_solution).unwrap()
 }
 
 fn exact(map: &HeightMap, boundary: Boundary, load: f64) -> Solution {
-    let mut solver = certified(Method::Auto, boundary)
-        .tolerance(1e-11)
-        .build(map.grid(), unit_modulus())
-        .unwrap();
-    solver.solve(map, Load::MeanPressure(load)).unwrap()
-}
-
-/// `|p|_K`, by the half space of the boundary.
-fn energy_norm(grid: Grid, boundary: Boundary, p: &[f64]) -> f64 {
-    let mut u = p.to_vec();
-    match boundary {
-        Boundary::Free => {
-            fft_bem_solver::FreeHalfSpace::new(grid, unit_modulus()).displace(&mut u).unwrap();
-        }
-        _ => HalfSpace::new(grid, unit_modulus()).displace(&mut u).unwrap(),
-    }
-    p.iter().zip(&u).map(|(p, u)| p * u).sum::<f64>().max(0.0).sqrt()
+    solve(map, certified(Method::Auto, boundary).tolerance(1e-11), load)
 }
 
 /// The bound holds for every iterate of every method, and is not far above the truth.
@@ -127,18 +105,11 @@ fn tolerance_is_the_error_reached() {
     for (name, map) in families(64, 3) {
         for load in [0.01, 0.1, 0.5] {
             let truth = exact(&map, Boundary::Periodic, load);
-            let norm = |p: &mut dyn Iterator<Item = f64>| p.map(|x| x * x).sum::<f64>().sqrt();
-            let size = norm(&mut truth.pressure.iter().copied());
             for method in [Method::Auto, Method::PolonskyKeer, Method::StanleyKato] {
                 for tolerance in [1e-2, 1e-4, 1e-6] {
-                    let mut solver = Solver::builder()
-                        .method(method)
-                        .tolerance(tolerance)
-                        .build(map.grid(), unit_modulus())
-                        .unwrap();
-                    let found = solver.solve(&map, Load::MeanPressure(load)).unwrap();
-                    let pairs = found.pressure.iter().zip(&truth.pressure);
-                    let error = norm(&mut pairs.map(|(a, b)| a - b)) / size;
+                    let found =
+                        solve(&map, Solver::builder().method(method).tolerance(tolerance), load);
+                    let error = difference(&found.pressure, &truth.pressure);
                     let limit = if method == Method::Auto { 1.5 } else { 2.0 };
                     assert!(
                         error < limit * tolerance,

@@ -3,20 +3,12 @@
 
 use crate::common;
 
-use common::{Uniform, self_affine, unit_grid, unit_modulus};
+use common::{Uniform, difference, self_affine, unit_grid, unit_modulus};
 use contact_types::{ContactModulus, Grid, HeightMap};
-use fft_bem_solver::{Load, Method, Precision, Solution, Solver};
+use fft_bem_solver::{Boundary, Load, Method, Precision, Solution, Solver};
 
 fn solve(surface: &HeightMap, load: f64, method: Method, tolerance: f64) -> Solution {
-    let builder = Solver::builder().method(method).tolerance(tolerance);
-    let mut solver = builder.build(surface.grid(), unit_modulus()).unwrap();
-    solver.solve(surface, Load::MeanPressure(load)).unwrap_or_else(|e| panic!("{method}: {e}"))
-}
-
-fn difference(a: &Solution, b: &Solution) -> f64 {
-    let square = |x: f64| x * x;
-    let error: f64 = a.pressure.iter().zip(&b.pressure).map(|(a, b)| square(a - b)).sum();
-    (error / b.pressure.iter().map(|p| square(*p)).sum::<f64>()).sqrt()
+    common::solve(surface, Solver::builder().method(method).tolerance(tolerance), load)
 }
 
 #[test]
@@ -25,30 +17,35 @@ fn agrees_with_polonsky_keer() {
         let surface = self_affine(unit_grid(shape[0], shape[1]), 0.7, 20.0, 3.0, 3);
         let chord = solve(&surface, load, Method::Chord, 1e-9);
         let conjugate = solve(&surface, load, Method::PolonskyKeer, 1e-9);
-        let error = difference(&chord, &conjugate);
+        let error = difference(&chord.pressure, &conjugate.pressure);
         assert!(error < 1e-7, "{shape:?}: {error:e}");
         assert!(chord.diagnostics.transforms < 0.5 * conjugate.diagnostics.transforms);
     }
 }
 
-/// Sums are taken piece by piece, so the number of threads changes no bit.
+/// Sums are taken piece by piece, so the number of threads changes no bit, whatever the method.
 #[test]
 fn threads_change_no_bit() {
     let surface = self_affine(unit_grid(260, 233), 0.8, 30.0, 2.0, 11);
-    for precision in [Precision::Double, Precision::Single] {
-        let with = |threads: usize| {
-            let builder = Solver::builder().method(Method::Chord).precision(precision);
-            let mut solver =
-                builder.threads(threads).build(surface.grid(), unit_modulus()).unwrap();
-            solver.solve(&surface, Load::MeanPressure(0.05)).unwrap()
+    let with = |method| Solver::builder().method(method);
+    let free = with(Method::Chord).boundary(Boundary::Free);
+    for builder in [
+        with(Method::Chord),
+        with(Method::Chord).precision(Precision::Single),
+        free,
+        with(Method::PolonskyKeer).tolerance(0.05),
+        with(Method::StanleyKato).tolerance(0.05),
+    ] {
+        let solved = [1, 2, 3].map(|n| common::solve(&surface, builder.clone().threads(n), 0.05));
+        let bits = |s: &Solution| -> Vec<u64> {
+            let fields = s.pressure.iter().chain(&s.gap).chain([&s.diagnostics.transforms]);
+            fields.map(|x| x.to_bits()).collect()
         };
-        let one = with(1);
-        for threads in [2, 3] {
-            let other = with(threads);
-            assert_eq!(one.diagnostics.iterations, other.diagnostics.iterations);
-            let bits = |s: &Solution| s.pressure.iter().map(|p| p.to_bits()).collect::<Vec<_>>();
-            assert!(bits(&one) == bits(&other), "{threads} threads");
-        }
+        let [one, two, three] = solved.each_ref().map(bits);
+        assert!(one == two && one == three, "{builder:?}");
+        assert!(
+            solved.iter().all(|s| s.diagnostics.iterations == solved[0].diagnostics.iterations)
+        );
     }
 }
 
@@ -132,9 +129,8 @@ fn odd_grids_and_surfaces_converge() {
 fn single_precision_reaches_what_it_states() {
     let surface = self_affine(unit_grid(128, 150), 0.8, 20.0, 2.0, 2);
     let exact = solve(&surface, 0.05, Method::Chord, 1e-10);
-    let build = Solver::builder().precision(Precision::Single).tolerance(2e-5);
-    let mut solver = build.build(surface.grid(), unit_modulus()).unwrap();
-    let found = solver.solve(&surface, Load::MeanPressure(0.05)).unwrap();
-    let error = difference(&found, &exact);
+    let builder = Solver::builder().precision(Precision::Single).tolerance(2e-5);
+    let found = common::solve(&surface, builder, 0.05);
+    let error = difference(&found.pressure, &exact.pressure);
     assert!(error < 2e-5, "{error:e}");
 }

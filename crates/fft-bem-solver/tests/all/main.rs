@@ -29,5 +29,4 @@ mod solver;
 mod thin_pixels;
 mod weierstrass;
 mod work;
-mod work_chord;
 mod yielding;

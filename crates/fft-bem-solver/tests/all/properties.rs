@@ -2,7 +2,7 @@
 
 use crate::common;
 
-use common::{Uniform, unit_modulus};
+use common::{Uniform, difference, unit_modulus};
 use contact_types::{ContactModulus, Grid, HeightMap};
 use fft_bem_solver::{Boundary, Load, Method, Precision, Solution, Solver};
 use proptest::prelude::*;
@@ -28,14 +28,8 @@ fn heights(n: usize, seed: u64) -> Vec<f64> {
 }
 
 fn solve(map: &HeightMap, method: Method, boundary: Boundary, load: f64) -> Solution {
-    Solver::builder()
-        .method(method)
-        .boundary(boundary)
-        .tolerance(TOLERANCE)
-        .build(map.grid(), unit_modulus())
-        .unwrap()
-        .solve(map, Load::MeanPressure(load))
-        .unwrap()
+    let builder = Solver::builder().method(method).boundary(boundary);
+    common::solve(map, builder.tolerance(TOLERANCE), load)
 }
 
 fn any_method() -> impl Strategy<Value = Method> {
@@ -171,28 +165,6 @@ proptest! {
         assert_same_field(&original.gap, &gap, 10.0 * TOLERANCE);
     }
 
-    /// One thread or four: the same bits.
-    #[test]
-    fn threads_change_nothing(seed in 0u64..10000, method in any_method(), boundary in any_boundary()) {
-        let grid = Grid::new([67, 70], [1.0, 1.0]).unwrap();
-        let map = HeightMap::new(grid, heights(grid.len(), seed)).unwrap();
-        let with = |threads: usize| {
-            Solver::builder()
-                .method(method)
-                .boundary(boundary)
-                .threads(threads)
-                .tolerance(1e-4)
-                .build(grid, unit_modulus())
-                .unwrap()
-                .solve(&map, Load::MeanPressure(0.03))
-                .unwrap()
-        };
-        let (one, four) = (with(1), with(4));
-        prop_assert_eq!(one.pressure, four.pressure);
-        prop_assert_eq!(one.gap, four.gap);
-        prop_assert_eq!(one.diagnostics.transforms.to_bits(), four.diagnostics.transforms.to_bits());
-    }
-
     /// What the load gives, the gap asks for: control by mean gap and approach return the load.
     #[test]
     fn controls_agree(seed in 0u64..10000, log_load in -3.0..0.0f64, method in any_method()) {
@@ -223,17 +195,9 @@ proptest! {
         let map = HeightMap::new(grid, heights(grid.len(), seed)).unwrap();
         let load = 10f64.powf(log_load);
         let double = solve(&map, method, Boundary::Periodic, load);
-        let single = Solver::builder()
-            .method(method)
-            .precision(Precision::Single)
-            .tolerance(1e-4)
-            .build(grid, unit_modulus())
-            .unwrap()
-            .solve(&map, Load::MeanPressure(load))
-            .unwrap();
-        let error: f64 =
-            double.pressure.iter().zip(&single.pressure).map(|(a, b)| (a - b).powi(2)).sum();
-        let size: f64 = double.pressure.iter().map(|a| a * a).sum();
-        prop_assert!((error / size).sqrt() < 3e-4, "{}", (error / size).sqrt());
+        let builder = Solver::builder().method(method).precision(Precision::Single);
+        let single = common::solve(&map, builder.tolerance(1e-4), load);
+        let error = difference(&single.pressure, &double.pressure);
+        prop_assert!(error < 3e-4, "{error}");
     }
 }

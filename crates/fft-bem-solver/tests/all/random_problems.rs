@@ -3,7 +3,7 @@
 
 use crate::common;
 
-use common::{Uniform, self_affine, unit_modulus};
+use common::{Uniform, difference, self_affine, unit_modulus};
 use contact_types::{Grid, HeightMap};
 use fft_bem_solver::{Iteration, Load, Method, Solver};
 use std::ops::ControlFlow;
@@ -79,11 +79,7 @@ fn survey(count: u64, longest: f64) -> ([Vec<f64>; 3], f64) {
         };
         let load = Load::MeanPressure(load);
         let exact = build(1e-12).solve(&surface, load).unwrap_or_else(|e| panic!("{what}: {e}"));
-        let size = exact.pressure.iter().map(|p| p * p).sum::<f64>().sqrt();
-        let error = |p: &[f64]| {
-            let square = p.iter().zip(&exact.pressure).map(|(a, b)| (a - b) * (a - b));
-            square.sum::<f64>().sqrt() / size
-        };
+        let error = |p: &[f64]| difference(p, &exact.pressure);
         let mut history = Vec::new();
         let mut solver = build(1e-10);
         let mut watch = |it: &Iteration<'_>| {

@@ -2,9 +2,9 @@
 
 use crate::common;
 
-use common::{self_affine, unit_grid, unit_modulus};
+use common::{difference, self_affine, solve, unit_grid, unit_modulus};
 use contact_types::{Grid, HeightMap};
-use fft_bem_solver::{Boundary, Load, Precision, Solution, Solver};
+use fft_bem_solver::{Boundary, Load, Precision, Solution, Solver, SolverBuilder};
 
 const SHAPE: [usize; 2] = [160, 131];
 
@@ -38,15 +38,13 @@ fn with_unit_gradient(grid: Grid, h: &[f64]) -> HeightMap {
     HeightMap::new(grid, h.iter().map(|h| h / gradient).collect()).unwrap()
 }
 
-fn solver(map: &HeightMap, tolerance: f64) -> Solver {
-    Solver::builder().tolerance(tolerance).build(map.grid(), unit_modulus()).unwrap()
+fn to(tolerance: f64) -> SolverBuilder {
+    Solver::builder().tolerance(tolerance)
 }
 
-/// Relative rms difference of two pressures.
-fn difference(found: &Solution, exact: &Solution) -> f64 {
-    let pairs = found.pressure.iter().zip(&exact.pressure);
-    let square: f64 = pairs.map(|(a, b)| (a - b).powi(2)).sum();
-    (square / exact.pressure.iter().map(|p| p * p).sum::<f64>()).sqrt()
+/// Pairs spent, and the relative rms error of the pressure.
+fn spent_and_missed(found: &Solution, exact: &Solution) -> (f64, f64) {
+    (found.diagnostics.transforms, difference(&found.pressure, &exact.pressure))
 }
 
 /// To an estimate of 1e-10; square pixels need up to 12.
@@ -56,10 +54,8 @@ fn thin_pixels_need_at_most_twenty_pairs() {
         for pixel in [[ratio, 1.0], [1.0, ratio]] {
             for (name, map) in surfaces(pixel) {
                 for load in [0.02, 0.2] {
-                    let load = Load::MeanPressure(load);
-                    let found = solver(&map, 1e-10).solve(&map, load).unwrap();
-                    let pairs = found.diagnostics.transforms;
-                    assert!(pairs <= 20.0, "{pixel:?}, {name}, {load:?}: {pairs:.1} pairs");
+                    let pairs = solve(&map, to(1e-10), load).diagnostics.transforms;
+                    assert!(pairs <= 20.0, "{pixel:?}, {name}, {load}: {pairs:.1} pairs");
                 }
             }
         }
@@ -79,14 +75,10 @@ fn slender_isolated_maps_need_few_pairs_and_know_their_error() {
     maps.extend([long([16, 512]), long([512, 16])]);
     for (name, map) in maps {
         for load in [0.02, 0.2] {
-            let build = |tolerance: f64| {
-                let builder = Solver::builder().boundary(Boundary::Free).tolerance(tolerance);
-                builder.build(map.grid(), unit_modulus()).unwrap()
-            };
-            let exact = build(1e-12).solve(&map, Load::MeanPressure(load)).unwrap();
+            let free = |tolerance| solve(&map, to(tolerance).boundary(Boundary::Free), load);
+            let exact = free(1e-12);
             for tolerance in [1e-4, 1e-10] {
-                let found = build(tolerance).solve(&map, Load::MeanPressure(load)).unwrap();
-                let (pairs, error) = (found.diagnostics.transforms, difference(&found, &exact));
+                let (pairs, error) = spent_and_missed(&free(tolerance), &exact);
                 let place = format!("{:?}, {name}, {load}, {tolerance}", map.grid());
                 assert!(pairs <= 27.0, "{place}: {pairs:.1} pairs");
                 assert!(error <= 1.5 * tolerance, "{place}: error {error:.1e}");
@@ -100,27 +92,23 @@ fn slender_isolated_maps_need_few_pairs_and_know_their_error() {
 fn curves_gaps_and_single_precision_on_thin_pixels() {
     for (name, map) in surfaces([1000.0, 1.0]) {
         let loads = [0.01, 0.03, 0.1, 0.3];
-        let mut exact = Vec::new();
-        for load in loads {
-            exact.push(solver(&map, 1e-11).solve(&map, Load::MeanPressure(load)).unwrap());
-        }
-        for (k, found) in solver(&map, 1e-6).curve(&map, &loads).into_iter().enumerate() {
-            let found = found.unwrap();
-            let (pairs, error) = (found.diagnostics.transforms, difference(&found, &exact[k]));
+        let exact = loads.map(|load| solve(&map, to(1e-11), load));
+        let curve = to(1e-6).build(map.grid(), unit_modulus()).unwrap().curve(&map, &loads);
+        for (k, found) in curve.into_iter().enumerate() {
+            let (pairs, error) = spent_and_missed(&found.unwrap(), &exact[k]);
             assert!(pairs <= 16.0 && error <= 3e-6, "{name}, load {k}: {pairs:.1}, {error:.1e}");
         }
-        let builder = Solver::builder().precision(Precision::Single).tolerance(1e-3);
-        let mut single = builder.build(map.grid(), unit_modulus()).unwrap();
-        let found = single.solve(&map, Load::MeanPressure(loads[2])).unwrap();
-        let (pairs, error) = (found.diagnostics.transforms, difference(&found, &exact[2]));
+        let found = solve(&map, to(1e-3).precision(Precision::Single), loads[2]);
+        let (pairs, error) = spent_and_missed(&found, &exact[2]);
         assert!(pairs <= 10.0 && error <= 2e-3, "{name}, single: {pairs:.1}, {error:.1e}");
 
         if name == "one spike" {
             continue;
         }
         let gap = exact[2].state.mean_gap.unwrap();
-        let found = solver(&map, 1e-6).solve(&map, Load::MeanGap(gap)).unwrap();
-        let (pairs, error) = (found.diagnostics.transforms, difference(&found, &exact[2]));
+        let mut by_gap = to(1e-6).build(map.grid(), unit_modulus()).unwrap();
+        let found = by_gap.solve(&map, Load::MeanGap(gap)).unwrap();
+        let (pairs, error) = spent_and_missed(&found, &exact[2]);
         assert!(pairs <= 25.0 && error <= 1e-5, "{name}, gap: {pairs:.1}, {error:.1e}");
     }
 }

@@ -3,8 +3,8 @@
 
 use crate::common;
 
-use common::{measured_like, self_affine, unit_grid, unit_modulus};
-use fft_bem_solver::{Boundary, Load, Method, Solver};
+use common::{measured_like, self_affine, solve, unit_grid, unit_modulus};
+use fft_bem_solver::{Boundary, Method, Solver};
 
 #[test]
 fn pairs_and_iterations() {
@@ -28,8 +28,7 @@ fn pairs_and_iterations() {
                 free(Method::Auto),
             ];
             for (builder, limit) in builders.into_iter().zip(limits) {
-                let mut solver = builder.tolerance(1e-4).build(grid, unit_modulus()).unwrap();
-                let found = solver.solve(map, Load::MeanPressure(load)).unwrap().diagnostics;
+                let found = solve(map, builder.tolerance(1e-4), load).diagnostics;
                 println!(
                     "{name} {load} {} {:?}: {} iterations, {:.2} pairs (limit {limit})",
                     found.method, found.boundary, found.iterations, found.transforms
@@ -51,8 +50,7 @@ fn a_light_load_from_nothing_takes_no_more_pairs() {
     let surfaces = [self_affine(grid, 0.8, 32.0, 8.0, 1), self_affine(grid, 0.3, 32.0, 2.0, 1)];
     for map in &surfaces {
         for load in [2e-4, 5e-4, 1e-3, 2e-3] {
-            let mut solver = Solver::builder().tolerance(1e-4).build(grid, unit_modulus()).unwrap();
-            let found = solver.solve(map, Load::MeanPressure(load)).unwrap().diagnostics;
+            let found = solve(map, Solver::builder().tolerance(1e-4), load).diagnostics;
             println!("{load}: {} iterations, {:.2} pairs", found.iterations, found.transforms);
             assert!(found.transforms < 7.5, "{load}: {:.2} pairs", found.transforms);
         }
@@ -68,3 +66,48 @@ const LIMITS_LIGHT: [[f64; 4]; 3] =
     [[5.3, 42.0, 41.0, 6.3], [5.3, 43.0, 41.0, 6.3], [7.4, 50.0, 63.0, 8.4]];
 const LIMITS_HEAVY: [[f64; 4]; 3] =
     [[5.3, 94.0, 109.0, 7.4], [4.3, 182.0, 147.0, 7.4], [6.4, 142.0, 154.0, 7.4]];
+
+/// Hurst exponent, load, and iterations and pairs to three tolerances.
+type ChordWork = (f64, f64, [(usize, f64); 3]);
+
+/// Self-affine surfaces down to the pixel, H = 0.8 and 0.3, roll-off an eighth of the side, at
+/// three loads: iterations, and pairs rounded to hundredths, to an estimate of 1e-2, 1e-4, 1e-6.
+#[test]
+fn pairs_and_iterations_of_the_chord() {
+    let expected: [ChordWork; 6] = [
+        (0.8, 0.02, [(3, 3.19), (5, 5.28), (7, 7.38)]),
+        (0.8, 0.10, [(3, 3.19), (5, 5.28), (6, 6.33)]),
+        (0.8, 0.40, [(2, 2.14), (4, 4.23), (6, 6.33)]),
+        (0.3, 0.02, [(3, 3.19), (5, 5.28), (6, 6.33)]),
+        (0.3, 0.10, [(3, 3.19), (5, 5.28), (6, 6.33)]),
+        (0.3, 0.40, [(2, 2.14), (4, 4.23), (6, 6.33)]),
+    ];
+    let grid = unit_grid(256, 256);
+    let mut found = Vec::new();
+    for (hurst, load, _) in expected {
+        let surface = self_affine(grid, hurst, 32.0, 2.0, 1);
+        let work = [1e-2, 1e-4, 1e-6].map(|tolerance| {
+            let builder = Solver::builder().method(Method::Chord).tolerance(tolerance);
+            let d = solve(&surface, builder, load).diagnostics;
+            (d.iterations, (100.0 * d.transforms).round() / 100.0)
+        });
+        found.push((hurst, load, work));
+    }
+    assert_eq!(found, expected, "iterations or pairs changed");
+}
+
+/// A curve of 16 loads over two decades on a map that is stepped and does not repeat: iterations of
+/// all its loads together.
+#[test]
+fn iterations_along_a_curve() {
+    let n = 256;
+    let surface = measured_like(n, 1);
+    let loads: Vec<f64> = (0..16).map(|k| 0.005 * 200_f64.powf(f64::from(k) / 15.0)).collect();
+    let found = [1e-2, 1e-4, 1e-6].map(|tolerance| {
+        let builder = Solver::builder().method(Method::Chord).tolerance(tolerance);
+        let mut solver = builder.build(unit_grid(n, n), unit_modulus()).unwrap();
+        let points = solver.curve(&surface, &loads);
+        points.into_iter().map(|found| found.unwrap().diagnostics.iterations).sum::<usize>()
+    });
+    assert_eq!(found, [49, 81, 113], "iterations changed");
+}

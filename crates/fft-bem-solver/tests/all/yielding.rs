@@ -6,11 +6,12 @@
 use crate::common;
 use crate::npy;
 
-use common::{measured_like, self_affine, unit_grid, unit_modulus};
+use common::{
+    difference, energy_norm, measured_like, self_affine, unit_grid, unit_modulus, violation,
+};
 use contact_types::{Grid, HeightMap};
 use fft_bem_solver::{
-    Boundary, FreeHalfSpace, HalfSpace, Load, Method, Precision, Solution, Solver, SolverBuilder,
-    SolverError,
+    Boundary, Load, Method, Precision, Solution, Solver, SolverBuilder, SolverError,
 };
 
 fn solver(map: &HeightMap, builder: SolverBuilder) -> Solver {
@@ -18,45 +19,7 @@ fn solver(map: &HeightMap, builder: SolverBuilder) -> Solver {
 }
 
 fn solve(map: &HeightMap, hardness: f64, load: f64, tolerance: f64) -> Solution {
-    let builder = Solver::builder().tolerance(tolerance).hardness(hardness);
-    solver(map, builder).solve(map, Load::MeanPressure(load)).unwrap()
-}
-
-/// How far the conditions of contact are violated, in rms heights, with a displacement that the solver has
-/// not made; and that the pressure is within its bounds and carries the load.
-fn violation(map: &HeightMap, found: &Solution, hardness: f64, load: f64) -> f64 {
-    let (p, h, n) = (&found.pressure, map.heights(), map.heights().len() as f64);
-    assert!(p.iter().all(|p| (0.0..=hardness).contains(p)), "a pressure beyond its bounds");
-    let carried = p.iter().sum::<f64>() / n;
-    assert!((carried / load - 1.0).abs() < 1e-9, "{carried} in place of {load}");
-    let area = found.touching_fraction();
-    assert!(area >= load / hardness * (1.0 - 1e-12), "{area} is less than {load} / {hardness}");
-    let mut u = p.clone();
-    match found.diagnostics.boundary {
-        Boundary::Periodic => HalfSpace::new(map.grid(), unit_modulus()).displace(&mut u).unwrap(),
-        _ => {
-            FreeHalfSpace::new(map.grid(), unit_modulus()).displace(&mut u).unwrap();
-        }
-    }
-    // The level is not part of the question: whichever suits the nodes between the bounds or, without any,
-    // those at the ceiling.
-    let between: Vec<usize> = (0..p.len()).filter(|i| p[*i] > 0.0 && p[*i] < hardness).collect();
-    let full = (0..p.len()).filter(|i| p[*i] >= hardness);
-    let level = match between.len() {
-        0 => full.map(|i| u[i] - h[i]).fold(f64::NEG_INFINITY, f64::max),
-        count => between.iter().map(|i| u[*i] - h[*i]).sum::<f64>() / count as f64,
-    };
-    let wrong = |i: usize| {
-        let gap = u[i] - h[i] - level;
-        match p[i] {
-            p if p <= 0.0 => gap.min(0.0),
-            p if p >= hardness => gap.max(0.0),
-            _ => gap,
-        }
-    };
-    let mean = h.iter().sum::<f64>() / n;
-    let rms = (h.iter().map(|h| (h - mean).powi(2)).sum::<f64>() / n).sqrt();
-    ((0..p.len()).map(|i| wrong(i).powi(2)).sum::<f64>() / n).sqrt() / rms
+    common::solve(map, Solver::builder().tolerance(tolerance).hardness(hardness), load)
 }
 
 /// `KatoSaturated` of Tamaas 2.9 has the same pixels in contact and at the ceiling, and the same pressure.
@@ -68,15 +31,12 @@ fn another_program_has_the_same_contact() {
     {
         let theirs = npy::numbers(file);
         let ours = solve(&map, hardness, load, 1e-9);
-        let (mut square, mut size) = (0.0, 0.0);
         for (i, (a, b)) in ours.pressure.iter().zip(&theirs).enumerate() {
             assert_eq!(*a > 0.0, *b > 0.0, "pixel {i} of {file}");
             assert_eq!(*a >= hardness, *b >= hardness * (1.0 - 1e-12), "pixel {i} of {file}");
-            square += (a - b).powi(2);
-            size += b * b;
         }
-        let difference = (square / size).sqrt();
-        assert!(difference < 1e-7, "{file}: {difference:e}");
+        let apart = difference(&ours.pressure, &theirs);
+        assert!(apart < 1e-7, "{file}: {apart:e}");
     }
 }
 
@@ -94,7 +54,7 @@ fn conditions_hold_at_the_cost_of_the_elastic_answer() {
             let elastic = solve(&map, f64::INFINITY, load, 1e-6).diagnostics.transforms;
             for hardness in [2.0, 1.0, 0.5, 0.25].into_iter().filter(|h| *h > load) {
                 let found = solve(&map, hardness, load, 1e-9);
-                let wrong = violation(&map, &found, hardness, load);
+                let wrong = violation(&map, &found, |_| hardness, load);
                 assert!(wrong < 1e-8, "P = {load}, H = {hardness}: {wrong:e}");
                 let pairs = solve(&map, hardness, load, 1e-6).diagnostics.transforms;
                 assert!(pairs < 1.6 * elastic, "P = {load}, H = {hardness}: {pairs}, {elastic}");
@@ -135,12 +95,10 @@ fn conditions_hold_for_spots_punches_and_arrays() {
             }
             for hardness in [0.7, 0.03, 1e-4] {
                 for part in [1e-4, 0.1, 0.5, 0.99, 1.0 - 1e-9] {
-                    // Where the pressure is far above what the heights resist, its error is theirs.
                     let builder = Solver::builder().tolerance(1e-9).hardness(hardness);
-                    let mut solver = solver(map, builder.boundary(boundary));
                     let load = part * hardness;
-                    let found = solver.solve(map, Load::MeanPressure(load)).unwrap();
-                    let wrong = violation(map, &found, hardness, load);
+                    let found = common::solve(map, builder.boundary(boundary), load);
+                    let wrong = violation(map, &found, |_| hardness, load);
                     assert!(wrong < 1e-7, "{name} {boundary} {hardness} {part}: {wrong:e}");
                 }
             }
@@ -216,8 +174,7 @@ fn approach_and_gap_find_their_load() {
                 let builder =
                     Solver::builder().tolerance(1e-6).hardness(hardness).boundary(boundary);
                 let load = part * hardness;
-                let pressed =
-                    solver(&map, builder.clone()).solve(&map, Load::MeanPressure(load)).unwrap();
+                let pressed = common::solve(&map, builder.clone(), load);
                 let mut others = vec![Load::Approach(pressed.approach)];
                 if boundary == Boundary::Periodic {
                     others.push(Load::MeanGap(pressed.state.mean_gap.unwrap()));
@@ -247,19 +204,11 @@ fn curves_have_the_answers_of_cold_starts() {
         curve.extend(down);
         let all: Vec<f64> = loads.iter().chain(loads.iter().rev()).copied().collect();
         for (load, found) in all.iter().zip(curve) {
-            let cold = solver(&map, builder.clone().tolerance(1e-8));
-            let cold = { cold }.solve(&map, Load::MeanPressure(*load)).unwrap();
-            let norm = |p: &mut dyn Iterator<Item = f64>| p.map(|p| p * p).sum::<f64>().sqrt();
-            let size = norm(&mut cold.pressure.iter().copied());
-            let error =
-                |p: &[f64]| norm(&mut p.iter().zip(&cold.pressure).map(|(a, b)| a - b)) / size;
-            assert!(error(&found.unwrap().pressure) < 1e-7, "{load} {boundary}");
+            let cold = common::solve(&map, builder.clone().tolerance(1e-8), *load);
+            let error = |found: &Solution| difference(&found.pressure, &cold.pressure);
+            assert!(error(&found.unwrap()) < 1e-7, "{load} {boundary}");
             let rough = single.solve(&map, Load::MeanPressure(*load)).unwrap();
-            assert!(
-                error(&rough.pressure) < 2e-4,
-                "{load} {boundary}: {:e}",
-                error(&rough.pressure)
-            );
+            assert!(error(&rough) < 2e-4, "{load} {boundary}: {:e}", error(&rough));
             assert!(rough.pressure.iter().all(|p| *p <= 0.4));
         }
     }
@@ -273,15 +222,11 @@ fn the_bound_of_the_error_holds() {
         for tolerance in [1e-2, 1e-4] {
             let exact = solve(&map, hardness, 0.05, 1e-11);
             let builder = Solver::builder().tolerance(tolerance).hardness(hardness).certified(true);
-            let found = solver(&map, builder).solve(&map, Load::MeanPressure(0.05)).unwrap();
-            let energy = |p: &[f64]| {
-                let mut u = p.to_vec();
-                HalfSpace::new(map.grid(), unit_modulus()).displace(&mut u).unwrap();
-                p.iter().zip(&u).map(|(p, u)| p * u).sum::<f64>()
-            };
+            let found = common::solve(&map, builder, 0.05);
+            let energy = |p: &[f64]| energy_norm(map.grid(), Boundary::Periodic, p);
             let off: Vec<f64> =
                 found.pressure.iter().zip(&exact.pressure).map(|(a, b)| a - b).collect();
-            let error = (energy(&off) / energy(&exact.pressure)).sqrt();
+            let error = energy(&off) / energy(&exact.pressure);
             let bound = found.diagnostics.energy_bound.unwrap();
             assert!(error <= bound && bound < 30.0 * error, "{error:e} and {bound:e}");
         }

@@ -1,9 +1,10 @@
-//! Surfaces the tests share: made in memory from a seed.
+//! What the tests share: surfaces made in memory from a seed, solves, and what is wrong with a solution.
 
 #![allow(dead_code, reason = "each test file uses some of these")]
 #![allow(clippy::unwrap_used, reason = "tests may stop where their input is wrong")]
 
 use contact_types::{ContactModulus, Grid, HeightMap};
+use fft_bem_solver::{Boundary, FreeHalfSpace, HalfSpace, Load, Solution, SolverBuilder};
 use grid_fft::GridFft;
 
 /// Independent numbers, uniform in 0..1, from a seed (SplitMix64: the same on every machine).
@@ -80,4 +81,69 @@ pub(crate) fn measured_like(n: usize, seed: u64) -> HeightMap {
     let step = 0.01 * rms;
     let heights = (0..n * n).map(|i| (crop(i) / step).round() * step).collect();
     HeightMap::new(unit_grid(n, n), heights).unwrap()
+}
+
+/// Solves for a mean pressure, E* = 1 Pa.
+pub(crate) fn solve(map: &HeightMap, builder: SolverBuilder, load: f64) -> Solution {
+    let mut solver = builder.build(map.grid(), unit_modulus()).unwrap();
+    solver.solve(map, Load::MeanPressure(load)).unwrap_or_else(|e| panic!("at {load:e}: {e}"))
+}
+
+/// Relative rms difference of two pressures.
+pub(crate) fn difference(found: &[f64], exact: &[f64]) -> f64 {
+    let square: f64 = found.iter().zip(exact).map(|(a, b)| (a - b).powi(2)).sum();
+    (square / exact.iter().map(|p| p * p).sum::<f64>()).sqrt()
+}
+
+/// The displacement of a pressure, made apart from the solver.
+pub(crate) fn displaced(grid: Grid, boundary: Boundary, pressure: &[f64]) -> Vec<f64> {
+    let mut u = pressure.to_vec();
+    match boundary {
+        Boundary::Periodic => HalfSpace::new(grid, unit_modulus()).displace(&mut u).unwrap(),
+        _ => FreeHalfSpace::new(grid, unit_modulus()).displace(&mut u).unwrap(),
+    }
+    u
+}
+
+/// `|p|_K`, by the half space of the boundary.
+pub(crate) fn energy_norm(grid: Grid, boundary: Boundary, p: &[f64]) -> f64 {
+    let u = displaced(grid, boundary, p);
+    p.iter().zip(&u).map(|(p, u)| p * u).sum::<f64>().max(0.0).sqrt()
+}
+
+/// How far the conditions of contact under a ceiling are violated, in rms heights; that the pressure is within
+/// its bounds and carries the load, and that no smaller area would.
+pub(crate) fn violation(
+    map: &HeightMap,
+    found: &Solution,
+    hardness: impl Fn(usize) -> f64,
+    load: f64,
+) -> f64 {
+    let (p, h, n) = (&found.pressure, map.heights(), map.heights().len() as f64);
+    let all = || 0..p.len();
+    assert!(all().all(|i| (0.0..=hardness(i)).contains(&p[i])), "a pressure beyond its bounds");
+    let carried = p.iter().sum::<f64>() / n;
+    assert!((carried / load - 1.0).abs() < 1e-9, "{carried} in place of {load}");
+    let (area, hardest) = (found.touching_fraction(), all().map(&hardness).fold(0.0, f64::max));
+    assert!(area >= load / hardest * (1.0 - 1e-12), "{area} is less than {load} / {hardest}");
+    let u = displaced(map.grid(), found.diagnostics.boundary, p);
+    // The level is not part of the question: whichever suits the nodes between the bounds or, without any,
+    // those at the ceiling.
+    let between: Vec<usize> = all().filter(|i| p[*i] > 0.0 && p[*i] < hardness(*i)).collect();
+    let full = all().filter(|i| p[*i] >= hardness(*i));
+    let level = match between.len() {
+        0 => full.map(|i| u[i] - h[i]).fold(f64::NEG_INFINITY, f64::max),
+        count => between.iter().map(|i| u[*i] - h[*i]).sum::<f64>() / count as f64,
+    };
+    let wrong = |i: usize| {
+        let gap = u[i] - h[i] - level;
+        match p[i] {
+            p if p <= 0.0 => gap.min(0.0),
+            p if p >= hardness(i) => gap.max(0.0),
+            _ => gap,
+        }
+    };
+    let mean = h.iter().sum::<f64>() / n;
+    let rms = (h.iter().map(|h| (h - mean).powi(2)).sum::<f64>() / n).sqrt();
+    (all().map(|i| wrong(i).powi(2)).sum::<f64>() / n).sqrt() / rms
 }

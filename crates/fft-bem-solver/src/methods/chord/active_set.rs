@@ -4,7 +4,7 @@ use super::memory::Known;
 use super::run::Run;
 use crate::methods::ceiling::Ceiling;
 use crate::methods::contract::State;
-use crate::methods::passes::{self, ContactSet, Gap};
+use crate::methods::passes::{self, ContactSet, GapSource};
 use crate::{Real, fields};
 use std::f64::consts::FRAC_PI_2;
 
@@ -73,8 +73,8 @@ impl<T: Real, C: Ceiling<T>> Run<'_, T, C> {
         let State { pressure: p, displacement: u, .. } = &*self.iterate;
         let extended = work.pairs.spare();
         let gap = match excess {
-            Some(excess) => Gap::Known { excess },
-            None => Gap::Of { u, h: self.heights, level },
+            Some(excess) => GapSource::Known { excess },
+            None => GapSource::Of { u, h: self.heights, level },
         };
         let found = passes::residual(
             self.ceiling,
@@ -111,7 +111,7 @@ impl<T: Real, C: Ceiling<T>> Run<'_, T, C> {
 
     /// The estimate, unless even the softest wave of the grid would resist the residual gap more: then
     /// the preconditioner is at fault, and the stiffest wave bounds the error instead.
-    pub(super) fn credible(&mut self, estimate: &passes::Estimate, level: f64) -> f64 {
+    pub(super) fn credible(&mut self, estimate: &passes::StepEstimate, level: f64) -> f64 {
         let work = &mut *self.work;
         let fields = [&self.iterate.displacement[..], self.heights];
         let gap2 = passes::residual_norm2(fields, level, &work.nodes, &mut work.partial);

@@ -3,7 +3,7 @@
 
 use super::run::{Run, project};
 use crate::methods::ceiling::Ceiling;
-use crate::methods::node::Node;
+use crate::methods::node::NodeState;
 use crate::{Real, fields};
 
 /// One step from the iterate; returns the pairs spent. The direction and its displacement are kept in
@@ -28,10 +28,10 @@ pub(super) fn step<T: Real, C: Ceiling<T>>(run: &mut Run<'_, T, C>, level: f64) 
     // would press.
     for i in 0..n {
         if nodes[i].is_in() && p[i] <= T::zero() && z[i] > 0.0 {
-            nodes[i] = Node::Gap;
+            nodes[i] = NodeState::Gap;
         }
         if C::IS_FINITE && nodes[i].is_in() && ceiling.is_reached(i, p[i]) && z[i] < 0.0 {
-            nodes[i] = Node::Full;
+            nodes[i] = NodeState::Full;
         }
     }
     centre(nodes, z);
@@ -94,7 +94,7 @@ pub(super) fn step<T: Real, C: Ceiling<T>>(run: &mut Run<'_, T, C>, level: f64) 
 }
 
 /// Sets z to zero outside the contact and subtracts its mean inside.
-fn centre(nodes: &[Node], z: &mut [f32]) {
+fn centre(nodes: &[NodeState], z: &mut [f32]) {
     let on = |i: usize| nodes[i].is_in();
     let count = fields::sum_of(z.len(), |i| if on(i) { 1.0 } else { 0.0 });
     let mean = fields::sum_of(z.len(), |i| if on(i) { f64::from(z[i]) } else { 0.0 }) / count;

@@ -29,14 +29,16 @@
 use super::active_set::RELEASE;
 use super::face_cg;
 use super::line::{FULL, Trial};
-use super::memory::{Kind, Known};
+use super::memory::{Known, StepKind};
 use super::run::Run;
 use super::work::Work;
 use crate::memory::is_large;
 use crate::methods::ceiling::{Ceiling, Top, under};
 use crate::methods::compliance::Compliance;
-use crate::methods::contract::{ContactMethod, Outcome, Start, State, Step, Task, Watch};
-use crate::methods::node::Node;
+use crate::methods::contract::{
+    ContactMethod, ContactTask, IterateView, Outcome, Start, State, Watch,
+};
+use crate::methods::node::NodeState;
 use crate::methods::passes::{self, ContactSet};
 use crate::methods::stiffness::Stiffness;
 use crate::problem::Problem;
@@ -47,7 +49,7 @@ use contact_types::Grid;
 pub(crate) struct Chord<T: Real> {
     pub(crate) work: Work<T>,
     /// Tests: make every step of this kind.
-    pub(crate) force: Option<Kind>,
+    pub(crate) force: Option<StepKind>,
 }
 
 impl<T: Real> Chord<T> {
@@ -74,7 +76,7 @@ impl<T: Real> Chord<T> {
 impl<T: Real> ContactMethod<T> for Chord<T> {
     fn solve(
         &mut self,
-        task: &Task<'_, T>,
+        task: &ContactTask<'_, T>,
         operator: &mut dyn Compliance<T>,
         start: Start,
         state: &mut State<T>,
@@ -104,7 +106,7 @@ impl<T: Real> Chord<T> {
     fn iterate<C: Ceiling<T>>(
         &mut self,
         ceiling: C,
-        task: &Task<'_, T>,
+        task: &ContactTask<'_, T>,
         operator: &mut dyn Compliance<T>,
         start: Start,
         state: &mut State<T>,
@@ -120,7 +122,7 @@ impl<T: Real> Chord<T> {
         let mut iteration = 0;
         let end = loop {
             let error = run.level_error();
-            let shown = Step {
+            let shown = IterateView {
                 iteration,
                 transforms: run.transforms,
                 residual: run.memory.residual.max(error),
@@ -198,7 +200,7 @@ impl<T: Real, C: Ceiling<T>> Run<'_, T, C> {
     /// `S E g` is known.
     fn propose_from_constant(&mut self, tolerance: f64) -> Proposal {
         let work = &mut *self.work;
-        work.nodes.fill(Node::Contact);
+        work.nodes.fill(NodeState::Contact);
         work.pyramid.know_all();
         let set = ContactSet { size: work.nodes.len(), has_released: false };
         self.proposed(-self.mean_height, set, tolerance)
@@ -217,7 +219,7 @@ impl<T: Real, C: Ceiling<T>> Run<'_, T, C> {
     /// Steps 3 to 5, or a step of another kind if the estimate has not been halved for long.
     fn step(&mut self, proposal: Proposal) {
         let mut kind = self.memory.next_kind();
-        if kind == Kind::FaceCg {
+        if kind == StepKind::FaceCg {
             self.transforms += face_cg::step(self, proposal.level);
             (self.memory.is_first, self.memory.has_before) = (false, true);
             self.fallbacks.face_cg_steps += 1;
@@ -225,7 +227,7 @@ impl<T: Real, C: Ceiling<T>> Run<'_, T, C> {
         }
         let products = loop {
             let trial = match kind {
-                Kind::Chord => {
+                StepKind::Chord => {
                     self.sweep_trial(proposal.set, self.memory.residual.min(1.0));
                     // The first trial is likely to need more than a factor.
                     if self.memory.is_first || C::IS_FINITE {
@@ -234,20 +236,20 @@ impl<T: Real, C: Ceiling<T>> Run<'_, T, C> {
                         Some(Trial::Swept)
                     }
                 }
-                Kind::Gradient | Kind::FaceCg => {
+                StepKind::Gradient | StepKind::FaceCg => {
                     self.gradient_trial(proposal.level);
                     Some(Trial::Ended(1.0))
                 }
             };
             let products = trial.and_then(|trial| self.respond(trial, proposal.level));
             if let Some(products) = products
-                && (products.theta() > 0.0 || kind != Kind::Chord)
+                && (products.theta() > 0.0 || kind != StepKind::Chord)
             {
                 break products;
             }
-            kind = Kind::Gradient; // the chord does not descend: projected gradients always do
+            kind = StepKind::Gradient; // the chord does not descend: projected gradients always do
         };
-        if kind != Kind::Chord {
+        if kind != StepKind::Chord {
             self.fallbacks.gradient_steps += 1;
         }
         self.advance(kind, &products, proposal.level);

@@ -1,6 +1,6 @@
 //! Steps 4 and 5: the one pair, and how far to go along the chord.
 
-use super::memory::{Kind, Known};
+use super::memory::{Known, StepKind};
 use super::run::Run;
 use super::trial::is_rough;
 use crate::methods::ceiling::Ceiling;
@@ -70,10 +70,10 @@ impl<T: Real, C: Ceiling<T>> Run<'_, T, C> {
 
     /// Goes along the chord, or to the minimum over the chord and the step before. The gap of the trial
     /// is counted from a level.
-    pub(super) fn advance(&mut self, kind: Kind, k: &Products, counted_from: f64) {
+    pub(super) fn advance(&mut self, kind: StepKind, k: &Products, counted_from: f64) {
         let theta = k.theta();
         let now = &mut self.memory;
-        if kind == Kind::Chord {
+        if kind == StepKind::Chord {
             now.length = if theta < FULL { theta } else { 1.0 };
             if theta > 1.0 && !k.has_dropped {
                 let (p, trial) = (&self.iterate.pressure, &self.work.pairs.trial.pressure);
@@ -88,7 +88,7 @@ impl<T: Real, C: Ceiling<T>> Run<'_, T, C> {
             }
         }
         // A node that the trial drops would keep a part of its load: then only the chord will do.
-        let is_searchable = now.has_before && kind == Kind::Chord && !k.has_dropped;
+        let is_searchable = now.has_before && kind == StepKind::Chord && !k.has_dropped;
         let length = now.length;
         let plane = k.plane_minimum().filter(|_| is_searchable);
         let step = plane.and_then(|b| Some((b, self.combine(b)?)));

@@ -9,7 +9,7 @@ const CHANGE: [f64; 2] = [0.7, 1.4];
 
 /// How the trial of a step is made.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub(crate) enum Kind {
+pub(crate) enum StepKind {
     /// Along the preconditioned residual, swept.
     Chord,
     /// Along the residual gap, projected on the pressures that are positive and carry the load.
@@ -48,14 +48,14 @@ pub(super) struct Memory {
     /// Smallest estimate that was a halving, and the iterations since.
     best: f64,
     since: usize,
-    kind: Kind,
+    kind: StepKind,
     is_forced: bool,
 }
 
 impl Memory {
     /// Before the first step, which begins with a chord of full length, or from the contact of another
     /// load, whose nodes may have to be released. Tests force a kind.
-    pub(super) fn new(is_cold: bool, forced: Option<Kind>) -> Self {
+    pub(super) fn new(is_cold: bool, forced: Option<StepKind>) -> Self {
         Self {
             tau: 1.0,
             alpha: 1.5,
@@ -67,7 +67,7 @@ impl Memory {
             residual: f64::INFINITY,
             best: f64::INFINITY,
             since: 0,
-            kind: forced.unwrap_or(Kind::Chord),
+            kind: forced.unwrap_or(StepKind::Chord),
             is_forced: forced.is_some(),
         }
     }
@@ -79,7 +79,7 @@ impl Memory {
 
     /// The ladder of fallbacks: chords, then gradients, then conjugate gradients on the face; back
     /// to chords when the estimate has been halved.
-    pub(super) fn next_kind(&mut self) -> Kind {
+    pub(super) fn next_kind(&mut self) -> StepKind {
         if self.residual <= 0.5 * self.best {
             self.best = self.residual;
             self.since = 0;
@@ -90,20 +90,20 @@ impl Memory {
             return self.kind;
         }
         let kind = match self.since {
-            0 => Kind::Chord,
+            0 => StepKind::Chord,
             n if n < STALL => return self.kind,
             _ => {
                 self.since = 0;
-                self.has_before &= self.kind == Kind::Chord; // conjugate directions start anew
-                if self.kind == Kind::Chord { Kind::Gradient } else { Kind::FaceCg }
+                self.has_before &= self.kind == StepKind::Chord; // conjugate directions start anew
+                if self.kind == StepKind::Chord { StepKind::Gradient } else { StepKind::FaceCg }
             }
         };
         if kind != self.kind {
             // Conjugate gradients keep their direction in the place of the step before.
-            self.has_before = self.has_before && kind == Kind::Gradient;
+            self.has_before = self.has_before && kind == StepKind::Gradient;
         }
         self.kind = kind;
-        if kind == Kind::FaceCg {
+        if kind == StepKind::FaceCg {
             self.length = 1.0; // a node that is let go would keep its pressure: this step only moves F
         }
         kind

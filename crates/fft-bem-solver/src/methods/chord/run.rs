@@ -1,10 +1,10 @@
 //! One run of the iteration: the problem, the iterate, and what the steps to it have shown.
 
-use super::memory::{Kind, Memory};
+use super::memory::{Memory, StepKind};
 use super::work::Work;
 use crate::methods::ceiling::Ceiling;
 use crate::methods::compliance::Compliance;
-use crate::methods::contract::{Start, State, Target, Task};
+use crate::methods::contract::{ContactTask, Start, State, Target};
 use crate::methods::level_control::LevelControl;
 use crate::methods::passes;
 use crate::{Boundary, Fallbacks, Real, fields, projection};
@@ -35,10 +35,10 @@ impl<'a, T: Real, C: Ceiling<T>> Run<'a, T, C> {
     pub(crate) fn new(
         ceiling: C,
         work: &'a mut Work<T>,
-        task: &Task<'a, T>,
+        task: &ContactTask<'a, T>,
         operator: &'a mut dyn Compliance<T>,
         start: Start,
-        forced: Option<Kind>,
+        forced: Option<StepKind>,
         iterate: &'a mut State<T>,
     ) -> Self {
         let (load, control) = match task.target {

@@ -3,7 +3,7 @@
 
 use super::run::{Run, project};
 use crate::methods::ceiling::Ceiling;
-use crate::methods::passes::{self, ContactSet, Estimate};
+use crate::methods::passes::{self, ContactSet, StepEstimate};
 use crate::methods::sweep;
 use crate::row_work::total;
 use crate::{Real, fields, projection};
@@ -27,7 +27,7 @@ impl<T: Real, C: Ceiling<T>> Run<'_, T, C> {
 
     /// `trial = p - tau z` on F, `p` elsewhere, where p is the pressure of the iterate. Where `E g` was, the
     /// smallest of it below each cell is left for [`sweep_trial`](Self::sweep_trial).
-    pub(crate) fn make_trial(&mut self, tau: f64, set: ContactSet) -> Estimate {
+    pub(crate) fn make_trial(&mut self, tau: f64, set: ContactSet) -> StepEstimate {
         let work = &mut *self.work;
         let size = [work.rows, work.columns];
         let (trial, smallest) = work.pairs.trial_and_spare();

@@ -2,7 +2,7 @@
 
 use super::pairs::Pairs;
 use crate::methods::extension::Pyramid;
-use crate::methods::node::Node;
+use crate::methods::node::NodeState;
 use crate::methods::passes;
 use crate::methods::stiffness::Stiffness;
 use crate::methods::sweep::Sweep;
@@ -23,7 +23,7 @@ pub(crate) struct Work<T: Real> {
     /// Longer side of the map.
     pub(super) longest: f64,
     /// The contact set F.
-    pub(crate) nodes: Vec<Node>,
+    pub(crate) nodes: Vec<NodeState>,
     /// The residual gap on F; `S E g` once it was preconditioned; the gap of the trial, once that has its
     /// displacement.
     pub(crate) residual: Vec<f32>,
@@ -50,7 +50,7 @@ impl<T: Real> Work<T> {
             elongation: thin_pixels::ratio(scaled),
             slenderness: thin_pixels::ratio_of_sides(scaled),
             longest: scaled.size().into_iter().fold(1.0, f64::max),
-            nodes: vec![Node::Gap; n],
+            nodes: vec![NodeState::Gap; n],
             residual: vec![0.0; n],
             stiffness,
             sweep: Sweep::new(pyramid.levels.first()),

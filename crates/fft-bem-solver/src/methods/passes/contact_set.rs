@@ -5,8 +5,8 @@ use super::sums::{Largest, Sum, TILE};
 use crate::Real;
 use crate::methods::ceiling::Ceiling;
 use crate::methods::extension::{Pyramid, pull_rows};
-use crate::methods::node::Node;
-use crate::methods::transfer::Weight;
+use crate::methods::node::NodeState;
+use crate::methods::transfer::FilledPart;
 use crate::row_work::{Partial, TASK, total};
 use crate::simd::vectorised;
 use grid_fft::parallel::prelude::*;
@@ -98,7 +98,7 @@ const NEWTON_STEPS: usize = 60;
 
 /// Where the gap comes from.
 #[derive(Clone, Copy)]
-pub(crate) enum Gap<'a, T> {
+pub(crate) enum GapSource<'a, T> {
     /// It is `u - h - level`.
     Of { u: &'a [T], h: &'a [T], level: f64 },
     /// The residual field holds it, but for this constant to be taken off.
@@ -124,11 +124,11 @@ pub(crate) struct ContactSet {
 pub(crate) fn residual<T: Real, C: Ceiling<T>>(
     ceiling: C,
     p: &[T],
-    gap: Gap<'_, T>,
+    gap: GapSource<'_, T>,
     release: f64,
     closing: Option<&[f32]>,
     [rows, nx]: [usize; 2],
-    nodes: &mut [Node],
+    nodes: &mut [NodeState],
     residual: &mut [f32],
     pyramid: &mut Pyramid,
     partial: &mut [Partial],
@@ -168,7 +168,7 @@ pub(crate) fn residual<T: Real, C: Ceiling<T>>(
 #[derive(Clone, Copy)]
 struct Classify<'a, T, C> {
     ceiling: C,
-    gap: Gap<'a, T>,
+    gap: GapSource<'a, T>,
     release: f64,
     closing: Option<&'a [f32]>,
 }
@@ -180,7 +180,7 @@ impl<T: Real, C: Ceiling<T>> Classify<'_, T, C> {
     /// Marks the nodes from pixel `first` on and leaves the gap on those of F. Returns how many these
     /// are, and how many carry load but do not belong. In single precision, as the gap is.
     #[inline(always)]
-    fn nodes(&self, first: usize, p: &[T], nodes: &mut [Node], gap: &mut [f32]) -> Partial {
+    fn nodes(&self, first: usize, p: &[T], nodes: &mut [NodeState], gap: &mut [f32]) -> Partial {
         let release = self.release as f32;
         let blocks = p.chunks(BLOCK).zip(nodes.chunks_mut(BLOCK)).zip(gap.chunks_mut(BLOCK));
         let (mut active, mut released) = (0, 0);
@@ -189,28 +189,31 @@ impl<T: Real, C: Ceiling<T>> Classify<'_, T, C> {
             let first = first + k * BLOCK;
             let [load, is_in] = [&mut load, &mut is_in].map(|x| &mut x[..p.len()]);
             match self.gap {
-                Gap::Of { u, h, level } => {
+                GapSource::Of { u, h, level } => {
                     gap_of(&u[first..][..p.len()], &h[first..][..p.len()], T::of(level), g);
                 }
-                Gap::Known { excess } => g.iter_mut().for_each(|g| *g -= excess as f32),
+                GapSource::Known { excess } => g.iter_mut().for_each(|g| *g -= excess as f32),
             }
             load.iter_mut().zip(p).for_each(|(load, p)| *load = p.narrow());
             for ((is_in, load), g) in is_in.iter_mut().zip(&*load).zip(&*g) {
                 let open = if *g > 0.0 { *g } else { 0.0 };
                 *is_in = if (*load > release * open) | (*g < 0.0) { 1.0 } else { 0.0 };
             }
-            nodes.iter_mut().zip(&*is_in).for_each(|(m, is_in)| *m = Node::of(*is_in > 0.0));
+            nodes.iter_mut().zip(&*is_in).for_each(|(m, is_in)| *m = NodeState::of(*is_in > 0.0));
             let ceiling = self.ceiling.after(first);
             if C::IS_FINITE {
                 for (i, ((m, p), g)) in nodes.iter_mut().zip(p).zip(&*g).enumerate() {
                     let room = ceiling.at(i) - *p;
                     let yields = room <= T::of(self.release * f64::from((-g).max(0.0)));
-                    *m = m.or(Node::Full, yields & (*g <= 0.0));
+                    *m = m.or(NodeState::Full, yields & (*g <= 0.0));
                 }
             }
             if let Some(closing) = self.closing {
                 for ((m, e), g) in nodes.iter_mut().zip(&closing[first..]).zip(&*g) {
-                    *m = m.or(Node::Contact, (g <= e) & !(C::IS_FINITE && *m == Node::Full));
+                    *m = m.or(
+                        NodeState::Contact,
+                        (g <= e) & !(C::IS_FINITE && *m == NodeState::Full),
+                    );
                 }
             }
             if C::IS_FINITE || self.closing.is_some() {
@@ -221,15 +224,15 @@ impl<T: Real, C: Ceiling<T>> Classify<'_, T, C> {
             }
             for ((m, load), is_in) in nodes.iter_mut().zip(&*load).zip(&*is_in) {
                 let is_off = (*load > 0.0) & (*is_in <= 0.0) & !(C::IS_FINITE && m.is_full());
-                *m = m.or(Node::Released, is_off);
+                *m = m.or(NodeState::Released, is_off);
             }
             active += nodes.iter().map(|m| u32::from(m.is_in())).sum::<u32>();
-            released += nodes.iter().map(|m| u32::from(*m == Node::Released)).sum::<u32>();
+            released += nodes.iter().map(|m| u32::from(*m == NodeState::Released)).sum::<u32>();
             if C::IS_FINITE {
                 for (i, (m, p)) in nodes.iter_mut().zip(p).enumerate() {
                     let top = ceiling.at(i);
                     let is_filled = m.is_full() & ((*p < top) | (*p > top));
-                    *m = m.or(Node::Filled, is_filled);
+                    *m = m.or(NodeState::Filled, is_filled);
                     released += u32::from(is_filled);
                 }
             }
@@ -250,7 +253,7 @@ fn gap_of<T: Real>(u: &[T], h: &[T], level: T, gap: &mut [f32]) {
 pub(crate) fn residual_norm2<T: Real>(
     [u, h]: [&[T]; 2],
     level: f64,
-    nodes: &[Node],
+    nodes: &[NodeState],
     partial: &mut [Partial],
 ) -> f64 {
     let level = T::of(level);
@@ -274,7 +277,7 @@ pub(crate) fn residual_norm2<T: Real>(
 pub(crate) fn is_rounding<T: Real>(
     [u, h]: [&[T]; 2],
     level: f64,
-    nodes: &[Node],
+    nodes: &[NodeState],
     partial: &mut [Partial],
 ) -> bool {
     let level = T::of(level);

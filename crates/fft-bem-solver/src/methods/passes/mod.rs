@@ -13,10 +13,10 @@ mod sums;
 mod trial;
 
 pub(crate) use contact_set::{
-    ContactSet, Gap, is_rounding, level, level_under, residual, residual_norm2,
+    ContactSet, GapSource, is_rounding, level, level_under, residual, residual_norm2,
 };
 pub(crate) use line_search::{Products, inner_products, reach};
 pub(crate) use pieces::{fill, gap_of_constant, rows_per_task, scale, tasks};
 pub(crate) use preconditioner::{gather, push};
 pub(crate) use step::{combine, shorten};
-pub(crate) use trial::{Estimate, end_trial, trial};
+pub(crate) use trial::{StepEstimate, end_trial, trial};

@@ -1,16 +1,16 @@
 //! The extension and its transpose between the finest grid and the first level.
 
 use crate::methods::extension::{Pyramid, gather_row};
-use crate::methods::node::Node;
+use crate::methods::node::NodeState;
 use crate::methods::stiffness::Stiffness;
-use crate::methods::transfer::{Transfer, Weight};
+use crate::methods::transfer::{FilledPart, Transfer};
 use crate::simd::vectorised;
 use grid_fft::parallel::prelude::*;
 
 /// `E` on the finest grid: the residual on F, what the pyramid knows elsewhere; with the means over
 /// the cells of `S`.
 pub(crate) fn push(
-    nodes: &[Node],
+    nodes: &[NodeState],
     residual: &[f32],
     pyramid: &Pyramid,
     nx: usize,
@@ -28,7 +28,7 @@ pub(crate) fn push(
 
 /// Row `i` of the extended field.
 #[inline(always)]
-fn push_row(t: &Transfer, i: usize, nodes: &[Node], r: &[f32], coarse: &[f32], x: &mut [f32]) {
+fn push_row(t: &Transfer, i: usize, nodes: &[NodeState], r: &[f32], coarse: &[f32], x: &mut [f32]) {
     t.up_row(
         i,
         coarse,
@@ -43,7 +43,7 @@ fn push_row(t: &Transfer, i: usize, nodes: &[Node], r: &[f32], coarse: &[f32], x
 }
 
 /// `E^T` from the finest grid to the first level: what the gap hands up.
-pub(crate) fn gather(nodes: &[Node], field: &[f32], pyramid: &mut Pyramid) {
+pub(crate) fn gather(nodes: &[NodeState], field: &[f32], pyramid: &mut Pyramid) {
     let Some(first) = pyramid.levels.first_mut() else { return };
     let (t, task_rows) = (first.transfer, first.rows_per_task());
     let mx = t.coarse[1];

@@ -3,8 +3,8 @@
 use super::sums::TILE;
 use crate::Real;
 use crate::methods::ceiling::Ceiling;
-use crate::methods::extension::{Level, Pyramid};
-use crate::methods::node::Node;
+use crate::methods::extension::{Pyramid, PyramidLevel};
+use crate::methods::node::NodeState;
 use crate::methods::sweep::Sweep;
 use crate::methods::tension::Added;
 use crate::methods::transfer::Transfer;
@@ -15,7 +15,7 @@ use grid_fft::parallel::prelude::*;
 
 /// How large the step is.
 #[derive(Debug, Clone, Copy)]
-pub(crate) struct Estimate {
+pub(crate) struct StepEstimate {
     /// `|z on F, p off F| / |p|`, where z is taken less its mean over F.
     pub(crate) residual: f64,
     /// `|p|^2`.
@@ -32,7 +32,7 @@ pub(crate) fn trial<T: Real, C: Ceiling<T>>(
     p: &[T],
     y: &[f32],
     tau: f64,
-    nodes: &[Node],
+    nodes: &[NodeState],
     active: usize,
     [rows, nx]: [usize; 2],
     pyramid: &Pyramid,
@@ -40,7 +40,7 @@ pub(crate) fn trial<T: Real, C: Ceiling<T>>(
     smallest: &mut [f32],
     sweep: &mut Sweep,
     partial: &mut [Partial],
-) -> Estimate {
+) -> StepEstimate {
     let chunk = rows * nx;
     let used = trial.len().div_ceil(chunk);
     let first = pyramid.levels.first();
@@ -49,7 +49,7 @@ pub(crate) fn trial<T: Real, C: Ceiling<T>>(
         .zip(y.par_chunks(chunk))
         .zip(nodes.par_chunks(chunk))
         .zip(trial.par_chunks_mut(chunk));
-    let step = Step { ceiling, p, tau, level: first, nx };
+    let step = PressureStep { ceiling, p, tau, level: first, nx };
     match first.map(|first| first.transfer) {
         Some(t) => {
             let (height, mx) = (t.rows_per_coarse_row(), t.coarse[1]);
@@ -80,7 +80,7 @@ pub(crate) fn trial<T: Real, C: Ceiling<T>>(
     let [z, z2, off2, p2] = total(&partial[..used]);
     let mean = z / active.max(1) as f64;
     sweep.begin((tau * mean) as f32);
-    Estimate { residual: (((z2 - mean * z).max(0.0) + off2) / p2).sqrt(), p2 }
+    StepEstimate { residual: (((z2 - mean * z).max(0.0) + off2) / p2).sqrt(), p2 }
 }
 
 /// The sums of the lanes.
@@ -92,15 +92,15 @@ fn totals<S: Simd>(sums: [f64x4<S>; 4]) -> Partial {
 
 /// What the rows of a [`trial`] have in common.
 #[derive(Clone, Copy)]
-struct Step<'a, T, C> {
+struct PressureStep<'a, T, C> {
     ceiling: C,
     p: &'a [T],
     tau: f64,
-    level: Option<&'a Level>,
+    level: Option<&'a PyramidLevel>,
     nx: usize,
 }
 
-impl<T: Real, C: Ceiling<T>> Step<'_, T, C> {
+impl<T: Real, C: Ceiling<T>> PressureStep<'_, T, C> {
     /// The rows from `row` on, those below one row of cells if there are cells: the trial, and the smallest of it
     /// below each cell. Adds up `z`, `z^2` on F, `p^2` off F (of those that are to carry the ceiling, what they
     /// lack), `p^2`.
@@ -111,7 +111,7 @@ impl<T: Real, C: Ceiling<T>> Step<'_, T, C> {
         vectors: S,
         row: usize,
         y: &[f32],
-        nodes: &[Node],
+        nodes: &[NodeState],
         trial: &mut [T],
         mut cells: Option<(&Transfer, &mut [f32])>,
         sums: &mut [f64x4<S>; 4],
@@ -146,7 +146,7 @@ impl<T: Real, C: Ceiling<T>> Step<'_, T, C> {
         vectors: S,
         first: usize,
         z: &mut [f32],
-        nodes: &[Node],
+        nodes: &[NodeState],
         trial: &mut [T],
         least: &mut [f32],
         sums: &mut [f64x4<S>; 4],
@@ -234,7 +234,7 @@ fn smallest_below(t: &Transfer, ix: usize, least: &[f32], smallest: &mut [f32]) 
 pub(crate) fn end_trial<T: Real, C: Ceiling<T>>(
     ceiling: C,
     first_row: usize,
-    nodes: &[Node],
+    nodes: &[NodeState],
     sweep: &Sweep,
     pyramid: &Pyramid,
     nx: usize,
