@@ -22,6 +22,7 @@
 #![warn(missing_debug_implementations)]
 
 mod assemble;
+mod builder;
 mod certificate;
 mod control;
 mod engine;
@@ -49,6 +50,7 @@ mod tally;
 pub mod validation;
 mod yield_control;
 
+pub use builder::SolverBuilder;
 pub use contact_types::{
     Caveat, ContactModulus, ContactState, Elastic, Grid, HeightMap, ModelError, SurfaceError,
 };
@@ -61,4 +63,4 @@ pub use perimeter_correction::PERIMETER_CORRECTION;
 pub use real::Real;
 pub use settings::{Boundary, Load, Maps, Method, Precision};
 pub use solution::{Diagnostics, End, Fallbacks, Residuals, Section, Solution, Yielded};
-pub use solver::{Solver, SolverBuilder, set_stiffness};
+pub use solver::{Solver, set_stiffness};

@@ -1,7 +1,7 @@
 //! Axes: from data to figure units, ticks where a reader expects them, a frame on two sides.
 
-use crate::draw::palette::{GRID, INK, INK2, LINE};
-use crate::draw::svg::{Anchor, Canvas, Stroke, Text, text_width};
+use crate::draw::palette::{GRID, INK, INK2, LINE, Stroke};
+use crate::draw::svg::{Anchor, Canvas, Text, text_width};
 use crate::numbers::{fixed, power_of_ten};
 
 /// Spacing of an axis.

@@ -1,7 +1,7 @@
 //! Direct labels: names beside the ends of lines, pushed apart until all can be read.
 
-use crate::draw::palette::{Colour, DETERMINISTIC};
-use crate::draw::svg::{Canvas, Rect, Stroke, Text, overlap};
+use crate::draw::palette::{Colour, DETERMINISTIC, Stroke};
+use crate::draw::svg::{Canvas, Rect, Text, overlap};
 use crate::lines::ModelLine;
 
 /// Distance between base lines of neighbouring labels, in units.

@@ -3,8 +3,6 @@
 //! The light value is written into every mark, so a figure file stands alone; the class beside
 //! it lets the report's stylesheet put the dark value in its place.
 
-use crate::draw::svg::Stroke;
-
 /// A colour with a role.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(crate) struct Colour {
@@ -86,6 +84,22 @@ pub(crate) enum Marker {
     Cross,
     Plus,
     Hexagon,
+}
+
+/// How a line is drawn.
+#[derive(Debug, Clone, Copy)]
+pub(crate) struct Stroke {
+    pub(crate) colour: Colour,
+    pub(crate) width: f64,
+    /// Dash pattern; empty for solid.
+    pub(crate) dash: &'static str,
+}
+
+impl Stroke {
+    /// A solid line.
+    pub(crate) const fn solid(colour: Colour, width: f64) -> Self {
+        Self { colour, width, dash: "" }
+    }
 }
 
 /// How a series is drawn.

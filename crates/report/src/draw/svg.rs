@@ -2,7 +2,7 @@
 //!
 //! One unit is 0.25 mm in a figure file 85 mm wide, so 10 units of type are 7.1 pt.
 
-use crate::draw::palette::{Colour, INK, Marker, PAPER, Style};
+use crate::draw::palette::{Colour, INK, Marker, PAPER, Stroke, Style};
 use std::fmt::Write as _;
 use std::io;
 
@@ -118,29 +118,14 @@ pub(crate) fn text_width(content: &str, size: f64, bold: bool) -> f64 {
     ems * size * if bold { 1.07 } else { 1.0 }
 }
 
-/// How a line is drawn.
-#[derive(Debug, Clone, Copy)]
-pub(crate) struct Stroke {
-    pub(crate) colour: Colour,
-    pub(crate) width: f64,
-    /// Dash pattern; empty for solid.
-    pub(crate) dash: &'static str,
-}
-
-impl Stroke {
-    /// A solid line.
-    pub(crate) const fn solid(colour: Colour, width: f64) -> Self {
-        Self { colour, width, dash: "" }
+/// The attributes of a stroke.
+fn attributes(stroke: Stroke) -> String {
+    let mut text =
+        format!("stroke=\"{}\" stroke-width=\"{}\"", stroke.colour.light, num(stroke.width));
+    if !stroke.dash.is_empty() {
+        let _ = write!(text, " stroke-dasharray=\"{}\"", stroke.dash);
     }
-
-    fn attributes(&self) -> String {
-        let mut text =
-            format!("stroke=\"{}\" stroke-width=\"{}\"", self.colour.light, num(self.width));
-        if !self.dash.is_empty() {
-            let _ = write!(text, " stroke-dasharray=\"{}\"", self.dash);
-        }
-        text
-    }
+    text
 }
 
 /// Marks and texts of a figure, in drawing order.
@@ -214,7 +199,7 @@ impl Canvas {
             num(y1),
             num(x2),
             num(y2),
-            stroke.attributes()
+            attributes(stroke)
         );
     }
 
@@ -236,7 +221,7 @@ impl Canvas {
             self.body,
             "<path class=\"s-{}\" d=\"{data}\" fill=\"none\" {} stroke-linejoin=\"round\"/>",
             stroke.colour.class,
-            stroke.attributes()
+            attributes(stroke)
         );
     }
 

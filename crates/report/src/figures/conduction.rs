@@ -2,8 +2,8 @@
 
 use crate::draw::axes::{PlotAxis, PlotFrame};
 use crate::draw::labels::{EndLabel, ROOM, draw_end_labels};
-use crate::draw::palette::{DETERMINISTIC_STYLE, INK2, Marker, PERSSON, Style};
-use crate::draw::svg::{COLUMN, Canvas, Figure, Stroke};
+use crate::draw::palette::{DETERMINISTIC_STYLE, INK2, Marker, PERSSON, Stroke, Style};
+use crate::draw::svg::{COLUMN, Canvas, Figure};
 use crate::figures::curves::log_limits;
 use crate::lines::load_axis;
 use crate::numbers::{METRES, significant, times, unit_for};

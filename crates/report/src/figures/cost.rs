@@ -1,8 +1,8 @@
 //! Fig. 4: what accuracy costs, error against time.
 
 use crate::draw::labels::place_near;
-use crate::draw::palette::{DETERMINISTIC_STYLE, Style};
-use crate::draw::svg::{COLUMN, Figure, Rect, Stroke, Text, text_width};
+use crate::draw::palette::{DETERMINISTIC_STYLE, Stroke, Style};
+use crate::draw::svg::{COLUMN, Figure, Rect, Text, text_width};
 use crate::figures::cost_plot::CostPlot;
 use crate::numbers::{duration, percent};
 

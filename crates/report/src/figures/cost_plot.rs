@@ -2,8 +2,8 @@
 
 use crate::draw::axes::{PlotAxis, PlotFrame};
 use crate::draw::labels::{place_near, push_apart};
-use crate::draw::palette::{BAND, INK2, LINE, Style};
-use crate::draw::svg::{Anchor, COLUMN, Canvas, Rect, Stroke, Text, text_width};
+use crate::draw::palette::{BAND, INK2, LINE, Stroke, Style};
+use crate::draw::svg::{Anchor, COLUMN, Canvas, Rect, Text, text_width};
 use crate::numbers::{percent, time_tick};
 use std::io::{self, Write};
 

@@ -2,8 +2,8 @@
 
 use crate::draw::axes::{AxisScale, PlotAxis, PlotFrame};
 use crate::draw::labels::{EndLabel, ROOM, draw_end_labels};
-use crate::draw::palette::{BAND, DETERMINISTIC, DETERMINISTIC_STYLE, INK2};
-use crate::draw::svg::{COLUMN, Canvas, Figure, Stroke, Text, num};
+use crate::draw::palette::{BAND, DETERMINISTIC, DETERMINISTIC_STYLE, INK2, Stroke};
+use crate::draw::svg::{COLUMN, Canvas, Figure, Text, num};
 use crate::lines::{LoadLines, ModelLine, compared, min_max, range_words};
 use crate::messages::load;
 use crate::numbers::{PASCALS, Unit, counted, signed_range, unit_for};

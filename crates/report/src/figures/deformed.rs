@@ -2,9 +2,9 @@
 
 use crate::draw::axes::{PlotAxis, PlotFrame};
 use crate::draw::palette::{
-    BAND, DETERMINISTIC, GRID, INK, INK2, LINE, OkLab, PRESSURE_RAMP, ramp_table,
+    BAND, DETERMINISTIC, GRID, INK, INK2, LINE, OkLab, PRESSURE_RAMP, Stroke, ramp_table,
 };
-use crate::draw::svg::{Anchor, Canvas, Figure, Stroke, Text, num};
+use crate::draw::svg::{Anchor, Canvas, Figure, Text, num};
 use crate::numbers::{METRES, unit_for};
 
 /// Width and height of the figure, and its plot box.

@@ -1,8 +1,8 @@
 //! How pressure, gap and contact spots are distributed, at one load or at every load on the same axes.
 
 use crate::draw::axes::{PlotAxis, PlotFrame};
-use crate::draw::palette::{DETERMINISTIC, INK2, PERSSON};
-use crate::draw::svg::{Anchor, COLUMN, Canvas, Figure, Stroke, Text};
+use crate::draw::palette::{DETERMINISTIC, INK2, PERSSON, Stroke};
+use crate::draw::svg::{Anchor, COLUMN, Canvas, Figure, Text};
 use crate::numbers::{AREAS, METRES, SPACE, Unit, percent, quantity, significant, unit_for};
 use contact_compare::{Distributions, GapDistribution, PressureHistogram, SpotDistribution};
 use serde_json::{Value, json};

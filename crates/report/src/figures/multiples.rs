@@ -2,8 +2,8 @@
 
 use crate::draw::axes::{PlotAxis, PlotFrame};
 use crate::draw::labels::{EndLabel, draw_end_labels};
-use crate::draw::palette::{BAND, DETERMINISTIC, DETERMINISTIC_STYLE, INK};
-use crate::draw::svg::{Anchor, Canvas, Figure, Stroke, Text};
+use crate::draw::palette::{BAND, DETERMINISTIC, DETERMINISTIC_STYLE, INK, Stroke};
+use crate::draw::svg::{Anchor, Canvas, Figure, Text};
 use crate::figures::curves::log_limits;
 use crate::lines::{LoadLines, ModelLine};
 use crate::numbers::signed_range;

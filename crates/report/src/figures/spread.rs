@@ -2,8 +2,8 @@
 
 use crate::digest::Quantiles;
 use crate::draw::axes::{PlotAxis, PlotFrame};
-use crate::draw::palette::{BAND, DETERMINISTIC, INK, INK2, LINE, Style};
-use crate::draw::svg::{Anchor, COLUMN, Canvas, Figure, Stroke, Text};
+use crate::draw::palette::{BAND, DETERMINISTIC, INK, INK2, LINE, Stroke, Style};
+use crate::draw::svg::{Anchor, COLUMN, Canvas, Figure, Text};
 use crate::numbers::{SPACE, Unit, power_of_ten, signed_percent, significant, unit_for};
 
 /// Area over load of many maps, `[load, area fraction]` each.

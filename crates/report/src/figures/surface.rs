@@ -1,8 +1,8 @@
 //! Figures of the surface itself: distribution of heights, power spectrum.
 
 use crate::draw::axes::{PlotAxis, PlotFrame};
-use crate::draw::palette::{BAND, DETERMINISTIC, GW, INK, INK2, LINE};
-use crate::draw::svg::{Anchor, COLUMN, Canvas, Figure, Rect, Stroke, Text};
+use crate::draw::palette::{BAND, DETERMINISTIC, GW, INK, INK2, LINE, Stroke};
+use crate::draw::svg::{Anchor, COLUMN, Canvas, Figure, Rect, Text};
 use crate::numbers::{METRES, SPACE, chosen, quantity, significant, unit_for};
 use std::f64::consts::TAU;
 

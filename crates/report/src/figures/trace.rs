@@ -1,8 +1,8 @@
 //! A trace as measured: height over position.
 
 use crate::draw::axes::{PlotAxis, PlotFrame};
-use crate::draw::palette::{BAND, DETERMINISTIC, INK2};
-use crate::draw::svg::{Anchor, Canvas, Figure, Stroke, Text};
+use crate::draw::palette::{BAND, DETERMINISTIC, INK2, Stroke};
+use crate::draw::svg::{Anchor, Canvas, Figure, Text};
 use crate::numbers::{METRES, chosen, quantity, unit_for};
 use surface_stats::profile::Trace;
 

@@ -1,10 +1,9 @@
 //! Whether the bodies stick, in words: claim and text.
 
-use crate::messages::finding::Words;
 use crate::numbers::{METRES, PASCALS, chosen, length, percent, quantity, significant};
 use contact_compare::{Adhesion, NO_PULL_OFF};
 
-pub(crate) fn verdict(found: &Adhesion) -> Words {
+pub(crate) fn verdict(found: &Adhesion) -> [String; 2] {
     let claim = if found.negligible {
         "Adhesion is negligible (dry).".to_owned()
     } else {

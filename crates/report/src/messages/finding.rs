@@ -28,7 +28,7 @@ pub fn finding(finding: &Finding) -> [String; 2] {
     }
 }
 
-fn of_fact(fact: &Fact) -> Words {
+pub(crate) fn of_fact(fact: &Fact) -> Words {
     match fact {
         Fact::Unit { gradient, rms_height, radius } => unit([*gradient, *rms_height, *radius]),
         Fact::Yield(found) => beyond_yield(found),
@@ -73,9 +73,7 @@ fn of_fact(fact: &Fact) -> Words {
             "There are no roughness parameters.",
             format!("{}. Moments and models are of all waves of the trace.", capital(why)),
         ),
-        Fact::CoarserClass { cutoff, ra, length } => {
-            profile::coarser_class(*cutoff, *ra, *length)
-        }
+        Fact::CoarserClass { cutoff, ra, length } => profile::coarser_class(*cutoff, *ra, *length),
         Fact::NoShort { short, spacing } => profile::no_short(*short, *spacing),
         Fact::Warned(found) => found.words(),
         Fact::EdgeJump { ratio, edges, seam } => edge_jump(*ratio, *edges, seam.as_ref()),

@@ -1,6 +1,5 @@
 //! Two bodies pressed together, in words.
 
-use crate::messages::finding::Words;
 use crate::numbers::{
     METRES, PASCALS, SPACE, chosen, percent, quantity, signed_percent, significant,
 };
@@ -84,7 +83,7 @@ pub(crate) fn moments(pair: &PairOrigin) -> Option<String> {
 }
 
 /// The finding that they do not add: claim and text.
-pub(crate) fn dependent([first, second]: &[String; 2], found: &Independence) -> Words {
+pub(crate) fn dependent([first, second]: &[String; 2], found: &Independence) -> [String; 2] {
     let mates = found.excess[1] < 0.0;
     let claim = if mates {
         format!("{first} and {second} fit into each other.")
@@ -103,7 +102,7 @@ pub(crate) fn dependent([first, second]: &[String; 2], found: &Independence) -> 
 }
 
 /// The finding that the points differ: claim and text.
-pub(crate) fn pixels_differ(names: &[String; 2], pixels: [[f64; 2]; 2]) -> Words {
+pub(crate) fn pixels_differ(names: &[String; 2], pixels: [[f64; 2]; 2]) -> [String; 2] {
     let size = |p: [f64; 2]| p[0].max(p[1]);
     let (fine, coarse) = if size(pixels[0]) < size(pixels[1]) { (0, 1) } else { (1, 0) };
     let points = |k: usize| quantity(size(pixels[k]), METRES, 3);

@@ -1,11 +1,10 @@
 //! What is said of profiles.
 
-use crate::messages::finding::Words;
 use crate::numbers::{METRES, PASCALS, SPACE, chosen, percent, quantity, significant};
 use contact_compare::{ProfileComparison, Unevenness};
 
 /// That one direction was measured: claim and text.
-pub(crate) fn one_direction() -> Words {
+pub(crate) fn one_direction() -> [String; 2] {
     [
         "The surface is taken to be isotropic.".into(),
         "A trace has one direction: on a surface with a lay its moments are those along the \
@@ -16,7 +15,7 @@ pub(crate) fn one_direction() -> Words {
 }
 
 /// That Ra asks for a longer cut-off.
-pub(crate) fn coarser_class(cutoff: f64, ra: f64, length: f64) -> Words {
+pub(crate) fn coarser_class(cutoff: f64, ra: f64, length: f64) -> [String; 2] {
     [
         format!(
             "Ra = {} asks for a longer cut-off than {}.",
@@ -32,7 +31,7 @@ pub(crate) fn coarser_class(cutoff: f64, ra: f64, length: f64) -> Words {
 }
 
 /// That λs was left out.
-pub(crate) fn no_short(short: f64, spacing: f64) -> Words {
+pub(crate) fn no_short(short: f64, spacing: f64) -> [String; 2] {
     [
         format!("λs = {} was not applied.", chosen(short, METRES)),
         format!(
@@ -48,7 +47,7 @@ pub(crate) fn sample(
     length: f64,
     factors: [Option<f64>; 3],
     between: Option<[f64; 3]>,
-) -> Words {
+) -> [String; 2] {
     let what = match traces {
         1 => format!("One trace of {}", quantity(length, METRES, 3)),
         n => format!("{n} traces of {}", quantity(length, METRES, 3)),
@@ -84,7 +83,7 @@ pub(crate) fn spread(factor: Option<f64>) -> String {
 }
 
 /// That the points were not evenly spaced.
-pub(crate) fn unevenly(uneven: Unevenness) -> Words {
+pub(crate) fn unevenly(uneven: Unevenness) -> [String; 2] {
     let [short, long] = uneven.steps;
     [
         format!(

@@ -1,6 +1,5 @@
 //! Spikes in words.
 
-use crate::messages::finding::Words;
 use crate::numbers::{METRES, percent, quantity};
 use contact_compare::SPIKE_THRESHOLD;
 
@@ -8,7 +7,11 @@ use contact_compare::SPIKE_THRESHOLD;
 const MANY_SPIKES: f64 = 0.01;
 
 /// Claim and text: what `count` spikes of `of` points say, after `taken` were taken out.
-pub(super) fn spikes([count, taken, of]: [usize; 3], largest: f64, share: Option<f64>) -> Words {
+pub(super) fn spikes(
+    [count, taken, of]: [usize; 3],
+    largest: f64,
+    share: Option<f64>,
+) -> [String; 2] {
     let (who, stand) = if count == 1 { ("It carries", "stands") } else { ("They carry", "stand") };
     let carried = share.map_or_else(String::new, |s| format!("{who} {} of the load. ", percent(s)));
     let [part, ever] = [count, count + taken].map(|n| n as f64 / of.max(1) as f64);

@@ -82,7 +82,7 @@ fn of_surface(fact: &Fact) -> String {
         Fact::Warned(Warning::NotGaussian { skewness, kurtosis }) => {
             format!("skewness {}, kurtosis {}", plain(*skewness), plain(*kurtosis))
         }
-        other => of_fact(other).claim,
+        other => of_fact(other)[0].clone(),
     }
 }
 

@@ -1,6 +1,5 @@
 //! Sentences on bodies that yield: claim and text.
 
-use crate::messages::finding::Words;
 use crate::numbers::{PASCALS, SPACE, chosen, percent, quantity, signed_percent};
 use contact_compare::{BULK_YIELD, SurfaceComparison, Yielding, elastic_limit, typical_hardness};
 
@@ -9,7 +8,7 @@ pub(crate) const LEFT_OUT: &str =
     "One hardness at every scale; nothing hardens or piles up; loading only.";
 
 /// Of the headline.
-pub(crate) fn headline(found: &Yielding) -> Words {
+pub(crate) fn headline(found: &Yielding) -> [String; 2] {
     let claim = format!(
         "The contact yields: {} of it is at the hardness of {}.",
         percent(found.share),
@@ -31,7 +30,7 @@ pub(crate) fn headline(found: &Yielding) -> Words {
 }
 
 /// Of a hardness that no solid of this modulus has.
-pub(crate) fn odd(hardness: f64, [low, high]: [f64; 2]) -> Words {
+pub(crate) fn odd(hardness: f64, [low, high]: [f64; 2]) -> [String; 2] {
     let show = |p: f64| quantity(p, PASCALS, 2);
     [
         "Is the unit of the hardness right?".into(),
@@ -45,7 +44,7 @@ pub(crate) fn odd(hardness: f64, [low, high]: [f64; 2]) -> Words {
 }
 
 /// Of loads at which the body yields in its volume.
-pub(crate) fn bulk(highest: f64, hardness: f64) -> Words {
+pub(crate) fn bulk(highest: f64, hardness: f64) -> [String; 2] {
     [
         format!("Loads reach {} of the hardness.", percent(highest / hardness)),
         format!(

@@ -6,7 +6,7 @@ use crate::numbers::significant;
 use crate::page::context::{ReportPage, figure};
 use crate::page::deformed;
 use crate::page::moving::Moving;
-use crate::page::sections::reduced_words;
+use crate::page::phrases::reduced_words;
 use contact_compare::SurfaceComparison;
 use grid_fft::parallel::join;
 

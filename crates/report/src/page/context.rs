@@ -20,7 +20,7 @@ impl Numbering {
         self.figures
     }
 
-    /// The next figure of the part `id`, drawn with its key. Its caption is HTML and opens with the rest of a bold
+    /// The next figure of the part `id`, with its key. Its caption is HTML and opens with the rest of a bold
     /// subject.
     pub(crate) fn figure(
         &mut self,

@@ -10,7 +10,7 @@ use crate::messages::finding::capital;
 use crate::messages::leak::{known, leak_notes};
 use crate::numbers::{METRES, duration, quantity, signed_percent, signed_range};
 use crate::page::context::{ReportPage, figure};
-use crate::page::sections::reduced_words;
+use crate::page::phrases::reduced_words;
 use crate::page::tables::swatch;
 use crate::plot_styles::plot_style;
 use contact_accuracy::{Axis, Leak, Leaks};

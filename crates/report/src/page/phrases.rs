@@ -76,3 +76,13 @@ pub(crate) fn terms(rows: &[(String, String)]) -> String {
     let row = |(term, text): &(String, String)| format!("<dt>{term}</dt><dd>{text}</dd>\n");
     format!("<dl>{}</dl>\n", rows.iter().map(row).collect::<String>())
 }
+
+/// " Downsampled to 640 × 640."
+pub(crate) fn reduced_words([ny, nx]: [usize; 2], limit: usize) -> String {
+    if ny.max(nx) <= limit {
+        return String::new();
+    }
+    let factor = ny.max(nx) as f64 / limit as f64;
+    let side = |n: usize| (n as f64 / factor).round().max(1.0);
+    format!(" Downsampled to {} × {}.", side(nx), side(ny))
+}

@@ -173,16 +173,6 @@ fn formulas(surface: &SurfaceComparison) -> String {
     with.map(|m| format!(" {}: {}.", escape(&m.card.label), escape(&m.card.formula))).collect()
 }
 
-/// " Downsampled to 640 × 640."
-pub(crate) fn reduced_words([ny, nx]: [usize; 2], limit: usize) -> String {
-    if ny.max(nx) <= limit {
-        return String::new();
-    }
-    let factor = ny.max(nx) as f64 / limit as f64;
-    let side = |n: usize| (n as f64 / factor).round().max(1.0);
-    format!(" Downsampled to {} × {}.", side(nx), side(ny))
-}
-
 /// What takes time in [`the_surface`].
 pub(crate) struct HeightFigures {
     /// `None` of a single profile.

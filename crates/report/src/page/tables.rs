@@ -1,7 +1,7 @@
 //! Tables: key numbers, models, statistics, error budget.
 
-use crate::draw::palette::{DETERMINISTIC_STYLE, Style};
-use crate::draw::svg::{Canvas, Stroke, escape};
+use crate::draw::palette::{DETERMINISTIC_STYLE, Stroke, Style};
+use crate::draw::svg::{Canvas, escape};
 use crate::lines::{ELASTIC, Reference, references};
 use crate::messages;
 use crate::numbers::{

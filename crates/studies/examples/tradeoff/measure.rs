@@ -161,7 +161,8 @@ fn as_compared(surface: Surface) -> RunResult<(HeightMap, Inputs)> {
 
 /// Seconds for everything a model may need of a map.
 fn statistics_seconds(map: &HeightMap) -> RunResult<f64> {
-    let options = StatsOptions { level: Level::None, edges: PERIODIC, ..StatsOptions::default() };
+    let options =
+        StatsOptions { level: Level::None, edges: Edges::Periodic, ..StatsOptions::default() };
     let mut best = f64::INFINITY;
     for _ in 0..REPEATS {
         let clock = Instant::now();

@@ -1,0 +1,153 @@
+//! The settings of a solver.
+
+use crate::{Boundary, Maps, Method, Precision};
+use std::sync::Arc;
+
+/// Settings of a [`Solver`](crate::Solver), each with a default.
+#[derive(Debug, Clone)]
+pub struct SolverBuilder {
+    pub(crate) method: Method,
+    pub(crate) boundary: Boundary,
+    pub(crate) precision: Precision,
+    pub(crate) tolerance: f64,
+    pub(crate) max_iterations: Option<usize>,
+    pub(crate) threads: Option<usize>,
+    pub(crate) certified: bool,
+    pub(crate) maps: Maps,
+    pub(crate) section: Option<usize>,
+    /// Pa; infinite for elastic bodies, the mean of a map.
+    pub(crate) hardness: f64,
+    /// Of each pixel (Pa).
+    pub(crate) hardness_map: Option<Arc<[f64]>>,
+}
+
+impl Default for SolverBuilder {
+    fn default() -> Self {
+        Self {
+            method: Method::Auto,
+            boundary: Boundary::Periodic,
+            precision: Precision::Double,
+            tolerance: 1e-4,
+            max_iterations: None,
+            threads: None,
+            certified: false,
+            maps: Maps::default(),
+            section: None,
+            hardness: f64::INFINITY,
+            hardness_map: None,
+        }
+    }
+}
+
+impl SolverBuilder {
+    /// How to solve; default [`Method::Auto`].
+    #[must_use]
+    pub fn method(mut self, method: Method) -> Self {
+        self.method = method;
+        self
+    }
+
+    /// What lies beyond the edges; default [`Boundary::Periodic`].
+    #[must_use]
+    pub fn boundary(mut self, boundary: Boundary) -> Self {
+        self.boundary = boundary;
+        self
+    }
+
+    /// Type of the fields during the iteration; default [`Precision::Double`].
+    #[must_use]
+    pub fn precision(mut self, precision: Precision) -> Self {
+        self.precision = precision;
+        self
+    }
+
+    /// Relative rms error of the pressure to reach, between 0 and 1 (excluded); default 1e-4.
+    ///
+    /// Rounding lets every method reach 1e-11 in double and 3e-5 in single precision. On self-affine
+    /// maps it ends below 1e-12 and 3e-6. Where it ends an iteration before the tolerance is reached,
+    /// that is [`SolverError::Rounding`], with the solution and the residual reached.
+    #[must_use]
+    pub fn tolerance(mut self, tolerance: f64) -> Self {
+        self.tolerance = tolerance;
+        self
+    }
+
+    /// Iterations after which to give up, at least 1; the default depends on the method.
+    #[must_use]
+    pub fn max_iterations(mut self, max_iterations: usize) -> Self {
+        self.max_iterations = Some(max_iterations);
+        self
+    }
+
+    /// Threads to use, at least 1; default all there are. The results do not depend on it.
+    ///
+    /// A solver has threads of its own, or uses those of the pool of rayon on whose thread it is called
+    /// if no number is given; it never starts rayon's global ones. Threads do not survive a `fork`: a child
+    /// process builds its own solver.
+    #[must_use]
+    pub fn threads(mut self, threads: usize) -> Self {
+        self.threads = Some(threads);
+        self
+    }
+
+    /// Whether each solution comes with a rigorous bound of its error
+    /// ([`Diagnostics::energy_bound`](crate::Diagnostics)), for one more FFT pair; default no.
+    #[must_use]
+    pub fn certified(mut self, certified: bool) -> Self {
+        self.certified = certified;
+        self
+    }
+
+    /// Which maps each solution carries; default both. Without, a large solve needs 16 bytes per
+    /// pixel less.
+    #[must_use]
+    pub fn maps(mut self, maps: Maps) -> Self {
+        self.maps = maps;
+        self
+    }
+
+    /// Row of the map whose pressure and gap each solution carries, whatever its [maps](Self::maps) are; default
+    /// none.
+    #[must_use]
+    pub fn section(mut self, row: Option<usize>) -> Self {
+        self.section = row;
+        self
+    }
+
+    /// Highest pressure the softer body bears before it yields (Pa): its hardness, the pressure of an
+    /// indentation, about 2.8 times the yield stress. Infinite means elastic bodies, the default.
+    ///
+    /// The contact is then that of `0 <= p <= H`: where the pressure is H, the surface is flattened
+    /// by as much as the gap of the [`Solution`] is negative. H is the same everywhere (else see
+    /// [`hardness_map`](Self::hardness_map)) and constant; no material piles up beside what is flattened; loading only. Only with [`Method::Chord`].
+    #[must_use]
+    pub fn hardness(mut self, pascals: f64) -> Self {
+        self.hardness = pascals;
+        self.hardness_map = None;
+        self
+    }
+
+    /// [`hardness`](Self::hardness) of each pixel (Pa), row by row: two materials side by side, islands of a
+    /// coating. Every one of them finite: for a part that stays elastic, one well above its pressures. The
+    /// contact bears no more than their mean.
+    #[must_use]
+    pub fn hardness_map(mut self, pascals: &[f64]) -> Self {
+        let lowest = pascals.iter().copied().fold(f64::INFINITY, f64::min);
+        let highest = pascals.iter().copied().fold(0.0, f64::max);
+        // A sum of equal numbers, divided, is not always that number.
+        let mean = pascals.iter().sum::<f64>() / pascals.len() as f64;
+        self.hardness = if highest <= lowest { lowest } else { mean };
+        self.hardness_map = Some(pascals.into());
+        self
+    }
+
+    /// The tolerance that was set.
+    pub fn has_tolerance(&self) -> f64 {
+        self.tolerance
+    }
+
+    /// The precision that was set.
+    pub fn has_precision(&self) -> Precision {
+        self.precision
+    }
+}
