@@ -134,7 +134,7 @@ pub enum ReadError {
     },
     /// A text that can be read in more than one way.
     #[error("{format}: {what}")]
-    TwoReadings {
+    Ambiguous {
         /// The format.
         format: Format,
         /// The readings.
@@ -217,7 +217,7 @@ impl ReadError {
             Self::BadOption { .. } => "bad_option",
             Self::BadLayout { .. } => "bad_layout",
             Self::NotANumber { .. } => "not_a_number",
-            Self::TwoReadings { .. } => "ambiguous",
+            Self::Ambiguous { .. } => "ambiguous",
             Self::NoSuchChannel { .. } => "no_such_channel",
             Self::NotHeight { .. } => "not_height",
             Self::Crop { .. } | Self::NothingComplete { .. } => "crop",
@@ -227,7 +227,7 @@ impl ReadError {
     /// What a caller can add so that the file is read: nothing where the file is at fault.
     pub fn needs(&self) -> Vec<Need> {
         match self {
-            Self::MissingScale { needs, .. } | Self::TwoReadings { needs, .. } => needs.clone(),
+            Self::MissingScale { needs, .. } | Self::Ambiguous { needs, .. } => needs.clone(),
             Self::PixelContradicts { .. } => vec![Need::PixelSize],
             Self::NoSuchChannel { .. } => vec![Need::Channel],
             Self::NotHeight { is_only, .. } => {

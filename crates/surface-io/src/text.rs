@@ -80,7 +80,7 @@ impl<'a> NumberTable<'a> {
                     let digits: String = text.chars().filter(|c| !matches!(c, '.' | ',' | '"')).collect();
                     let decimal = text.trim_matches('"').replace(',', ".");
                     let what = format!("line {line}: {text} can be {decimal}, or {digits} with a mark of thousands");
-                    ReadError::TwoReadings { format: FORMAT, what, needs: vec![Need::DecimalMark] }
+                    ReadError::Ambiguous { format: FORMAT, what, needs: vec![Need::DecimalMark] }
                 }
             })?;
             if let Some((decimal, true)) = decided {

@@ -85,7 +85,7 @@ impl Trouble {
                 "",
                 vec!["If a point is missing there, leave the cell empty or write NaN.", AGAIN],
             ),
-            Self::Unread(ReadError::TwoReadings { .. }) => words(
+            Self::Unread(ReadError::Ambiguous { .. }) => words(
                 "This text can be read in two ways.",
                 "",
                 vec![

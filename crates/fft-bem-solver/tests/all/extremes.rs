@@ -53,6 +53,30 @@ fn known_solutions_at_the_extremes() {
     }
 }
 
+/// Slopes from 1e-12 to 1e3, moduli from 1 Pa to 1 TPa, pixels from nm to m: the same contact.
+#[test]
+fn slopes_and_moduli() {
+    let unit = self_affine(unit_grid(32, 32), 0.8, 16.0, 4.0, 1);
+    for method in METHODS {
+        let known = solve(&unit, 1.0, method, Load::MeanPressure(0.1)).unwrap();
+        for slope in [1e-12, 1e-6, 1.0, 1e3] {
+            for e_star in [1.0, 1e9, 1e12] {
+                for d in [1e-9, 1.0] {
+                    let grid = Grid::new([32, 32], [d, d]).unwrap();
+                    let heights = unit.heights().iter().map(|h| h * slope * d).collect();
+                    let map = HeightMap::new(grid, heights).unwrap();
+                    let load = 0.1 * e_star * slope;
+                    let found = solve(&map, e_star, method, Load::MeanPressure(load)).unwrap();
+                    check(&found, load);
+                    let (a, b) =
+                        (found.diagnostics.contact_pixels, known.diagnostics.contact_pixels);
+                    assert!(a.abs_diff(b) <= 1, "{method} {slope} {e_star} {d}: {a} {b}");
+                }
+            }
+        }
+    }
+}
+
 /// Heights of nanometres on an offset of 1e6 m would have no digits left; on 76 mm (a stage
 /// coordinate left in a file) they lose some, and the answer is that of the heights as they are.
 #[test]

@@ -223,7 +223,7 @@ fn or_matrix(error: ReadError, ambiguity: Ambiguity) -> ReadError {
         other => return other,
     };
     let what = format!("{what} ({ambiguity})");
-    ReadError::TwoReadings { format: FORMAT, what, needs: ambiguity.needs() }
+    ReadError::Ambiguous { format: FORMAT, what, needs: ambiguity.needs() }
 }
 
 /// Titles of columns with positions along a line.
@@ -314,7 +314,7 @@ fn maps(
             parted.len() + 1
         );
         let needs = vec![Need::Channel, Need::Layout(Layout::Matrix)];
-        return Err(ReadError::TwoReadings { format: FORMAT, what, needs });
+        return Err(ReadError::Ambiguous { format: FORMAT, what, needs });
     }
     let parts = sheet.values.chunks_exact(each * columns).enumerate();
     Ok(parts

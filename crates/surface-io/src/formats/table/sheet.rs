@@ -313,5 +313,5 @@ fn runs(numbers: &[f64]) -> bool {
 
 pub(super) fn two_readings(what: String, needs: &[Layout]) -> ReadError {
     let needs = needs.iter().copied().map(Need::Layout).collect();
-    ReadError::TwoReadings { format: FORMAT, what, needs }
+    ReadError::Ambiguous { format: FORMAT, what, needs }
 }
