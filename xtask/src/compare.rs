@@ -10,5 +10,5 @@ pub(crate) fn run(args: &[String]) -> TaskResult {
         let folder = root().join("target/compare");
         line.extend(["--out".to_owned(), folder.display().to_string(), "--force".to_owned()]);
     }
-    shell::run(&mut rough_contact(&line))
+    shell::run(&mut rough_contact(&line, !args.is_empty()))
 }

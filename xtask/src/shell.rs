@@ -20,11 +20,12 @@ pub(crate) fn cargo() -> Command {
     cargo
 }
 
-/// `rough-contact ARGS`, built in release with what the study needs and no more. Relative paths are the
-/// caller's: the command runs where the task was started.
-pub(crate) fn rough_contact(args: &[String]) -> Command {
+/// `rough-contact ARGS`, built in release: with all its options, or with what the built-in surfaces need and no
+/// more. Relative paths are the caller's: the command runs where the task was started.
+pub(crate) fn rough_contact(args: &[String], all: bool) -> Command {
     let needed = ["--no-default-features", "--features", "command,parallel"];
-    let mut command = released("rough-contact", &needed, ["--bin", "rough-contact"]);
+    let needed = if all { &needed[..0] } else { &needed };
+    let mut command = released("rough-contact", needed, ["--bin", "rough-contact"]);
     command.args(args);
     command
 }

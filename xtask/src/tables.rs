@@ -17,7 +17,7 @@ pub(crate) fn run(args: &[String]) -> TaskResult {
 /// What `rough-contact COMMAND --list --json` prints.
 fn list(command: &str) -> Result<Value, String> {
     let args = [command, "--list", "--json"].map(str::to_owned);
-    let text = output(&mut rough_contact(&args))?;
+    let text = output(&mut rough_contact(&args, false))?;
     serde_json::from_str(&text).map_err(|e| format!("{command} --list is not JSON: {e}"))
 }
 

@@ -69,7 +69,11 @@ impl AccuracyRequest {
 
     /// Half the bytes wherever single precision reaches the tolerance.
     pub(crate) fn precision(self) -> Precision {
-        if self.tolerance() >= SINGLE { Precision::Single } else { Precision::Double }
+        if cfg!(feature = "single") && self.tolerance() >= SINGLE {
+            Precision::Single
+        } else {
+            Precision::Double
+        }
     }
 }
 

@@ -37,6 +37,25 @@ pub(crate) struct StateOrigin {
     pub(crate) clock: Clock,
 }
 
+/// An engine, whatever the type it computes in.
+pub(crate) trait AnyEngine: Send + Sync {
+    /// The next solve starts from nothing.
+    fn forget(&mut self);
+
+    /// Makes `surface` the one to be solved.
+    fn keep(&mut self, surface: &HeightMap) -> Result<(), SolverError>;
+
+    fn solve(
+        &mut self,
+        load: Load,
+        observer: &mut Observe<'_>,
+        clock: Clock,
+    ) -> Result<Solution, SolverError>;
+
+    /// The pixels that carry pressure, once there is a surface.
+    fn contact(&self) -> Option<Vec<bool>>;
+}
+
 impl<T: Real> Engine<T> {
     pub(crate) fn new(
         mut settings: SolverBuilder,
@@ -60,13 +79,14 @@ impl<T: Real> Engine<T> {
             is_warm: false,
         })
     }
+}
 
-    pub(crate) fn forget(&mut self) {
+impl<T: Real> AnyEngine for Engine<T> {
+    fn forget(&mut self) {
         self.is_warm = false;
     }
 
-    /// Makes `surface` the one to be solved.
-    pub(crate) fn keep(&mut self, surface: &HeightMap) -> Result<(), SolverError> {
+    fn keep(&mut self, surface: &HeightMap) -> Result<(), SolverError> {
         if self.problem.as_ref().is_some_and(|known| known.is_of(surface)) {
             return Ok(());
         }
@@ -82,7 +102,7 @@ impl<T: Real> Engine<T> {
         Ok(())
     }
 
-    pub(crate) fn solve(
+    fn solve(
         &mut self,
         load: Load,
         observer: &mut Observe<'_>,
@@ -113,6 +133,13 @@ impl<T: Real> Engine<T> {
         }
     }
 
+    fn contact(&self) -> Option<Vec<bool>> {
+        let p = &self.state.pressure;
+        self.problem.as_ref().map(|_| p.iter().map(|p| *p > T::zero()).collect())
+    }
+}
+
+impl<T: Real> Engine<T> {
     /// The highest pressure, in units of the problem.
     pub(crate) fn top<'a>(&self, problem: &Problem<T>, ceilings: &'a [T]) -> Top<'a, T> {
         let mean = self.settings.hardness / problem.units.pressure;
@@ -366,12 +393,6 @@ impl<T: Real> Engine<T> {
             }
         }
         (None, spent)
-    }
-
-    /// Which pixels carry pressure, once there is a solution.
-    pub(crate) fn contact(&self) -> Option<Vec<bool>> {
-        let p = &self.state.pressure;
-        self.problem.as_ref().map(|_| p.iter().map(|p| *p > T::zero()).collect())
     }
 
     /// The operator and the state, for the certificate.

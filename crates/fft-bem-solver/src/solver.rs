@@ -1,13 +1,13 @@
 //! The solver: settings checked once, transforms planned once, memory taken once.
 
 use crate::builder::SolverBuilder;
-use crate::engine::Engine;
+use crate::engine::{AnyEngine, Engine};
 use crate::methods::{self, Compliance};
 use crate::observer::{Observe, ObserverResult};
 use crate::pool::Pool;
 use crate::{
-    Boundary, Iteration, Load, Method, Precision, SetStiffness, Solution, SolverError, memory,
-    mixed_problem, problem,
+    Boundary, Iteration, Load, Method, Precision, Real, SetStiffness, Solution, SolverError,
+    memory, mixed_problem, problem,
 };
 use contact_types::{Clock, ContactModulus, Grid, HeightMap};
 
@@ -71,33 +71,28 @@ impl SolverBuilder {
         memory::check(grid, self.bytes(grid))?;
         // Transforms are planned for the threads of the pool they are planned in.
         let pool = Pool::new(self.threads)?;
-        let engine = pool.run(|| {
-            Ok::<_, SolverError>(match self.precision {
-                Precision::Double => {
-                    AnyEngine::Double(Box::new(Engine::new(self, modulus, scaled)?))
-                }
-                Precision::Single => {
-                    AnyEngine::Single(Box::new(Engine::new(self, modulus, scaled)?))
-                }
-            })
+        let boundary = self.boundary;
+        let engine = pool.run(|| match self.precision {
+            Precision::Double => boxed::<f64>(self, modulus, scaled),
+            #[cfg(feature = "single")]
+            Precision::Single => boxed::<f32>(self, modulus, scaled),
+            #[cfg(not(feature = "single"))]
+            Precision::Single => Err(SolverError::BadSetting {
+                setting: "precision",
+                value: 32.0,
+                limit: "enable the feature `single`, or use double",
+            }),
         })??;
-        Ok(Solver { grid, modulus, engine, pool })
+        Ok(Solver { grid, modulus, boundary, engine, pool })
     }
 }
 
-enum AnyEngine {
-    Double(Box<Engine<f64>>),
-    Single(Box<Engine<f32>>),
-}
-
-/// The same of either.
-macro_rules! either {
-    ($any:expr, $engine:ident => $it:expr) => {
-        match $any {
-            AnyEngine::Double($engine) => $it,
-            AnyEngine::Single($engine) => $it,
-        }
-    };
+fn boxed<T: Real>(
+    settings: SolverBuilder,
+    modulus: ContactModulus,
+    scaled: Grid,
+) -> Result<Box<dyn AnyEngine>, SolverError> {
+    Ok(Box::new(Engine::<T>::new(settings, modulus, scaled)?))
 }
 
 /// Finds the contact of a rough surface with a flat, one of them rigid or both elastic.
@@ -107,7 +102,8 @@ macro_rules! either {
 pub struct Solver {
     grid: Grid,
     modulus: ContactModulus,
-    engine: AnyEngine,
+    boundary: Boundary,
+    engine: Box<dyn AnyEngine>,
     pool: Pool,
 }
 
@@ -133,7 +129,7 @@ impl Solver {
 
     /// Forgets the last solution: the next solve starts from nothing.
     pub fn forget(&mut self) {
-        either!(&mut self.engine, engine => engine.forget());
+        self.engine.forget();
     }
 
     /// Solves the contact under `load`.
@@ -230,17 +226,14 @@ impl Solver {
     /// [`SolverError::NoSurface`] if there is no last solution; [`SolverError::Memory`] if the machine does not have
     /// the memory for it beside the solver.
     pub fn contact_stiffness(&mut self) -> Result<SetStiffness, SolverError> {
-        let Self { engine, pool, .. } = self;
-        let (contact, boundary) =
-            either!(engine, engine => (engine.contact(), engine.settings.boundary));
-        let contact = contact.ok_or(SolverError::NoSurface)?;
-        pool.run(|| set_stiffness(self.grid, self.modulus, boundary, &contact))?
+        let contact = self.engine.contact().ok_or(SolverError::NoSurface)?;
+        self.pool.run(|| set_stiffness(self.grid, self.modulus, self.boundary, &contact))?
     }
 
     fn keep(&mut self, surface: &HeightMap) -> Result<(), SolverError> {
         self.check_grid(surface.grid())?;
         let Self { engine, pool, .. } = self;
-        pool.run(|| either!(engine, engine => engine.keep(surface)))?
+        pool.run(|| engine.keep(surface))?
     }
 
     fn solve_kept(
@@ -250,7 +243,7 @@ impl Solver {
         clock: Clock,
     ) -> Result<Solution, SolverError> {
         let Self { engine, pool, .. } = self;
-        pool.run(|| either!(engine, engine => engine.solve(load, observer, clock)))?
+        pool.run(|| engine.solve(load, observer, clock))?
     }
 
     fn check_grid(&self, found: Grid) -> Result<(), SolverError> {
