@@ -31,6 +31,7 @@ pub(crate) fn run() -> TaskResult {
     sources(&all, &mut faults);
     rooms(&all, &mut faults);
     models(&all, &mut faults);
+    type_names(&all, &mut faults);
     book(&mut faults);
     release::versions(&mut faults);
     paper(&mut faults);
@@ -238,6 +239,30 @@ fn models(all: &[SourceText], faults: &mut Vec<String>) {
         }
     }
     println!("contact models: {found}");
+}
+
+/// A name of a type means one thing in all crates.
+fn type_names(all: &[SourceText], faults: &mut Vec<String>) {
+    let mut owners = BTreeMap::new();
+    for (shown, text) in all.iter().filter(|(shown, _)| shown.contains("/src/")) {
+        let owner = shown.split("/src/").next().unwrap_or_default();
+        for name in text.lines().filter_map(type_name) {
+            let first = *owners.entry(name).or_insert(owner);
+            if first != owner {
+                faults.push(format!("{shown}: {name} is a type of {first}: one name, one thing"));
+            }
+        }
+    }
+}
+
+/// The type that a line declares, if it does so at the top of its file.
+fn type_name(line: &str) -> Option<&str> {
+    let mut words = line.split(' ');
+    let first = words.next()?;
+    let kind = if first.starts_with("pub") { words.next()? } else { first };
+    let declares = ["struct", "enum", "trait", "type"].contains(&kind);
+    let name = words.next().filter(|_| declares)?;
+    name.split(|c: char| !c.is_alphanumeric()).next()
 }
 
 /// Every page is in the table of contents, and every entry of it exists.

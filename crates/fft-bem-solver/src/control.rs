@@ -2,7 +2,8 @@
 //! secant in the logarithm of the mean pressure, kept inside a bracket, warm-started.
 
 use crate::methods::{
-    Compliance, ContactMethod, ContactTask, IterateView, Outcome, RISE, Start, State, Target, Watch,
+    Compliance, ContactMethod, ContactTask, IterateObserver, IterateView, Outcome, RISE, Start,
+    State, Target,
 };
 use crate::{Boundary, End, Real, certificate, fields, yield_control};
 
@@ -22,7 +23,7 @@ pub(crate) fn solve<T: Real>(
     operator: &mut dyn Compliance<T>,
     start: Start,
     state: &mut State<T>,
-    watch: &mut Watch<'_, T>,
+    watch: &mut IterateObserver<'_, T>,
 ) -> Outcome {
     let (level, guess) = match task.target {
         Target::Pressure(_) => return method.solve(task, operator, start, state, watch),
@@ -58,7 +59,7 @@ fn by_loads<T: Real>(
     operator: &mut dyn Compliance<T>,
     start: Start,
     state: &mut State<T>,
-    watch: &mut Watch<'_, T>,
+    watch: &mut IterateObserver<'_, T>,
     before: Outcome,
 ) -> Outcome {
     let mut load = guess;

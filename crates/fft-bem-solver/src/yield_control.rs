@@ -6,8 +6,8 @@
 //! out; the level rises with it, the open gap falls. A secant, kept inside a bracket.
 
 use crate::methods::{
-    Compliance, ContactMethod, ContactTask, IterateView, Outcome, RISE, Start, State, Target, Top,
-    Watch,
+    Compliance, ContactMethod, ContactTask, IterateObserver, IterateView, Outcome, RISE, Start,
+    State, Target, Top,
 };
 use crate::problem::Problem;
 use crate::{End, Real, certificate, fields};
@@ -44,7 +44,7 @@ pub(crate) fn solve<T: Real>(
     operator: &mut dyn Compliance<T>,
     start: Start,
     state: &mut State<T>,
-    watch: &mut Watch<'_, T>,
+    watch: &mut IterateObserver<'_, T>,
 ) -> Outcome {
     let h = task.ceiling.mean();
     let load_of = |y: f64| h / (1.0 + (-y).exp());

@@ -6,7 +6,7 @@ use std::borrow::Cow;
 
 /// Byte order of numbers.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub(crate) enum Order {
+pub(crate) enum ByteOrder {
     Little,
     Big,
 }
@@ -53,7 +53,7 @@ impl Sample {
     }
 
     /// All numbers in `bytes`, as `f64`; a last incomplete one is left out.
-    pub(crate) fn decode(self, bytes: &[u8], order: Order) -> Vec<f64> {
+    pub(crate) fn decode(self, bytes: &[u8], order: ByteOrder) -> Vec<f64> {
         macro_rules! numbers {
             ($t:ty) => {
                 bytes
@@ -61,8 +61,8 @@ impl Sample {
                     .map(|raw| {
                         let raw = raw.try_into().expect("chunks_exact gives this length");
                         (match order {
-                            Order::Little => <$t>::from_le_bytes(raw),
-                            Order::Big => <$t>::from_be_bytes(raw),
+                            ByteOrder::Little => <$t>::from_le_bytes(raw),
+                            ByteOrder::Big => <$t>::from_be_bytes(raw),
                         }) as f64
                     })
                     .collect()
@@ -89,7 +89,7 @@ impl Sample {
 pub(crate) struct Bytes<'a> {
     pub(crate) data: &'a [u8],
     pub(crate) format: Format,
-    pub(crate) order: Order,
+    pub(crate) order: ByteOrder,
 }
 
 macro_rules! getter {
@@ -99,8 +99,8 @@ macro_rules! getter {
             let raw = self.slice(at, size_of::<$t>())?;
             let raw = raw.try_into().expect("slice has this length");
             Ok(match self.order {
-                Order::Little => <$t>::from_le_bytes(raw),
-                Order::Big => <$t>::from_be_bytes(raw),
+                ByteOrder::Little => <$t>::from_le_bytes(raw),
+                ByteOrder::Big => <$t>::from_be_bytes(raw),
             })
         }
     )*};
@@ -108,12 +108,12 @@ macro_rules! getter {
 
 impl<'a> Bytes<'a> {
     pub(crate) fn little(data: &'a [u8], format: Format) -> Self {
-        Self { data, format, order: Order::Little }
+        Self { data, format, order: ByteOrder::Little }
     }
 
     #[allow(dead_code, reason = "whichever formats are compiled in")]
     pub(crate) fn big(data: &'a [u8], format: Format) -> Self {
-        Self { data, format, order: Order::Big }
+        Self { data, format, order: ByteOrder::Big }
     }
 
     getter!(u8 -> u8, i16 -> i16, u16 -> u16, i32 -> i32, u32 -> u32, i64 -> i64, u64 -> u64,

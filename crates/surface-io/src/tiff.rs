@@ -15,7 +15,7 @@
 //!
 //! Source: Adobe, *TIFF Revision 6.0* (1992), with its technical notes.
 
-use crate::binary::{Bytes, Order, Sample};
+use crate::binary::{ByteOrder, Bytes, Sample};
 use crate::error::ReadError;
 use crate::format::Format;
 use crate::limits::Limits;
@@ -60,7 +60,7 @@ pub(crate) fn pages<'a>(
 ) -> Result<Vec<Page<'a>>, ReadError> {
     let mut b = Bytes::little(data, format);
     if data.starts_with(b"MM") {
-        b.order = Order::Big;
+        b.order = ByteOrder::Big;
     }
     if b.u16(2)? != 42 {
         return Err(format.unsupported("BigTIFF (save it as TIFF)"));

@@ -29,7 +29,7 @@ impl From<Failure> for Trouble {
 }
 
 /// One sentence, its effect, what to do.
-struct Words {
+struct TroubleText {
     heading: &'static str,
     text: String,
     ways: Vec<&'static str>,
@@ -50,8 +50,9 @@ impl Trouble {
         }
     }
 
-    fn words(&self, place: Host) -> Words {
-        let words = |heading, text: &str, ways| Words { heading, text: text.to_owned(), ways };
+    fn words(&self, place: Host) -> TroubleText {
+        let words =
+            |heading, text: &str, ways| TroubleText { heading, text: text.to_owned(), ways };
         match self {
             Self::Unread(ReadError::Empty) => {
                 words("This file is empty.", "It has 0 bytes.", vec![AGAIN])

@@ -3,7 +3,7 @@
 use super::ceiling::{NoCeiling, Top};
 use super::compliance::Compliance;
 use super::contract::{
-    ContactMethod, ContactTask, IterateView, Outcome, Start, State, Target, Watch,
+    ContactMethod, ContactTask, IterateObserver, IterateView, Outcome, Start, State, Target,
 };
 use super::passes;
 use crate::certificate::{self, Patience};
@@ -51,7 +51,7 @@ impl<T: Real, S: BaselineStep<T>> ContactMethod<T> for Baseline<T, S> {
         operator: &mut dyn Compliance<T>,
         start: Start,
         state: &mut State<T>,
-        watch: &mut Watch<'_, T>,
+        watch: &mut IterateObserver<'_, T>,
     ) -> Outcome {
         let Target::Pressure(load) = task.target else {
             unreachable!("a level is controlled from outside: controls_level() is false")

@@ -88,7 +88,8 @@ pub(crate) struct IterateView<'a, T> {
 }
 
 /// Called once per iteration; `Break` ends the run.
-pub(crate) type Watch<'a, T> = dyn FnMut(&IterateView<'_, T>) -> ControlFlow<()> + Send + 'a;
+pub(crate) type IterateObserver<'a, T> =
+    dyn FnMut(&IterateView<'_, T>) -> ControlFlow<()> + Send + 'a;
 
 /// What a method reports.
 #[derive(Debug, Clone, Copy)]
@@ -126,7 +127,7 @@ pub(crate) trait ContactMethod<T: Real>: Send + Sync {
         operator: &mut dyn Compliance<T>,
         start: Start,
         state: &mut State<T>,
-        watch: &mut Watch<'_, T>,
+        watch: &mut IterateObserver<'_, T>,
     ) -> Outcome;
 
     /// Whether [`Target::Level`] is understood.

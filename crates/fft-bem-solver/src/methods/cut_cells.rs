@@ -7,7 +7,7 @@
 
 /// An axis of an odd number of pixels with its cells.
 #[derive(Debug, Clone, Copy)]
-pub(crate) struct Cut {
+pub(crate) struct CutCells {
     cells: usize,
     per_pixel: f32,
 }
@@ -20,7 +20,7 @@ fn number(c: usize) -> f32 {
     c as i32 as f32
 }
 
-impl Cut {
+impl CutCells {
     /// `None` if the pixels can be paired, or if there is but one.
     pub(crate) fn new(pixels: usize) -> Option<Self> {
         let is_odd = pixels > 1 && pixels % 2 == 1;

@@ -11,7 +11,7 @@ use super::ceiling::{Ceiling, Top, under};
 use super::chord::Chord;
 use super::compliance::Compliance;
 use super::contract::{
-    ContactMethod, ContactTask, IterateView, Outcome, Start, State, Target, Watch,
+    ContactMethod, ContactTask, IterateObserver, IterateView, Outcome, Start, State, Target,
 };
 use crate::problem::Problem;
 use crate::{Boundary, End, Real, SolverError, fields, projection};
@@ -110,7 +110,7 @@ impl<T: Real> ContactMethod<T> for FreeChord<T> {
         operator: &mut dyn Compliance<T>,
         start: Start,
         state: &mut State<T>,
-        watch: &mut Watch<'_, T>,
+        watch: &mut IterateObserver<'_, T>,
     ) -> Outcome {
         let (map, stride) = (self.map, self.problem.grid.shape()[1]);
         let share = state.pressure.len() as f64 / self.state.pressure.len() as f64;

@@ -39,7 +39,7 @@ pub(crate) use ceiling::{Ceiling, CeilingMap, NoCeiling, Top, UniformCeiling, un
 pub(crate) use choice::{build, operator};
 pub(crate) use compliance::Compliance;
 pub(crate) use contract::{
-    ContactMethod, ContactTask, IterateView, Outcome, Start, State, Target, Watch,
+    ContactMethod, ContactTask, IterateObserver, IterateView, Outcome, Start, State, Target,
 };
 pub(crate) use level_control::RISE;
 pub(crate) use node::NodeState;

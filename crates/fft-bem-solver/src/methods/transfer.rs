@@ -2,10 +2,10 @@
 //!
 //! A coarse cell has two children along a halved axis, but for an odd one: there the second child
 //! of the last cell is missing and counts as empty, or the cells are all equally wide and cut pixels
-//! ([`Cut`]). Four linear maps are needed: half the sum of the children, or the mean over the cell
+//! ([`CutCells`]). Four linear maps are needed: half the sum of the children, or the mean over the cell
 //! (`down`), cell-centred linear interpolation with periodic wrap (`up`), and the transposes of both.
 
-use super::cut_cells::Cut;
+use super::cut_cells::CutCells;
 
 /// Columns of the coarse grid handled at a time, so that lines fit the stack.
 const TILE: usize = 256;
@@ -28,7 +28,7 @@ pub(crate) struct Transfer {
     pub(crate) coarse: [usize; 2],
     pub(crate) halved: [bool; 2],
     /// Axes whose cells cut pixels.
-    pub(super) cut: [Option<Cut>; 2],
+    pub(super) cut: [Option<CutCells>; 2],
 }
 
 impl Transfer {
@@ -39,7 +39,7 @@ impl Transfer {
 
     /// The same with cells that cut pixels along odd axes. Axes of one pixel must not be halved.
     pub(crate) fn with_cut_cells(self) -> Self {
-        let cut = [0, 1].map(|a| if self.halved[a] { Cut::new(self.fine[a]) } else { None });
+        let cut = [0, 1].map(|a| if self.halved[a] { CutCells::new(self.fine[a]) } else { None });
         Self { cut, ..self }
     }
 

@@ -16,7 +16,7 @@
 //!
 //! Source: Image Metrology, *BCR-STM and BCRF file formats* (SPIP reference guide).
 
-use crate::binary::{Bytes, Order, Sample};
+use crate::binary::{ByteOrder, Bytes, Sample};
 use crate::encoding::{latin1, utf16};
 use crate::entries::Entries;
 use crate::measurement::{Channel, Contents, Pixel, Raster};
@@ -63,7 +63,7 @@ pub(crate) fn parse<'a>(bytes: &'a [u8], limits: &Limits) -> Result<Contents<'a>
 
     let is_float = entries.get("fileformat").is_some_and(|f| f.to_lowercase().starts_with("bcrf"));
     if entries.get("intelmode") == Some("0") {
-        b.order = Order::Big;
+        b.order = ByteOrder::Big;
     }
     let side = |key: &str| entries.parsed::<usize>(key, "whole number");
     let shape = [side("ypixels")?, side("xpixels")?];

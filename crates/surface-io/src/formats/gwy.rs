@@ -27,11 +27,11 @@ pub(crate) fn sniff(bytes: &[u8]) -> bool {
 }
 
 /// A value in a container; arrays of numbers stay where they are in the file.
-enum Item<'a> {
+enum Component<'a> {
     Number(f64),
     Text(String),
     /// Name and items.
-    Object(String, BTreeMap<String, Item<'a>>),
+    Object(String, BTreeMap<String, Component<'a>>),
     /// Numbers of type f64.
     Doubles(Bytes<'a>),
     Other,
@@ -40,7 +40,7 @@ enum Item<'a> {
 pub(crate) fn parse<'a>(bytes: &'a [u8], limits: &Limits) -> Result<Contents<'a>, ReadError> {
     let b = Bytes::little(bytes, FORMAT);
     let mut reader = ObjectReader { b, at: 4, end: bytes.len(), count: 0, limits };
-    let Item::Object(name, items) = reader.object(0)? else {
+    let Component::Object(name, items) = reader.object(0)? else {
         return Err(b.fault(4, "there is no container"));
     };
     if name != "GwyContainer" {
@@ -54,20 +54,20 @@ pub(crate) fn parse<'a>(bytes: &'a [u8], limits: &Limits) -> Result<Contents<'a>
     numbers.sort_unstable();
     for number in numbers {
         let item = |name: &str| items.get(&format!("/{number}/{name}"));
-        let Some(Item::Object(kind, field)) = item("data") else { continue };
+        let Some(Component::Object(kind, field)) = item("data") else { continue };
         if kind != "GwyDataField" {
             continue;
         }
         let title = match item("data/title") {
-            Some(Item::Text(title)) => title.clone(),
+            Some(Component::Text(title)) => title.clone(),
             _ => format!("channel {number}"),
         };
         let mask = match item("mask") {
-            Some(Item::Object(_, mask)) => mask.get("data"),
+            Some(Component::Object(_, mask)) => mask.get("data"),
             _ => None,
         };
         let mut channel = channel(b, title, field, limits)?;
-        if let Some(&Item::Doubles(mask)) = mask {
+        if let Some(&Component::Doubles(mask)) = mask {
             let marks = move || Sample::F64.decode(mask.data, mask.order);
             let marked = marks().iter().filter(|mark| **mark > 0.0).count();
             let note = format!("{marked} points, read as missing");
@@ -77,9 +77,9 @@ pub(crate) fn parse<'a>(bytes: &'a [u8], limits: &Limits) -> Result<Contents<'a>
             }
         }
         contents.channels.push(channel);
-        if let Some(Item::Object(_, meta)) = item("meta") {
+        if let Some(Component::Object(_, meta)) = item("meta") {
             for (key, value) in meta {
-                if let Item::Text(value) = value {
+                if let Component::Text(value) = value {
                     contents.metadata.entry(key.clone()).or_insert_with(|| value.clone());
                 }
             }
@@ -91,11 +91,11 @@ pub(crate) fn parse<'a>(bytes: &'a [u8], limits: &Limits) -> Result<Contents<'a>
 fn channel<'a>(
     b: Bytes<'a>,
     title: String,
-    field: &BTreeMap<String, Item<'a>>,
+    field: &BTreeMap<String, Component<'a>>,
     limits: &Limits,
 ) -> Result<Channel<'a>, ReadError> {
     let number = |key: &'static str| match field.get(key) {
-        Some(Item::Number(value)) => Ok(*value),
+        Some(Component::Number(value)) => Ok(*value),
         _ => Err(b.field(key, "is missing in a data field")),
     };
     let side = |key: &'static str| {
@@ -103,8 +103,8 @@ fn channel<'a>(
         if value >= 1.0 { Ok(value as usize) } else { Err(b.field(key, format!("is {value}"))) }
     };
     let unit = |key: &'static str| match field.get(key) {
-        Some(Item::Object(_, unit)) => match unit.get("unitstr") {
-            Some(Item::Text(unit)) => unit.clone(),
+        Some(Component::Object(_, unit)) => match unit.get("unitstr") {
+            Some(Component::Text(unit)) => unit.clone(),
             _ => String::new(),
         },
         _ => String::new(),
@@ -116,7 +116,7 @@ fn channel<'a>(
         Some(scale) => Pixel::Metres(size.map(|side| side * scale)),
         None => Pixel::Steps(size),
     };
-    let Some(&Item::Doubles(data)) = field.get("data") else {
+    let Some(&Component::Doubles(data)) = field.get("data") else {
         return Err(b.field("data", "is missing in a data field"));
     };
     if data.data.len() != 8 * ny * nx {
@@ -165,7 +165,7 @@ impl<'a> ObjectReader<'a, '_> {
         self.number(Sample::U32).map(|length| length as usize)
     }
 
-    fn object(&mut self, depth: usize) -> Result<Item<'a>, ReadError> {
+    fn object(&mut self, depth: usize) -> Result<Component<'a>, ReadError> {
         if depth > 16 {
             return Err(self.b.fault(self.at, "objects nested deeper than 16"));
         }
@@ -186,18 +186,18 @@ impl<'a> ObjectReader<'a, '_> {
             items.insert(key, value);
         }
         self.end = outer;
-        Ok(Item::Object(name, items))
+        Ok(Component::Object(name, items))
     }
 
-    fn value(&mut self, depth: usize) -> Result<Item<'a>, ReadError> {
+    fn value(&mut self, depth: usize) -> Result<Component<'a>, ReadError> {
         let at = self.at;
         let kind = self.take(1)?[0];
         Ok(match kind {
-            b'b' | b'c' => Item::Number(self.number(Sample::U8)?),
-            b'i' => Item::Number(self.number(Sample::I32)?),
-            b'q' => Item::Number(self.number(Sample::I64)?),
-            b'd' => Item::Number(self.number(Sample::F64)?),
-            b's' => Item::Text(self.text()?),
+            b'b' | b'c' => Component::Number(self.number(Sample::U8)?),
+            b'i' => Component::Number(self.number(Sample::I32)?),
+            b'q' => Component::Number(self.number(Sample::I64)?),
+            b'd' => Component::Number(self.number(Sample::F64)?),
+            b's' => Component::Text(self.text()?),
             b'o' => self.object(depth + 1)?,
             b'C' | b'I' | b'Q' | b'D' => {
                 let size = match kind {
@@ -207,7 +207,11 @@ impl<'a> ObjectReader<'a, '_> {
                 };
                 let length = self.length()?.saturating_mul(size);
                 let data = self.take(length)?;
-                if kind == b'D' { Item::Doubles(Bytes { data, ..self.b }) } else { Item::Other }
+                if kind == b'D' {
+                    Component::Doubles(Bytes { data, ..self.b })
+                } else {
+                    Component::Other
+                }
             }
             b'S' | b'O' => {
                 for _ in 0..self.length()? {
@@ -219,7 +223,7 @@ impl<'a> ObjectReader<'a, '_> {
                         self.object(depth + 1)?;
                     }
                 }
-                Item::Other
+                Component::Other
             }
             other => {
                 let what = format!("an item of unknown type {:?}", char::from(other));

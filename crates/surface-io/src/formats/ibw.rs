@@ -22,7 +22,7 @@
 //!
 //! Source: WaveMetrics, *Technical note 003, Igor binary format* (PTN003).
 
-use crate::binary::{Bytes, Order, Sample};
+use crate::binary::{ByteOrder, Bytes, Sample};
 use crate::measurement::{Channel, Contents, Pixel, Raster};
 use crate::text;
 use crate::{Format, Limits, ReadError, metres_per};
@@ -31,10 +31,10 @@ const FORMAT: Format = Format::Ibw;
 const DATA: usize = 384;
 
 /// Version and byte order.
-fn version(bytes: &[u8]) -> Option<(u8, Order)> {
+fn version(bytes: &[u8]) -> Option<(u8, ByteOrder)> {
     match *bytes {
-        [version @ (1..=3 | 5), 0, ..] => Some((version, Order::Little)),
-        [0, version @ (1..=3 | 5), ..] => Some((version, Order::Big)),
+        [version @ (1..=3 | 5), 0, ..] => Some((version, ByteOrder::Little)),
+        [0, version @ (1..=3 | 5), ..] => Some((version, ByteOrder::Big)),
         _ => None,
     }
 }
@@ -49,7 +49,7 @@ pub(crate) fn sniff(bytes: &[u8]) -> bool {
 }
 
 pub(crate) fn parse<'a>(bytes: &'a [u8], limits: &Limits) -> Result<Contents<'a>, ReadError> {
-    let (version, order) = version(bytes).unwrap_or((5, Order::Little));
+    let (version, order) = version(bytes).unwrap_or((5, ByteOrder::Little));
     if version != 5 {
         return Err(FORMAT.unsupported(format!(
             "a wave of version {version} (load it in Igor Pro and save a copy, which is version 5, \

@@ -178,7 +178,7 @@ impl Part<'_> {
 }
 
 /// How numbers along an axis become lengths.
-struct AxisScale {
+struct StoredAxis {
     /// In the unit shown.
     step: f64,
     offset: f64,
@@ -187,7 +187,7 @@ struct AxisScale {
     metres: Option<f64>,
 }
 
-impl AxisScale {
+impl StoredAxis {
     fn new(part: Part<'_>) -> Result<Self, ReadError> {
         let (step, ratio, offset) = (part.f64(1)?, part.f64(4)?, part.f64(5)?);
         let (unit, shown) = (part.record(2)?.text()?, part.record(3)?.text()?);
@@ -224,7 +224,7 @@ impl AxisScale {
 struct StoredSurface {
     shape: [usize; 2],
     pixel: [f64; 2],
-    z: AxisScale,
+    z: StoredAxis,
     /// Lowest and highest number.
     range: [i32; 2],
     numbers: Blob,
@@ -236,7 +236,7 @@ impl StoredSurface {
         let part = part.record(BASE)?;
         let base = part.record(BASE)?;
         let ((nx, dx), (ny, dy)) =
-            (AxisScale::lateral(base.record(1)?)?, AxisScale::lateral(base.record(2)?)?);
+            (StoredAxis::lateral(base.record(1)?)?, StoredAxis::lateral(base.record(2)?)?);
         limits.check_points(FORMAT, [ny, nx])?;
         let z = part.record(2)?;
         let range = [z.u32(1)?.cast_signed(), z.u32(2)?.cast_signed()];
@@ -253,7 +253,7 @@ impl StoredSurface {
             let blob = mask.record(5)?.object_of(9048, "a mask")?;
             Some(Blob::new(blob.record(2)?, (ny + 2) * (nx + 2), 1, limits)?)
         };
-        let z = AxisScale::new(z.record(BASE)?)?;
+        let z = StoredAxis::new(z.record(BASE)?)?;
         Ok(Self { shape: [ny, nx], pixel: [dy, dx], z, range, numbers, mask })
     }
 

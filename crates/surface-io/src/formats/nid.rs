@@ -14,7 +14,7 @@
 //!
 //! Source: Nanosurf, *NID file format*, as implemented by several free readers.
 
-use crate::binary::{Bytes, Order, Sample, find};
+use crate::binary::{ByteOrder, Bytes, Sample, find};
 use crate::entries::{Entries, sections};
 use crate::measurement::{Channel, Contents, Pixel, Raster};
 use crate::text;
@@ -69,7 +69,7 @@ fn raster<'a>(
         return Err(FORMAT.unsupported(format!("data saved as {mode}")));
     }
     let is_little = section.text("SaveOrder")? == "Intel";
-    let order = if is_little { Order::Little } else { Order::Big };
+    let order = if is_little { ByteOrder::Little } else { ByteOrder::Big };
     let is_signed = section.text("SaveSign")? == "Signed";
     let sample = match section.text("SaveBits")? {
         "8" => Sample::whole(1, is_signed),

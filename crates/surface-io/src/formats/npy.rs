@@ -10,7 +10,7 @@
 //!
 //! Source: numpy.lib.format, <https://numpy.org/doc/stable/reference/generated/numpy.lib.format.html>.
 
-use crate::binary::{Bytes, Order, Sample};
+use crate::binary::{ByteOrder, Bytes, Sample};
 use crate::measurement::{Channel, Contents, Pixel};
 use crate::{Format, Limits, ReadError};
 
@@ -34,7 +34,7 @@ pub(crate) struct Array {
     format: Format,
     start: usize,
     sample: Sample,
-    order: Order,
+    order: ByteOrder,
     is_fortran: bool,
 }
 
@@ -124,13 +124,13 @@ pub(crate) fn transpose(values: &[f64], [ny, nx]: [usize; 2]) -> Vec<f64> {
 }
 
 /// `'<f8'` and its like.
-fn sample(descr: &str) -> Option<(Sample, Order)> {
+fn sample(descr: &str) -> Option<(Sample, ByteOrder)> {
     let quote = descr.chars().next().filter(|c| matches!(c, '\'' | '"'))?;
     let code = descr[1..].split(quote).next()?;
     let (order, kind) = match code.as_bytes().first()? {
-        b'>' => (Order::Big, &code[1..]),
-        b'<' | b'|' | b'=' => (Order::Little, &code[1..]),
-        _ => (Order::Little, code),
+        b'>' => (ByteOrder::Big, &code[1..]),
+        b'<' | b'|' | b'=' => (ByteOrder::Little, &code[1..]),
+        _ => (ByteOrder::Little, code),
     };
     let (kind, bytes) = kind.split_at_checked(1)?;
     let sample = match (kind, bytes) {

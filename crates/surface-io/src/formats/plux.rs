@@ -11,7 +11,7 @@
 //! Sources: SurfaceTopography, surfalize (both open readers). Not checked against a real file.
 
 use super::archive::{Archive, MAGIC};
-use crate::binary::{Order, Sample, find};
+use crate::binary::{ByteOrder, Sample, find};
 use crate::entries::Entries;
 use crate::measurement::{Channel, Contents, Pixel};
 use crate::{Format, Limits, ReadError, xml};
@@ -48,7 +48,7 @@ pub(crate) fn parse<'a>(bytes: &'a [u8], limits: &Limits) -> Result<Contents<'a>
         }
         let name = format!("Layer {}", layer + 1);
         contents.channels.push(Channel::new(name, Some("\u{b5}m"), shape, pixel, move || {
-            Ok(Sample::F32.decode(&raw, Order::Little))
+            Ok(Sample::F32.decode(&raw, ByteOrder::Little))
         }));
     }
     fields.retain(|key, _| key == "GENERAL/DATE" || key == "GENERAL/AUTHOR");

@@ -26,7 +26,7 @@
 //!
 //! Sources: Digital Surf, *Surf File Format* (2018), and the files of several writers.
 
-use crate::binary::{Bytes, Order, Sample};
+use crate::binary::{ByteOrder, Bytes, Sample};
 use crate::measurement::{Channel, Contents, Pixel, Raster};
 use crate::unpack::zlib;
 use crate::{Format, Limits, ReadError};
@@ -116,7 +116,7 @@ fn object<'a>(b: Bytes<'a>, at: usize, limits: &Limits) -> Result<(Channel<'a>, 
     let (unpacked, end) = unpack(o, data, limits)?;
     let wanted = shape[0] * shape[1];
     let channel = Channel::new(name, Some(&unit), shape, pixel, move || {
-        let values = sample.decode(&unpacked, Order::Little);
+        let values = sample.decode(&unpacked, ByteOrder::Little);
         if values.len() != wanted {
             let what = format!("{} points unpacked, {wanted} expected", values.len());
             return Err(o.fault(data, what));

@@ -15,7 +15,7 @@
 //! Sources: SPECS Zurich, *Nanonis file formats*, as read by several open readers; a file of a
 //! version 2 and one of a version 3.
 
-use crate::binary::{Bytes, Order, Sample, find};
+use crate::binary::{ByteOrder, Bytes, Sample, find};
 use crate::entries::Entries;
 use crate::measurement::{Channel, Contents, Pixel, Raster};
 use crate::{Format, Limits, ReadError, text};
@@ -50,8 +50,8 @@ pub(crate) fn parse<'a>(bytes: &'a [u8], limits: &Limits) -> Result<Contents<'a>
     let pixel = Pixel::Metres([height / ny, width / nx]);
     let kind = entries.text("SCANIT_TYPE")?;
     b.order = match kind.split_whitespace().collect::<Vec<_>>()[..] {
-        ["FLOAT", "MSBFIRST"] => Order::Big,
-        ["FLOAT", "LSBFIRST"] => Order::Little,
+        ["FLOAT", "MSBFIRST"] => ByteOrder::Big,
+        ["FLOAT", "LSBFIRST"] => ByteOrder::Little,
         _ => {
             return Err(FORMAT.unsupported(format!("data of type {kind:?}")));
         }

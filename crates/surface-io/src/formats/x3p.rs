@@ -21,7 +21,7 @@
 //! <https://sourceforge.net/p/open-gps>.
 
 use super::archive::{Archive, MAGIC, is_main_xml};
-use crate::binary::{Order, Sample};
+use crate::binary::{ByteOrder, Sample};
 use crate::entries::Entries;
 use crate::measurement::{Channel, Contents, Pixel};
 use crate::{Format, Limits, ReadError, xml};
@@ -240,7 +240,7 @@ fn binary_heights(raw: &[u8], sample: Sample, points: usize) -> Result<Vec<f64>,
         let what = format!("{} bytes for {points} points of {} bytes", raw.len(), sample.size());
         return Err(FORMAT.field("PointDataLink", what));
     }
-    let mut z = sample.decode(&raw[..points * sample.size()], Order::Little);
+    let mut z = sample.decode(&raw[..points * sample.size()], ByteOrder::Little);
     // Some writers mark a missing point by infinity instead of NaN.
     z.iter_mut().filter(|z| z.is_infinite()).for_each(|z| *z = f64::NAN);
     Ok(z)

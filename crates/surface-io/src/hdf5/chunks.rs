@@ -1,7 +1,7 @@
 //! Chunks: pieces of a data set, each packed by a chain of filters.
 
 use super::file::{File, WAY_OUT};
-use crate::binary::{Order, Sample};
+use crate::binary::{ByteOrder, Sample};
 use crate::error::ReadError;
 use crate::unpack::zlib;
 use std::borrow::Cow;
@@ -80,7 +80,7 @@ impl Chunked {
         file: &File<'_>,
         shape: &[u64],
         sample: Sample,
-        order: Order,
+        order: ByteOrder,
     ) -> Result<Vec<f64>, ReadError> {
         let points = shape.iter().product::<u64>() as usize; // checked by the caller
         // Each place once: a tree that names a chunk again and again is refused, not unpacked.
@@ -155,7 +155,7 @@ impl Chunked {
         origin: &[u64],
         shape: &[u64],
         sample: Sample,
-        order: Order,
+        order: ByteOrder,
         values: &mut [f64],
     ) -> Result<(), ReadError> {
         let points = self.sides.iter().product::<u64>() as usize;

@@ -3,7 +3,7 @@
 use super::chunks::{self, Chunked, Filter, Index};
 use super::file::{File, Message, WAY_OUT};
 use super::types::{AttributeValue, Type, read_attribute, read_shape, read_type};
-use crate::binary::{Bytes, Order, Sample};
+use crate::binary::{ByteOrder, Bytes, Sample};
 use crate::error::ReadError;
 
 /// A data set of numbers.
@@ -13,7 +13,7 @@ pub(crate) struct Dataset<'a> {
     /// Sizes of the axes, the slowest first.
     pub(crate) shape: Vec<u64>,
     sample: Sample,
-    order: Order,
+    order: ByteOrder,
     layout: Storage,
     pub(crate) attributes: Vec<(String, AttributeValue)>,
 }

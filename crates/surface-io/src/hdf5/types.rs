@@ -1,17 +1,17 @@
 //! Data types, and values of attributes.
 
 use super::file::File;
-use crate::binary::{Order, Sample};
+use crate::binary::{ByteOrder, Sample};
 use crate::error::ReadError;
 
 /// A data type, as far as it is read.
 #[derive(Debug, Clone)]
 pub(crate) enum Type {
-    Number(Sample, Order),
+    Number(Sample, ByteOrder),
     /// Text of a fixed length.
     Text,
     /// Text, or numbers, of any length in the global heap.
-    Long(Option<(Sample, Order)>),
+    Long(Option<(Sample, ByteOrder)>),
     /// Names, offsets and types of the members.
     Compound(Vec<(String, usize, Sized)>),
     Other,
@@ -57,7 +57,7 @@ pub(crate) fn read_type(
     let (version, class) = (head >> 4, head & 15);
     let bits = [b.u8(at + 1)?, b.u8(at + 2)?];
     let size = b.u32(at + 4)? as usize;
-    let order = if bits[0] & 1 == 0 { Order::Little } else { Order::Big };
+    let order = if bits[0] & 1 == 0 { ByteOrder::Little } else { ByteOrder::Big };
     if depth > DEEPEST {
         return Err(b.fault(at, "a data type nested too deep"));
     }

@@ -83,7 +83,7 @@ fn superblock(end: u64) -> Vec<u8> {
 
 /// The header of the root group: links to the data sets.
 fn root(fields: &[(&str, &str, &[f64])], headers: &[u64], comment: &str) -> Vec<u8> {
-    let mut messages = Messages::default();
+    let mut messages = HeaderMessages::default();
     let nowhere = NOWHERE.to_le_bytes();
     messages.add(0x02, &[&[0, 0], &nowhere[..], &nowhere]); // link info: no heap, no tree
     messages.add(0x0a, &[&[0, 0]]); // group info
@@ -99,7 +99,7 @@ fn root(fields: &[(&str, &str, &[f64])], headers: &[u64], comment: &str) -> Vec<
 fn dataset(grid: Grid, unit: &str, data: u64) -> Vec<u8> {
     let shape = grid.shape().map(|n| (n as u64).to_le_bytes());
     let bytes = 8 * grid.len() as u64;
-    let mut messages = Messages::default();
+    let mut messages = HeaderMessages::default();
     messages.add(0x01, &[&[2, 2, 0, 1], &shape[0], &shape[1]]); // dataspace: two axes, fixed
     messages.add(0x03, &[&F64]);
     messages.add(0x05, &[&[3, 0x0a]]); // fill value: not defined
@@ -122,9 +122,9 @@ const F64: [u8; 20] = [0x11, 0x20, 63, 0, 8, 0, 0, 0, 0, 0, 64, 0, 52, 11, 0, 52
 
 /// Messages of an object header of version 2.
 #[derive(Default)]
-struct Messages(Vec<u8>);
+struct HeaderMessages(Vec<u8>);
 
-impl Messages {
+impl HeaderMessages {
     fn add(&mut self, kind: u8, parts: &[&[u8]]) {
         let body = parts.concat();
         self.0.push(kind);

@@ -36,7 +36,7 @@ use crate::memory::is_large;
 use crate::methods::ceiling::{Ceiling, Top, under};
 use crate::methods::compliance::Compliance;
 use crate::methods::contract::{
-    ContactMethod, ContactTask, IterateView, Outcome, Start, State, Watch,
+    ContactMethod, ContactTask, IterateObserver, IterateView, Outcome, Start, State,
 };
 use crate::methods::node::NodeState;
 use crate::methods::passes::{self, ContactSet};
@@ -80,7 +80,7 @@ impl<T: Real> ContactMethod<T> for Chord<T> {
         operator: &mut dyn Compliance<T>,
         start: Start,
         state: &mut State<T>,
-        watch: &mut Watch<'_, T>,
+        watch: &mut IterateObserver<'_, T>,
     ) -> Outcome {
         under!(task.ceiling, ceiling => self.iterate(ceiling, task, operator, start, state, watch))
     }
@@ -110,7 +110,7 @@ impl<T: Real> Chord<T> {
         operator: &mut dyn Compliance<T>,
         start: Start,
         state: &mut State<T>,
-        watch: &mut Watch<'_, T>,
+        watch: &mut IterateObserver<'_, T>,
     ) -> Outcome {
         let Self { work, force } = self;
         let mut run = Run::new(ceiling, work, task, operator, start, *force, state);
