@@ -264,6 +264,13 @@ pub enum Fact {
         /// Their pixels `[dy, dx]` (m).
         pixels: [[f64; 2]; 2],
     },
+    /// Two bodies of which only parts lie on each other.
+    CommonPart {
+        /// Their names.
+        names: [String; 2],
+        /// Part of each that lies on the other \[-\].
+        shares: [f64; 2],
+    },
     /// What was tested and is fine.
     Passed(Passed),
 }

@@ -230,6 +230,11 @@ fn of_pair(pair: &PairOrigin) -> Vec<Finding> {
         let pixels = placed.grids.map(|grid| grid.pixel());
         found.push(Finding::check_if(matters, Fact::PixelsDiffer { names: names(), pixels }));
     }
+    let shares = placed.shares();
+    // Less than a point in a thousand is no part.
+    if shares.iter().any(|share| *share < 0.999) {
+        found.push(Finding::note(Fact::CommonPart { names: names(), shares }));
+    }
     for ((body, origin), grid) in pair.names.iter().zip(&*pair.bodies).zip(placed.grids) {
         let Origin::File(file) = origin else { continue };
         let own = filled(file.missing, grid.len(), &file.fill, &file.cleaned);

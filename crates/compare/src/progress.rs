@@ -31,7 +31,7 @@ pub enum Progress<'a> {
         index: usize,
         /// Iterations done on this load.
         number: usize,
-        /// FFT pairs spent on it.
+        /// FFT convolutions spent on it.
         transforms: f64,
         /// Estimated relative rms pressure error; infinite while there is no estimate.
         residual: f64,

@@ -160,7 +160,7 @@ pub struct DeterministicAnswer {
     pub contact_perimeter: f64,
     /// Iterations.
     pub iterations: usize,
-    /// FFT pairs.
+    /// FFT convolutions.
     pub transforms: f64,
     /// Wall-clock time (s).
     pub seconds: f64,

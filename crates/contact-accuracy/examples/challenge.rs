@@ -124,7 +124,7 @@ fn numbers(solver: &mut Solver, solution: &Solution, known: &Map) -> Result<Stri
     Ok(format!("{:.5} | {gap} | {}", found.area, show(found.stiffness, rms / MODULUS)))
 }
 
-/// Seconds of one FFT pair, the least of a few.
+/// Seconds of one FFT convolution, the least of a few.
 fn pair<T: Real>(grid: Grid, modulus: ContactModulus) -> Result<f64, SolverError> {
     let mut half_space = HalfSpace::<T>::new(grid, modulus);
     let mut field: Vec<T> = (0..grid.len()).map(|i| T::of((i % 97) as f64)).collect();

@@ -91,7 +91,7 @@ impl SolverBuilder {
     }
 
     /// Whether each solution comes with a rigorous bound of its error
-    /// ([`Diagnostics::energy_bound`](crate::Diagnostics)), for one more FFT pair; default no.
+    /// ([`Diagnostics::energy_bound`](crate::Diagnostics)), for one more FFT convolution; default no.
     #[must_use]
     pub fn certified(mut self, certified: bool) -> Self {
         self.certified = certified;

@@ -36,7 +36,7 @@ pub struct SetStiffness {
     pub density: Vec<f64>,
     /// Largest difference of the displacement on the set from its mean, relative to that.
     pub residual: f64,
-    /// FFT pairs spent.
+    /// FFT convolutions spent.
     pub transforms: f64,
     /// Iterations done.
     pub iterations: usize,

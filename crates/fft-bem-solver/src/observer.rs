@@ -13,7 +13,7 @@ use std::ops::ControlFlow;
 pub struct Iteration<'a> {
     /// Iterations done, counted from 0 before the first.
     pub number: usize,
-    /// FFT pairs spent so far.
+    /// FFT convolutions spent so far.
     pub transforms: f64,
     /// Estimated relative rms pressure error of the present iterate; infinite while there is no
     /// estimate.

@@ -14,7 +14,7 @@ pub enum Method {
     /// The fastest method available for the problem.
     #[default]
     Auto,
-    /// Extension-preconditioned chord iteration: about one FFT pair per step and one digit per
+    /// Extension-preconditioned chord iteration: about one FFT convolution per step and one digit per
     /// step.
     Chord,
     /// Constrained conjugate gradients of Polonsky & Keer (1999),

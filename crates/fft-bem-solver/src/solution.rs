@@ -153,7 +153,7 @@ pub struct Diagnostics {
     pub end: End,
     /// Iterations done.
     pub iterations: usize,
-    /// FFT pairs spent: one forward and one inverse transform of the whole map count 1, coarser
+    /// FFT convolutions spent: one forward and one inverse transform of the whole map count 1, coarser
     /// ones in proportion to their cost.
     pub transforms: f64,
     /// Steps that were taken because the method's own did not help.

@@ -49,7 +49,7 @@ pub struct ValidationRow {
     /// Order that theory and experience let expect; `None` where the answer is exact on any grid and
     /// for areas, whose error depends on how pixels happen to lie on the contact line.
     pub expected_order: Option<f64>,
-    /// FFT pairs of the solve.
+    /// FFT convolutions of the solve.
     pub transforms: f64,
 }
 

@@ -45,7 +45,7 @@ pub(crate) struct Solve {
     solver: SolverOptions,
     #[arg(long, hide = true, num_args = 0, default_missing_value = "", value_parser = args::refine_is_gone)]
     refine: Option<bool>,
-    /// Prove how wrong each answer may be, for one more FFT pair: energy_bound in the JSON
+    /// Prove how wrong each answer may be, for one more FFT convolution: energy_bound in the JSON
     #[arg(long)]
     certify: bool,
     /// Contact stiffness too, of the contact set of each load
@@ -332,7 +332,7 @@ impl Solve {
             "mean gap",
             "real pressure",
             "highest",
-            "FFT pairs",
+            "convolutions",
             "residual",
             "time",
         ]);

@@ -157,7 +157,7 @@ pub fn write_tradeoff_pressure(table: &TradeoffTable, out: &mut impl Write) -> i
     let titles = ["Time to the answer", "Relative rms error of the pressure"];
     let mut plot = CostPlot::new(limits, titles, None);
     if let Some(seconds) = pair {
-        plot.mark(seconds, "one FFT pair", false);
+        plot.mark(seconds, "one FFT convolution", false);
     }
     let costs: Vec<[f64; 2]> = rows.iter().map(|r| point(r)).collect();
     let places: Vec<[f64; 2]> = costs.iter().map(|cost| plot.at(*cost)).collect();
@@ -199,7 +199,7 @@ fn words(series: &[&TradeoffRow]) -> Option<String> {
     let row = series.last()?;
     let exponent = row.pressure_error?.log10().ceil() as i32;
     Some(format!(
-        "{} {} is below {} after {:.0} FFT pairs in {}",
+        "{} {} is below {} after {:.0} FFT convolutions in {}",
         row.method,
         row.precision.as_deref()?,
         power_of_ten(exponent),

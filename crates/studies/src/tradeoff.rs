@@ -32,15 +32,15 @@ pub struct TradeoffRow {
     pub bar: Option<f64>,
     /// Relative rms error of the pressure against the exact solution on the same grid.
     pub pressure_error: Option<f64>,
-    /// FFT pairs spent, in pairs of its own grid.
+    /// FFT convolutions spent, in pairs of its own grid.
     pub pairs: Option<f64>,
     /// Shortest wall-clock time (s).
     pub seconds: f64,
-    /// True if the limit of FFT pairs ended it.
+    /// True if the limit of FFT convolutions ended it.
     pub is_capped: bool,
 }
 
-/// Method of a row that holds the time of one FFT pair.
+/// Method of a row that holds the time of one FFT convolution.
 pub const PAIR: &str = "fft-pair";
 /// Method of a row that holds the time of the statistics that models are made from.
 pub const STATISTICS: &str = "statistics";
@@ -174,7 +174,7 @@ pub struct Way<'a> {
     pub worst: f64,
     /// Median time (s).
     pub seconds: f64,
-    /// Median FFT pairs; `None` for a model.
+    /// Median FFT convolutions; `None` for a model.
     pub pairs: Option<f64>,
     /// Cases.
     pub cases: usize,

@@ -2,7 +2,7 @@
 //!
 //! Each iteration (1) transforms the pressure to the displacement, (2) forms the gap, which is the
 //! gradient of the energy, (3) steps down the gradient, (4) drops tension and shifts the whole
-//! field until the load is carried again. One FFT pair per iteration. The step is the one that
+//! field until the load is carried again. One FFT convolution per iteration. The step is the one that
 //! minimises the energy along the way from the old pressure to the redistributed one: the energy
 //! never rises, and the iteration can be run to any tolerance.
 //!

@@ -49,7 +49,7 @@ pub(crate) struct Stiffness {
     symbol: Vec<f32>,
     /// Means over the coarse cells, then the smooth part of the result on them.
     coarse: Vec<f32>,
-    /// Cost of one application in FFT pairs.
+    /// Cost of one application in FFT convolutions.
     pub(crate) cost: f64,
 }
 

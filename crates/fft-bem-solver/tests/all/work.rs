@@ -1,4 +1,4 @@
-//! Work done, in iterations and FFT pairs: a slowdown fails here, on any machine. The counts are
+//! Work done, in iterations and FFT convolutions: a slowdown fails here, on any machine. The counts are
 //! those of today; fewer is fine, more needs a reason.
 
 use crate::common;

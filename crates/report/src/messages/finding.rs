@@ -94,6 +94,7 @@ pub(crate) fn of_fact(fact: &Fact) -> Words {
         ),
         Fact::Pair { names, moments } => pair::dependent(names, moments),
         Fact::PixelsDiffer { names, pixels } => pair::pixels_differ(names, *pixels),
+        Fact::CommonPart { names, shares } => pair::common_part(names, *shares),
         Fact::Passed(passed) => tested(passed),
     }
 }

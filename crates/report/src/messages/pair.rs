@@ -122,6 +122,15 @@ pub(crate) fn pixels_differ(names: &[String; 2], pixels: [[f64; 2]; 2]) -> [Stri
     ]
 }
 
+/// The finding that parts lie outside: claim and text.
+pub(crate) fn common_part(names: &[String; 2], shares: [f64; 2]) -> [String; 2] {
+    let [a, b] = shares.map(percent);
+    [
+        format!("{a} of {} and {b} of {} lie on each other.", names[0], names[1]),
+        "Only that part is solved, and a load is one on its area.".to_owned(),
+    ]
+}
+
 /// "independence" among what passed.
 pub(crate) fn independent(found: &Independence) -> String {
     format!("moments of the two bodies add ({})", excess(found))

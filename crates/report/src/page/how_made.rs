@@ -239,7 +239,7 @@ fn solver_words(page: &ReportPage<'_>) -> String {
     let (precision, tolerance) =
         plan.map_or((settings.precision, settings.tolerance), |p| (p.precision, p.tolerance));
     format!(
-        "{}, {}, tolerance {}; {}, {} FFT pairs, {}; perimeter correction c = {}",
+        "{}, {}, tolerance {}; {}, {} FFT convolutions, {}; perimeter correction c = {}",
         methods.into_iter().collect::<Vec<_>>().join(", "),
         precision,
         tolerance_words(tolerance),

@@ -38,7 +38,7 @@ fn yield_is_said_before_the_numbers_of_a_solve() {
     assert_eq!(first["subject"], "material");
     has(first["text"].as_str().unwrap(), &["for a hardness H of at least 15\u{202F}GPa"]);
     let said = at.run(&line).out;
-    let numbers = said.find("FFT pairs").unwrap();
+    let numbers = said.find("convolutions").unwrap();
     assert!(said.find("hardness H").is_some_and(|at| at < numbers), "{said}");
 }
 

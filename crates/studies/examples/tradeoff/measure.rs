@@ -44,7 +44,7 @@ pub(crate) struct Plan {
     pub(crate) tolerances: [&'static [f64]; 2],
     /// Tolerances of the slow methods.
     pub(crate) few_tolerances: &'static [f64],
-    /// FFT pairs after which a slow method is stopped.
+    /// FFT convolutions after which a slow method is stopped.
     pub(crate) most_pairs: f64,
     /// Seconds of repeats that a short measurement gets.
     pub(crate) seconds: f64,
@@ -350,7 +350,7 @@ impl Job<'_> {
         }
     }
 
-    /// The time of one FFT pair on this grid in both precisions.
+    /// The time of one FFT convolution on this grid in both precisions.
     fn pairs(&self, take: &mut dyn FnMut(TradeoffRow)) -> RunResult<()> {
         let [ny, nx] = [self.points; 2];
         let [ly, lx] = self.map.grid().size();

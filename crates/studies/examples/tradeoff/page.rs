@@ -39,7 +39,7 @@ fn page(table: &TradeoffTable) -> String {
     let [low, high] = bars.fold([f64::INFINITY, 0.0_f64], |[l, h], b| [l.min(b), h.max(b)]);
     let _ = writeln!(
         page,
-        "One FFT pair on the given grid, f64: {}. Statistics of a map: {}. The truth is known to \
+        "One FFT convolution on the given grid, f64: {}. Statistics of a map: {}. The truth is known to \
          ±{} to ±{} of itself.\n",
         duration(one_pair),
         duration(median(statistics).unwrap_or(f64::NAN)),
@@ -52,7 +52,7 @@ fn page(table: &TradeoffTable) -> String {
     page
 }
 
-/// Seconds of one FFT pair on the given grid in double precision.
+/// Seconds of one FFT convolution on the given grid in double precision.
 fn pair(table: &TradeoffTable) -> Option<f64> {
     let is_it = |r: &&TradeoffRow| {
         r.method == PAIR && r.precision.as_deref() == Some("f64") && is(r.scale, 1.0)
@@ -137,8 +137,8 @@ fn spread(page: &mut String, found: &[&Way<'_>], one_pair: f64) {
     page.push_str(
         "\nSize of the error over all surfaces and loads, median (smallest to largest), the solver at its \
          default tolerance of 1e\u{2212}4:\n\n\
-         | way | precision | pixel count | corrected | FFT pairs | time per load | \
-         the same in full-size pairs |\n|---|---|---:|---:|---:|---:|---:|\n",
+         | way | precision | pixel count | corrected | FFT convolutions | time per load | \
+         the same in full-size convolutions |\n|---|---|---:|---:|---:|---:|---:|\n",
     );
     let range = |w: &Way<'_>| {
         let [low, middle, high] = w.error.map(percent);
@@ -181,9 +181,9 @@ fn close_up(page: &mut String, table: &TradeoffTable, one_pair: f64) {
     let Some(first) = rows.first() else { return };
     let _ = writeln!(
         page,
-        "\nEvery method on *{}* at p = {} E\\* h′rms; pairs are of the row's own grid:\n\n\
+        "\nEvery method on *{}* at p = {} E\\* h′rms; convolutions are of the row's own grid:\n\n\
          | method | grid | tolerance | pixel count | corrected | true pressure error | \
-         FFT pairs | time | the same in full-size pairs |\n\
+         FFT convolutions | time | the same in full-size convolutions |\n\
          |---|---|---|---:|---:|---:|---:|---:|---:|",
         first.surface,
         first.load.unwrap_or(0.0)

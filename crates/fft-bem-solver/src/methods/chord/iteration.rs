@@ -1,8 +1,8 @@
-//! Extension-preconditioned chord iteration: about one FFT pair per step and one digit per step.
+//! Extension-preconditioned chord iteration: about one FFT convolution per step and one digit per step.
 //!
 //! Each step asks for the pressure that would close the residual gap `g` on the contact set F,
 //! `z = E^T S E g`; subtracts it; sweeps the tension that results onto the nodes that stay
-//! ([`Sweep`](crate::methods::sweep::Sweep)); computes the displacement of that trial with one FFT pair; and goes along the
+//! ([`Sweep`](crate::methods::sweep::Sweep)); computes the displacement of that trial with one FFT convolution; and goes along the
 //! chord from the present pressure to the trial as far as the energy falls. A chord of a convex
 //! set stays in the set: pressures stay positive and carry the load without projection. The size
 //! of z estimates the error of the pressure.
