@@ -66,7 +66,8 @@ fn run(args: &[String]) -> TaskResult {
         ["study", "tradeoff", ..] => tradeoff::run(&args[2..]),
         ["surfaces", ..] => {
             // An example of the crate: relative paths are the caller's.
-            let mut check = released("surface-io", &[], ["--example", "check_surfaces"]);
+            let mut check =
+                released("surface-io", &shell::RELEASE, ["--example", "check_surfaces"]);
             shell::run(check.args(&args[1..]))
         }
         ["validate", ..] => validate::run(&args[1..]),

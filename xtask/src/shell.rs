@@ -20,12 +20,12 @@ pub(crate) fn cargo() -> Command {
     cargo
 }
 
-/// `rough-contact ARGS`, built in release: with all its options, or with what the built-in surfaces need and no
-/// more. Relative paths are the caller's: the command runs where the task was started.
+/// `rough-contact ARGS`, built in release with all its options, or for the built-in surfaces alone: with what they need
+/// and no more, as it compiles fast. Relative paths are the caller's: the command runs where the task was started.
 pub(crate) fn rough_contact(args: &[String], all: bool) -> Command {
-    let needed = ["--no-default-features", "--features", "command,parallel"];
-    let needed = if all { &needed[..0] } else { &needed };
-    let mut command = released("rough-contact", needed, ["--bin", "rough-contact"]);
+    let first = ["--profile", "first", "--no-default-features", "--features", "command,parallel"];
+    let how = if all { &RELEASE[..] } else { &first };
+    let mut command = released("rough-contact", how, ["--bin", "rough-contact"]);
     command.args(args);
     command
 }
@@ -33,7 +33,7 @@ pub(crate) fn rough_contact(args: &[String], all: bool) -> Command {
 /// The example `name` of a crate, built in release; its arguments are to follow. It runs in the
 /// repository root.
 pub(crate) fn example(package: &str, name: &str) -> Command {
-    let mut command = released(package, &[], ["--example", name]);
+    let mut command = released(package, &RELEASE, ["--example", name]);
     command.current_dir(root());
     command
 }
@@ -42,16 +42,19 @@ pub(crate) fn example(package: &str, name: &str) -> Command {
 /// built, beside this task, are run as they are.
 pub(crate) const BUILT: &str = "XTASK_BUILT";
 
-/// A program of a crate, built in release unless [`BUILT`] is set, and run where the task was
+/// How programs are built whose time counts.
+pub(crate) const RELEASE: [&str; 1] = ["--release"];
+
+/// A program of a crate, built in this way unless [`BUILT`] is set, and run where the task was
 /// started; its arguments are to follow.
-pub(crate) fn released(package: &str, features: &[&str], program: [&str; 2]) -> Command {
+pub(crate) fn released(package: &str, how: &[&str], program: [&str; 2]) -> Command {
     if std::env::var_os(BUILT).is_some() {
         return Command::new(built(program));
     }
     let mut cargo = Command::new(std::env::var_os("CARGO").unwrap_or_else(|| "cargo".into()));
-    cargo.args(["run", "--locked", "--release", "--manifest-path"]);
+    cargo.args(["run", "--locked", "--manifest-path"]);
     cargo.arg(root().join("crates").join(package).join("Cargo.toml"));
-    cargo.args(features).args(program).arg("--");
+    cargo.args(how).args(program).arg("--");
     cargo
 }
 
