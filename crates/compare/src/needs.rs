@@ -67,7 +67,7 @@ pub struct InputFact {
     /// Its unit.
     pub unit: InputUnit,
     /// What it is, in a list.
-    pub words: &'static str,
+    pub phrase: &'static str,
     /// What it is, in the help.
     pub help: &'static str,
 }
@@ -232,10 +232,10 @@ const fn fact(
     input: Input,
     name: &'static str,
     unit: InputUnit,
-    words: &'static str,
+    phrase: &'static str,
     help: &'static str,
 ) -> InputFact {
-    InputFact { input, name, unit, words, help }
+    InputFact { input, name, unit, phrase, help }
 }
 
 impl Input {
@@ -250,8 +250,8 @@ impl Input {
     }
 
     /// What it is.
-    pub(crate) fn words(self) -> &'static str {
-        self.fact().words
+    pub(crate) fn phrase(self) -> &'static str {
+        self.fact().phrase
     }
 }
 
@@ -289,7 +289,7 @@ impl InputSet {
 
 /// "m0, m2, m4; or …".
 pub(crate) fn in_words(sets: &[InputSet]) -> String {
-    let each = sets.iter().map(|set| set.shown(|i| i.words().to_owned(), ", "));
+    let each = sets.iter().map(|set| set.shown(|i| i.phrase().to_owned(), ", "));
     each.collect::<Vec<_>>().join("; or ")
 }
 

@@ -65,7 +65,7 @@ impl SolverBuilder {
     ///
     /// Rounding lets every method reach 1e-11 in double and 3e-5 in single precision. On self-affine
     /// maps it ends below 1e-12 and 3e-6. Where it ends an iteration before the tolerance is reached,
-    /// that is [`SolverError::Rounding`], with the solution and the residual reached.
+    /// that is [`SolverError::Rounding`](crate::SolverError), with the solution and the residual reached.
     #[must_use]
     pub fn tolerance(mut self, tolerance: f64) -> Self {
         self.tolerance = tolerance;
@@ -118,7 +118,7 @@ impl SolverBuilder {
     /// indentation, about 2.8 times the yield stress. Infinite means elastic bodies, the default.
     ///
     /// The contact is then that of `0 <= p <= H`: where the pressure is H, the surface is flattened
-    /// by as much as the gap of the [`Solution`] is negative. H is the same everywhere (else see
+    /// by as much as the gap of the [`Solution`](crate::Solution) is negative. H is the same everywhere (else see
     /// [`hardness_map`](Self::hardness_map)) and constant; no material piles up beside what is flattened; loading only. Only with [`Method::Chord`].
     #[must_use]
     pub fn hardness(mut self, pascals: f64) -> Self {

@@ -16,7 +16,7 @@ const NUMBERS: [(&str, bool, &str); 4] = [
 ///
 /// # Errors
 /// [`Failure`] of numbers that are none, or not all that a rate takes.
-pub fn asked(
+pub fn leak_request(
     axes: Option<&str>,
     numbers: [Option<f64>; 4],
 ) -> Result<Option<LeakRequest>, Failure> {
@@ -72,11 +72,11 @@ mod tests {
     #[test]
     fn a_rate_is_that_between_plates() {
         let numbers = [1e-3, 1e6, 1e-3, 1e-2].map(Some);
-        let seal = asked(Some("x"), numbers).unwrap().unwrap().seal.unwrap();
+        let seal = leak_request(Some("x"), numbers).unwrap().unwrap().seal.unwrap();
         assert!(
             (seal.rate(1e-18) / (1e-18 * 1e-2 * 1e6 / (12.0 * 1e-3 * 1e-3)) - 1.0).abs() < 1e-14
         );
-        assert_eq!(asked(None, [None; 4]), Ok(None));
+        assert_eq!(leak_request(None, [None; 4]), Ok(None));
     }
 
     #[test]
@@ -85,15 +85,18 @@ mod tests {
         let of = |place: usize, value: f64| {
             let mut numbers = good.map(Some);
             numbers[place] = Some(value);
-            asked(Some("both"), numbers).map_err(|e| e.message().to_owned())
+            leak_request(Some("both"), numbers).map_err(|e| e.message().to_owned())
         };
         for (place, value) in [(0, 0.0), (0, -1.0), (1, -1.0), (2, 0.0), (3, f64::NAN), (3, -2.0)] {
             let message = of(place, value).unwrap_err();
             assert!(message.contains(NUMBERS[place].0) && message.contains("must be"), "{message}");
         }
         assert!(of(1, 0.0).is_ok(), "no pressure drop is a limit");
-        let missing = asked(Some("x"), [Some(1e-3), None, Some(1e-3), None]).unwrap_err();
+        let missing = leak_request(Some("x"), [Some(1e-3), None, Some(1e-3), None]).unwrap_err();
         assert!(missing.message().contains("pressure drop is"), "{}", missing.message());
-        assert!(asked(None, good.map(Some)).is_err() && asked(Some("z"), [None; 4]).is_err());
+        assert!(
+            leak_request(None, good.map(Some)).is_err()
+                && leak_request(Some("z"), [None; 4]).is_err()
+        );
     }
 }

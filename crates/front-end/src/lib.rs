@@ -33,7 +33,7 @@ pub use failure::{Failure, variant};
 pub use hardness::unusual as unusual_hardness;
 pub use info::info;
 pub use iso::Iso;
-pub use leak::asked as leak_asked;
+pub use leak::leak_request;
 pub use paths::{run_file_in, told_apart};
 pub use planned::unmet;
 pub use point::Point;

@@ -1,4 +1,4 @@
-//! Closed-form models asked: what `rough-contact model` answers.
+//! Closed-form models at loads and separations: what `rough-contact model` answers.
 
 use crate::failure::{Failure, variant};
 use crate::loads::Spread;
@@ -65,7 +65,7 @@ impl Unasked {
 /// What a theory says to one question.
 #[derive(Clone, Debug)]
 pub struct Said {
-    /// The contact it answers.
+    /// The contact it answers with.
     pub state: ContactState,
     /// Between which the area lies for 95 of 100 surfaces, if the theory knows its own error.
     pub area_interval: Option<[f64; 2]>,
@@ -115,7 +115,7 @@ impl ModelLoad {
 ///
 /// # Errors
 /// [`Unasked`].
-pub fn answers(
+pub fn results(
     theory: &dyn Theory,
     inputs: &Inputs,
     questions: &[ModelLoad],
@@ -151,11 +151,11 @@ fn refuse_all(error: BuildError) -> Result<Ask<'static>, Unasked> {
     }
 }
 
-/// What is asked of elasticity, with the answers by rising load.
+/// What is asked of elasticity, with the results by rising load.
 pub fn scene(
     card: &Card,
     inputs: &Inputs,
-    answers: &[ModelResult],
+    results: &[ModelResult],
     rows: Option<RowOffsets>,
 ) -> Scene {
     let pressed = |state: &ContactState| {
@@ -163,7 +163,7 @@ pub fn scene(
         Some(Pressed { nominal: state.mean_pressure, mean, highest: None })
     };
     let mut pressed: Vec<Pressed> =
-        answers.iter().flatten().filter_map(|said| pressed(&said.state)).collect();
+        results.iter().flatten().filter_map(|said| pressed(&said.state)).collect();
     // Bodies that yield bear what presses them.
     pressed.retain(|_| !card.yields);
     pressed.sort_by(|a, b| a.nominal.total_cmp(&b.nominal));
@@ -224,8 +224,8 @@ pub fn measured(
 pub struct OfProfile {
     /// What scripts see.
     pub json: Value,
-    /// One answer for each question.
-    pub answers: Vec<ModelResult>,
+    /// One for each load or separation.
+    pub results: Vec<ModelResult>,
     /// Of each, between which the area lies for 95 of 100 traces like these, if that can be told.
     pub intervals: Vec<Option<[f64; 2]>>,
     /// What may change a conclusion.
@@ -266,7 +266,7 @@ pub fn of_profile(
     let inputs =
         contact_compare::profile_inputs(&statistics, &spectrum, modulus).map_err(refused)?;
     let (inputs, questions, spread) = complete(inputs)?;
-    let found = answers(theory, &inputs, &questions, joint).map_err(|e| way_out(&e))?;
+    let found = results(theory, &inputs, &questions, joint).map_err(|e| way_out(&e))?;
     let findings = contact_compare::profile_findings(
         &statistics,
         traces.uneven,
@@ -291,8 +291,8 @@ pub fn of_profile(
     json["cleaning"] = contact_report::cleaning_json(&traces.cleaned);
     json["profile"] = contact_report::profile_statistics_json(&statistics);
     let traces = statistics.traces;
-    let answers = found;
-    Ok(OfProfile { json, answers, intervals, findings, traces, inputs, questions, spread })
+    let results = found;
+    Ok(OfProfile { json, results, intervals, findings, traces, inputs, questions, spread })
 }
 
 /// The object that scripts see.
@@ -300,7 +300,7 @@ pub fn object(
     card: &Card,
     (inputs, joint): (&Inputs, &Joint),
     questions: &[ModelLoad],
-    answers: &[ModelResult],
+    results: &[ModelResult],
     spread: Option<&Spread>,
 ) -> Value {
     let point = |(q, a): (&ModelLoad, &ModelResult)| {
@@ -311,7 +311,7 @@ pub fn object(
         }
         point
     };
-    let points: Vec<Value> = questions.iter().zip(answers).map(point).collect();
+    let points: Vec<Value> = questions.iter().zip(results).map(point).collect();
     let mut json = json!({
         "model": card.name,
         "citation": citation(&card.citation),

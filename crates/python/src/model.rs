@@ -8,7 +8,7 @@ use contact_compare::{
     PairOrigin, Solved, Spikes, Surface, Theory,
 };
 use contact_front_end::model::{
-    ModelLoad, ModelResult, Unasked, answers as asked, failure, measured, object, scene,
+    ModelLoad, ModelResult, Unasked, failure, measured, object, results, scene,
 };
 use contact_front_end::typed::{Typed, Untyped};
 use contact_front_end::{Failure, bodies};
@@ -199,7 +199,7 @@ fn answer(
         Made::of(request, card, surface, laid)?;
     let questions = request.questions();
     let joint = request.joint()?;
-    let found = asked(theory, &inputs, &questions, joint).map_err(|e| e.failure(WAY_OUT))?;
+    let found = results(theory, &inputs, &questions, joint).map_err(|e| e.failure(WAY_OUT))?;
     let mut json = object(card, (&inputs, joint), &questions, &found, None);
     let scene = scene(theory.card(), &inputs, &found, rows);
     let known = Solved { scene, spikes, pair: pair.as_ref(), ..Solved::default() };

@@ -94,7 +94,7 @@ mod _rough_contact {
     #[pyo3(signature = (along, seal))]
     fn leak(along: Option<&str>, seal: [Option<f64>; 4]) -> PyResult<String> {
         let found =
-            contact_front_end::leak_asked(along, seal).map_err(|e| crate::failure::raise(&e))?;
+            contact_front_end::leak_request(along, seal).map_err(|e| crate::failure::raise(&e))?;
         Ok(serde_json::json!(found).to_string())
     }
 

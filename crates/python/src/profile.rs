@@ -137,7 +137,7 @@ pub(crate) fn profile_model(
             |unasked| unasked.failure(crate::model::WAY_OUT),
         )?;
         found.json["bodies"] = contact_report::bodies_json(None, &request.bodies);
-        Ok((found.json.to_string(), crate::model::trouble(&found.answers)))
+        Ok((found.json.to_string(), crate::model::trouble(&found.results)))
     })?;
     found.map_err(|e| raise(&e))
 }

@@ -34,7 +34,7 @@ impl LeakOptions {
     /// What is asked of the gap.
     pub(crate) fn asked(&self) -> Result<Option<LeakRequest>, Failure> {
         let Self { leak, viscosity, pressure_drop, seal_length, seal_width } = self;
-        front_end::leak_asked(
+        front_end::leak_request(
             leak.as_deref(),
             [*viscosity, *pressure_drop, *seal_length, *seal_width],
         )

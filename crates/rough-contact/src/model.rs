@@ -118,7 +118,7 @@ impl Model {
         // Of a load the area that carries it, which may be that of the map.
         let area = joint.area.or(spread.as_ref().map(|s| s.area)).or(inputs.nominal_area);
         let joint = Joint { area, hardness: inputs.hardness, ..joint };
-        let answers = model::answers(theory, &inputs, &questions, &joint)
+        let answers = model::results(theory, &inputs, &questions, &joint)
             .map_err(|unasked| no_answer(theory, &unasked))?;
         let mut reply = reply(card, (&inputs, &joint), &questions, &answers, spread.as_ref());
         let scene = model::scene(card, &inputs, &answers, rows);
@@ -165,7 +165,7 @@ impl Model {
             theory.card(),
             (&found.inputs, &joint),
             &found.questions,
-            &found.answers,
+            &found.results,
             found.spread.as_ref(),
         );
         let first = text::cleaning(&traces.cleaned)

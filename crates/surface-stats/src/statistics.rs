@@ -77,7 +77,7 @@ pub struct SurfaceStatistics {
     pub hurst: Option<f64>,
     /// Fractal dimension of a profile D = 2 - H (-).
     pub dimension: Option<f64>,
-    /// Fractal roughness G of a profile, γ = 1.5 (see [`PowerLaw`]) (m); absent unless 1 < D < 2.
+    /// Fractal roughness G of a profile, γ = 1.5 (m); absent unless 1 < D < 2.
     pub roughness: Option<f64>,
     /// Wavelengths of the fractal fit, as used (m).
     pub fractal_range: Option<[f64; 2]>,

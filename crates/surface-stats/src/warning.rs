@@ -145,7 +145,7 @@ impl Warning {
     }
 
     /// What was found, with its number; its effect, and what to do.
-    pub fn words(&self) -> [String; 2] {
+    pub fn message(&self) -> [String; 2] {
         let ratio = |x: f64| significant(x, 2);
         match *self {
             Self::Rounding { rms_height, spacing } => worded(
@@ -255,7 +255,7 @@ impl Warning {
 
 impl fmt::Display for Warning {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        f.write_str(&self.words().join(" "))
+        f.write_str(&self.message().join(" "))
     }
 }
 

@@ -75,7 +75,7 @@ pub(crate) fn of_fact(fact: &Fact) -> Words {
         ),
         Fact::CoarserClass { cutoff, ra, length } => profile::coarser_class(*cutoff, *ra, *length),
         Fact::NoShort { short, spacing } => profile::no_short(*short, *spacing),
-        Fact::Warned(found) => found.words(),
+        Fact::Warned(found) => found.message(),
         Fact::EdgeJump { ratio, edges, seam } => edge_jump(*ratio, *edges, seam.as_ref()),
         Fact::Filled { share, spikes, how } => words(
             format!(
