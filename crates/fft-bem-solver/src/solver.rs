@@ -232,8 +232,7 @@ impl Solver {
 
     fn keep(&mut self, surface: &HeightMap) -> Result<(), SolverError> {
         self.check_grid(surface.grid())?;
-        let Self { engine, pool, .. } = self;
-        pool.run(|| engine.keep(surface))?
+        self.pool.run(|| self.engine.keep(surface))?
     }
 
     fn solve_kept(
@@ -242,8 +241,7 @@ impl Solver {
         observer: &mut Observe<'_>,
         clock: Clock,
     ) -> Result<Solution, SolverError> {
-        let Self { engine, pool, .. } = self;
-        pool.run(|| engine.solve(load, observer, clock))?
+        self.pool.run(|| self.engine.solve(load, observer, clock))?
     }
 
     fn check_grid(&self, found: Grid) -> Result<(), SolverError> {

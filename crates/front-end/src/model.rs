@@ -291,8 +291,7 @@ pub fn of_profile(
     json["cleaning"] = contact_report::cleaning_json(&traces.cleaned);
     json["profile"] = contact_report::profile_statistics_json(&statistics);
     let traces = statistics.traces;
-    let results = found;
-    Ok(OfProfile { json, results, intervals, findings, traces, inputs, questions, spread })
+    Ok(OfProfile { json, results: found, intervals, findings, traces, inputs, questions, spread })
 }
 
 /// The object that scripts see.
