@@ -1,5 +1,5 @@
 //! A map by the recipe of the contact-mechanics challenge (Müser et al. 2017, doi:10.1007/s11249-017-0900-2), without its
-//! adhesion, from light load to full contact: area, gap and stiffness, pairs, time and memory.
+//! adhesion, from light load to full contact: area, gap and stiffness, convolutions, time and memory.
 //!
 //! ```console
 //! $ cargo run --release -p contact-accuracy --example challenge -- 2048 4096 8192
@@ -7,7 +7,7 @@
 //! ```
 //! H = 0.8, flat beyond 20 µm, shortest wave 0.1 µm, side 100 µm, rms gradient 1. The same recipe on every grid,
 //! but not the same map: the noise that is filtered is drawn point by point. Every load is solved cold, to 1e-4. Time is that
-//! of the solve, in seconds and in units of the least of three pairs before it. Memory is the peak of the first
+//! of the solve, in seconds and in units of the least of three convolutions before it. Memory is the peak of the first
 //! solve (Linux, `VmHWM`), without the map.
 
 #![allow(clippy::print_stdout, reason = "a program that prints a table")]
@@ -67,7 +67,7 @@ fn table(n: usize, precision: Precision) -> Result<(), Box<dyn Error>> {
     let mut solver = builder.build(grid, modulus)?;
     let rms = known.rms_height;
     println!(
-        "\n{n} x {n}, {precision:?}, {:.1} points per shortest wave, {} threads, one pair {:.1} ms, \
+        "\n{n} x {n}, {precision:?}, {:.1} points per shortest wave, {} threads, one convolution {:.1} ms, \
          rms height {:.3} µm\n",
         SHORTEST / pixel,
         std::thread::available_parallelism().map_or(1, usize::from),
@@ -75,7 +75,7 @@ fn table(n: usize, precision: Precision) -> Result<(), Box<dyn Error>> {
         1e6 * rms
     );
     println!(
-        "| p/E* | area | gap / rms height | stiffness × rms height / E* | steps | pairs | s | pair times |"
+        "| p/E* | area | gap / rms height | stiffness × rms height / E* | steps | convolutions | s | convolution times |"
     );
     println!("|---:|---:|---:|---:|---:|---:|---:|---:|");
     let mut peak = f64::NAN;

@@ -10,7 +10,7 @@ fn main() -> Result<(), Box<dyn std::error::Error>> {
     let ball = Hertz::sphere(10e-3, modulus)?; // radius 10 mm
     let exact = ball.at_force(100.0)?; // 100 N
 
-    println!("   grid   pairs    approach (um)   error    max pressure (MPa)   error");
+    println!("   grid convolutions    approach (um)    error   max pressure (MPa)    error");
     for n in [32, 64, 128, 256] {
         let side = 3.0 * exact.semi_axes[0];
         let grid = Grid::new([n, n], [side / n as f64; 2])?;
@@ -23,7 +23,7 @@ fn main() -> Result<(), Box<dyn std::error::Error>> {
 
         let (approach, highest) = (found.approach, found.diagnostics.max_pressure);
         println!(
-            "{n:4}^2 {:7.2} {:16.5} {:+8.1e} {:20.2} {:+8.1e}",
+            "{n:4}^2 {:13.2} {:16.5} {:+8.1e} {:20.2} {:+8.1e}",
             found.diagnostics.transforms,
             approach * 1e6,
             approach / exact.approach - 1.0,
@@ -31,6 +31,6 @@ fn main() -> Result<(), Box<dyn std::error::Error>> {
             highest / exact.max_pressure - 1.0,
         );
     }
-    println!(" exact {:24.5} {:30.2}", exact.approach * 1e6, exact.max_pressure / 1e6);
+    println!(" exact {:30.5} {:29.2}", exact.approach * 1e6, exact.max_pressure / 1e6);
     Ok(())
 }

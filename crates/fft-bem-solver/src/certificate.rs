@@ -57,7 +57,7 @@ fn violation<T: Real, C: Ceiling<T>>(ceiling: C, node: usize, pressure: T, gap: 
     violation
 }
 
-/// The bound of the module documentation; one pair. `gap` is `displacement - heights` less any
+/// The bound of the module documentation; one convolution. `gap` is `displacement - heights` less any
 /// constant; `scratch` is overwritten.
 pub(crate) fn energy_error<T: Real, C: Ceiling<T>>(
     ceiling: C,
@@ -87,7 +87,7 @@ pub(crate) fn energy_error<T: Real, C: Ceiling<T>>(
 /// the surfaces of `tests/certificate.rs`: 0.4 to 3.1.
 pub(crate) const CAUTION: f64 = 2.0;
 
-/// When a method without an error estimate of its own pays a pair for one.
+/// When a method without an error estimate of its own pays a convolution for one.
 ///
 /// The plain residual of every iteration is free: `|r| / |p|` times the largest stiffness on the
 /// grid, pi/2 per finer pixel, exceeds the relative pressure error the residual stands for. Where

@@ -286,8 +286,8 @@ impl<T: Real> Engine<T> {
         let mut start = start;
         if let Target::Pressure(load) = target {
             match self.without_iterating(problem, load, ceiling, &mut start) {
-                (Some(reason), pairs) => return exact(reason, pairs, clock),
-                (None, pairs) => spent += pairs,
+                (Some(reason), transforms) => return exact(reason, transforms, clock),
+                (None, transforms) => spent += transforms,
             }
         }
         let task = ContactTask {
@@ -331,7 +331,7 @@ impl<T: Real> Engine<T> {
         StateOrigin { exact: None, outcome, clock }
     }
 
-    /// Tries the answers that need no iteration. Returns which it was, and the pairs spent.
+    /// Tries the answers that need no iteration. Returns which it was, and the convolutions spent.
     fn without_iterating(
         &mut self,
         problem: &Problem<T>,

@@ -118,7 +118,7 @@ pub(crate) fn solve(
     }
     let on: Vec<usize> = (0..n).filter(|i| nodes[*i].is_in()).collect();
     let mut inverse = SetInverse::new(scaled, nodes);
-    // What a pair takes and gives is on the map; all else is known and needed on the set alone.
+    // What a convolution takes and gives is on the map; all else is known and needed on the set alone.
     let mut field = vec![0.0; n];
     let [mut p, mut u, mut z, mut d, mut kd] = [(); 5].map(|()| vec![0.0; size]);
     let mean_of = |field: &[f64]| field.iter().sum::<f64>() / size as f64;

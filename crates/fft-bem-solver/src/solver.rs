@@ -220,7 +220,7 @@ impl Solver {
 
     /// How stiff the contact of the last solution is against a little more load, and how well it conducts: the
     /// [mixed problem](SetStiffness) on the pixels that carry pressure, whatever made them do so. About ten FFT
-    /// pairs, in double precision. Meanwhile it takes memory for four fields, and six more of the pixels in contact.
+    /// convolutions, in double precision. Meanwhile it takes memory for four fields, and six more of the pixels in contact.
     ///
     /// # Errors
     /// [`SolverError::NoSurface`] if there is no last solution; [`SolverError::Memory`] if the machine does not have

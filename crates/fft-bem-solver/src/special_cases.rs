@@ -5,7 +5,7 @@ use crate::problem::Problem;
 use crate::{Real, fields, love};
 
 /// Replaces `field` by the pressure of mean zero that gives the surface the shape of the heights.
-/// One pair; `None` if the operator has no cheap inverse. Returns the least mean pressure that has
+/// One convolution; `None` if the operator has no cheap inverse. Returns the least mean pressure that has
 /// to be added so that none is negative, which is the load that closes every gap.
 ///
 /// # Source
@@ -66,7 +66,7 @@ pub(crate) fn lonely_summit<T: Real>(problem: &Problem<T>, mean_pressure: f64) -
     Some(summit)
 }
 
-/// All the load on one pixel: exact if no other pixel is reached, which is checked. One pair. On
+/// All the load on one pixel: exact if no other pixel is reached, which is checked. One convolution. On
 /// false the state is undefined.
 pub(crate) fn single_pixel<T: Real>(
     problem: &Problem<T>,

@@ -32,7 +32,7 @@ pub struct TradeoffRow {
     pub bar: Option<f64>,
     /// Relative rms error of the pressure against the exact solution on the same grid.
     pub pressure_error: Option<f64>,
-    /// FFT convolutions spent, in pairs of its own grid.
+    /// FFT convolutions spent, of its own grid.
     pub pairs: Option<f64>,
     /// Shortest wall-clock time (s).
     pub seconds: f64,

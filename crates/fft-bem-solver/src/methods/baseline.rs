@@ -16,7 +16,7 @@ pub(super) trait BaselineStep<T>: Send + Sync {
     const START: Self;
 
     /// Steps to the next iterate of this `load`. `gap` has no mean over the contact; `direction` is kept
-    /// from step to step, zero at first; `response` is scratch. Returns the pairs spent; `None` after one if
+    /// from step to step, zero at first; `response` is scratch. Returns the convolutions spent; `None` after one if
     /// nothing but rounding is left.
     fn step(
         &mut self,
@@ -97,7 +97,7 @@ impl<T: Real, S: BaselineStep<T>> ContactMethod<T> for Baseline<T, S> {
     }
 }
 
-/// Brings the state to the load; returns the pairs spent.
+/// Brings the state to the load; returns the convolutions spent.
 fn begin<T: Real>(
     load: f64,
     operator: &mut dyn Compliance<T>,

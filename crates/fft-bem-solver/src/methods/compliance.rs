@@ -45,7 +45,7 @@ pub(crate) trait Compliance<T: Real>: Send + Sync {
         Some(total(partial))
     }
     /// Replaces `w` by `B w`, where `<w, B w> >= <w, K^-1 w>`; periodic: `B = K^-1` on fields of mean
-    /// zero. False, and nothing done, if there is no such `B` that costs one pair.
+    /// zero. False, and nothing done, if there is no such `B` that costs one convolution.
     fn invert(&mut self, field: &mut [T]) -> bool;
     /// Which kind of half space this is.
     fn boundary(&self) -> Boundary;

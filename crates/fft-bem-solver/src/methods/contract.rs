@@ -135,8 +135,8 @@ pub(crate) trait ContactMethod<T: Real>: Send + Sync {
         false
     }
 
-    /// The mean pressure from which it is worth one pair to see if every gap closes, and what finding
-    /// that out cost in pairs. A method that spends many pairs anyway says: from any.
+    /// The mean pressure from which it is worth one convolution to see if every gap closes, and what finding
+    /// that out cost in convolutions. A method that spends many convolutions anyway says: from any.
     fn suspected_closing_load(&mut self, problem: &Problem<T>) -> (f64, f64) {
         let _ = problem;
         (0.0, 0.0)

@@ -1,4 +1,4 @@
-//! Control of the level of the flat (mean gap, approach) inside the chord iteration, without a pair:
+//! Control of the level of the flat (mean gap, approach) inside the chord iteration, without a convolution:
 //! `K` is linear, so that the iterate may be scaled to another load at any time.
 //!
 //! Two things must be known to choose the load. *Where the level will settle* under the present

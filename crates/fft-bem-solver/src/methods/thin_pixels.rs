@@ -6,10 +6,9 @@
 
 use contact_types::Grid;
 
-/// Pixels longer than this many times their width are refused: beside them the preconditioner, in single
-/// precision, tells the softest wave across the lines from nothing no more. Up to 3e4 it needs the pairs it
-/// needs at 10; at 1e5 so on 64 x 64 pixels, on 32 x 32 up to 35 pairs with fallbacks; at 1e6 hundreds, or more
-/// than the iteration limit allows (to 1e-4, both axes).
+/// Pixels longer than this many times their width are refused: beyond it the preconditioner, in single precision,
+/// cannot resolve the lowest transverse mode. Up to 3e4 a solve takes as many convolutions as at 10, at 1e5 up to 35,
+/// at 1e6 hundreds (to 1e-4, both axes).
 pub(crate) const LARGEST_RATIO: f64 = 1e5;
 
 /// Longer over shorter pixel side; 1 for a single line of pixels.

@@ -1,4 +1,4 @@
-//! A load curve: the answers of cold starts, whatever the order of the loads, for fewer pairs.
+//! A load curve: the answers of cold starts, whatever the order of the loads, for fewer convolutions.
 
 use crate::common;
 

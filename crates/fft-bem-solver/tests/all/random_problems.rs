@@ -63,7 +63,7 @@ fn problem(k: u64, longest: f64) -> (HeightMap, f64, String) {
     (HeightMap::new(grid, h).unwrap(), load, what)
 }
 
-/// Solves the first `count` problems to 1e-10 and returns the pairs to a true rms pressure error
+/// Solves the first `count` problems to 1e-10 and returns the convolutions to a true rms pressure error
 /// of 1e-2, 1e-4 and 1e-6, and the largest ratio of true error to estimate.
 fn survey(count: u64, longest: f64) -> ([Vec<f64>; 3], f64) {
     let mut pairs = [vec![], vec![], vec![]];
@@ -129,7 +129,7 @@ fn forty_random_problems_converge() {
 #[ignore = "slow: 500 problems of up to 300 x 300"]
 fn five_hundred_random_problems_converge() {
     let (pairs, optimism) = survey(500, 300.0);
-    println!("pairs to a true rms pressure error of 1e-2 / 1e-4 / 1e-6:");
+    println!("convolutions to a true rms pressure error of 1e-2 / 1e-4 / 1e-6:");
     for q in [0.1, 0.25, 0.5, 0.75, 0.9, 0.99, 1.0] {
         let at = |p: &Vec<f64>| p[((p.len() - 1) as f64 * q) as usize];
         println!("{:>4.0} %: {:.2?}", 100.0 * q, pairs.each_ref().map(at));

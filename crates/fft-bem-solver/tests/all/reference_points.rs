@@ -37,7 +37,7 @@ fn three_loads_agree_with_two_other_programs() {
         let (state, diagnostics) = (&found.state, &found.diagnostics);
         let values = [found.touching_fraction(), state.mean_gap.unwrap(), diagnostics.max_pressure];
         println!(
-            "{load}: area {:.9}, mean gap {:.11e}, maximum pressure {:.10}; {:.2} pairs",
+            "{load}: area {:.9}, mean gap {:.11e}, maximum pressure {:.10}; {:.2} convolutions",
             values[0], values[1], values[2], diagnostics.transforms
         );
         // The area by its digits, the others relative.

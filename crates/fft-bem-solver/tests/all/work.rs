@@ -30,7 +30,7 @@ fn pairs_and_iterations() {
             for (builder, limit) in builders.into_iter().zip(limits) {
                 let found = solve(map, builder.tolerance(1e-4), load).diagnostics;
                 println!(
-                    "{name} {load} {} {:?}: {} iterations, {:.2} pairs (limit {limit})",
+                    "{name} {load} {} {:?}: {} iterations, {:.2} convolutions (limit {limit})",
                     found.method, found.boundary, found.iterations, found.transforms
                 );
                 if found.transforms > limit {
@@ -39,7 +39,7 @@ fn pairs_and_iterations() {
             }
         }
     }
-    assert!(over.is_empty(), "more pairs than before: {over:?}");
+    assert!(over.is_empty(), "more convolutions than before: {over:?}");
 }
 
 /// Where a thousandth and less touches, the first trial beats the constant pressure a thousandfold and is still wrong.
@@ -51,8 +51,8 @@ fn a_light_load_from_nothing_takes_no_more_pairs() {
     for map in &surfaces {
         for load in [2e-4, 5e-4, 1e-3, 2e-3] {
             let found = solve(map, Solver::builder().tolerance(1e-4), load).diagnostics;
-            println!("{load}: {} iterations, {:.2} pairs", found.iterations, found.transforms);
-            assert!(found.transforms < 7.5, "{load}: {:.2} pairs", found.transforms);
+            println!("{load}: {} steps, {:.2} convolutions", found.iterations, found.transforms);
+            assert!(found.transforms < 7.5, "{load}: {:.2} convolutions", found.transforms);
         }
     }
 }
@@ -67,11 +67,11 @@ const LIMITS_LIGHT: [[f64; 4]; 3] =
 const LIMITS_HEAVY: [[f64; 4]; 3] =
     [[5.3, 94.0, 109.0, 7.4], [4.3, 182.0, 147.0, 7.4], [6.4, 142.0, 154.0, 7.4]];
 
-/// Hurst exponent, load, and iterations and pairs to three tolerances.
+/// Hurst exponent, load, and iterations and convolutions to three tolerances.
 type ChordWork = (f64, f64, [(usize, f64); 3]);
 
 /// Self-affine surfaces down to the pixel, H = 0.8 and 0.3, roll-off an eighth of the side, at
-/// three loads: iterations, and pairs rounded to hundredths, to an estimate of 1e-2, 1e-4, 1e-6.
+/// three loads: iterations, and convolutions rounded to hundredths, to an estimate of 1e-2, 1e-4, 1e-6.
 #[test]
 fn pairs_and_iterations_of_the_chord() {
     let expected: [ChordWork; 6] = [
@@ -93,7 +93,7 @@ fn pairs_and_iterations_of_the_chord() {
         });
         found.push((hurst, load, work));
     }
-    assert_eq!(found, expected, "iterations or pairs changed");
+    assert_eq!(found, expected, "iterations or convolutions changed");
 }
 
 /// A curve of 16 loads over two decades on a map that is stepped and does not repeat: iterations of

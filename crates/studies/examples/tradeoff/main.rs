@@ -33,10 +33,7 @@ fn main() -> Result<(), Box<dyn Error>> {
     }
     let plan = if quick { Plan::QUICK } else { Plan::FULL };
     let threads = thread::available_parallelism().map_or(1, usize::from);
-    println!(
-        "# Threads: {threads}. Slow methods were stopped at {} FFT convolutions.",
-        plan.most_pairs
-    );
+    println!("# Threads: {threads}. Slow methods end at {} FFT convolutions.", plan.most_pairs);
     println!("{HEADER}");
     measure::run(&plan, &mut |row: TradeoffRow| println!("{}", row.line()))
 }

@@ -6,7 +6,7 @@ use crate::methods::ceiling::Ceiling;
 use crate::methods::node::NodeState;
 use crate::{Real, fields};
 
-/// One step from the iterate; returns the pairs spent. The direction and its displacement are kept in
+/// One step from the iterate; returns the convolutions spent. The direction and its displacement are kept in
 /// the place of the iterate before, once there is one.
 pub(super) fn step<T: Real, C: Ceiling<T>>(run: &mut Run<'_, T, C>, level: f64) -> f64 {
     let (h, load, is_first) = (run.heights, run.load, !run.memory.has_before);

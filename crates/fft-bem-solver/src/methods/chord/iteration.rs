@@ -13,7 +13,7 @@
 //! 2  z = E^T S E g on F, less its mean;  trial = p - tau z on F                       trial.rs
 //!    |z on F, p off F| <= tolerance |p|: stop
 //! 3  trial = trial swept, clipped, scaled to the load                                 trial.rs
-//! 4  K trial                                                               (the one pair)  line.rs
+//! 4  K trial                                                               (the one convolution)  line.rs
 //!    theta = -<g,s>/<s,Ks> along the chord s = trial - p
 //! 5  p += theta s, or all of s near theta = 1; better, the minimum over s and the step before
 //!    and again from 1
@@ -63,7 +63,7 @@ impl<T: Real> Chord<T> {
         Self::with(scaled, Stiffness::isolated(scaled.shape(), scaled.pixel()))
     }
 
-    /// On a large grid without room for what only saves pairs: the step before.
+    /// On a large grid without room for what only saves convolutions: the step before.
     fn with(scaled: Grid, stiffness: Stiffness) -> Self {
         let mut work = Work::new(scaled, stiffness);
         if !is_large(scaled.len()) {

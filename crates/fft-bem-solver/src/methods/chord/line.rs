@@ -1,4 +1,4 @@
-//! Steps 4 and 5: the one pair, and how far to go along the chord.
+//! Steps 4 and 5: the one convolution, and how far to go along the chord.
 
 use super::memory::{Known, StepKind};
 use super::run::Run;
@@ -21,7 +21,7 @@ pub(super) enum Trial {
 }
 
 impl<T: Real, C: Ceiling<T>> Run<'_, T, C> {
-    /// Gives the trial the load and computes `K trial`, the one pair. Returns the inner products
+    /// Gives the trial the load and computes `K trial`, the one convolution. Returns the inner products
     /// along the chord to it; `None` if nothing is left of the trial. The gap of the trial is counted from
     /// the level of the iterate.
     pub(super) fn respond(&mut self, trial: Trial, level: f64) -> Option<Products> {

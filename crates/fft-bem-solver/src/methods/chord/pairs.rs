@@ -24,7 +24,7 @@ impl<T: Real> Pair<T> {
 /// The trial and, where there is [room](Self::make_room) for it, the iterate before the present one. The present
 /// one belongs to the caller.
 ///
-/// The displacement of the trial is known only once a pair has been spent on it. Until then its place
+/// The displacement of the trial is known only once a convolution has been spent on it. Until then its place
 /// is the *spare*: room for a field in single precision, which holds first `E g`, then the smallest
 /// trial pressure below each cell. `docs/src/solver/method.md` names the fields.
 pub(crate) struct Pairs<T> {

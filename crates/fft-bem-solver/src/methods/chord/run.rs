@@ -91,7 +91,7 @@ impl<'a, T: Real, C: Ceiling<T>> Run<'a, T, C> {
     /// Begins with the iterate there is, scaled to the load: K is linear. Where the level is prescribed, the
     /// load is that of the iterate.
     ///
-    /// What was near the ceiling may so come to lie above it: it is projected, for one pair.
+    /// What was near the ceiling may so come to lie above it: it is projected, for one convolution.
     pub(super) fn begin_scaled(&mut self) {
         let present = mean(&self.iterate.pressure);
         if self.control.is_some() {
