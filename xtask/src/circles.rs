@@ -31,45 +31,19 @@ struct FileNames {
     used: BTreeSet<String>,
     /// Paths in the code itself, of two parts and more.
     paths: BTreeSet<ModulePath>,
+    /// The first item that is defined here, as `fn f` or `impl`; none in a face.
+    item: Option<String>,
 }
 
 const DEFINES: [&str; 8] = ["fn", "struct", "enum", "trait", "type", "const", "static", "union"];
 
-/// One sentence for each circle of files below the crate root `main` (`src/lib.rs`).
-pub(crate) fn circles(main: &Path) -> Vec<String> {
+/// One sentence for each circle of files below the crate root `main` (`src/lib.rs`), and where it is that of a library for
+/// each `lib.rs` or `mod.rs` that defines something.
+pub(crate) fn circles_and_faces(main: &Path) -> Vec<String> {
     let krate = CrateFiles::read(main);
-    let arrows = krate.arrows();
-    let shown = |place: &ModulePath| krate.0[place].0.display().to_string();
-    let describe = |circle: &BTreeSet<ModulePath>| {
-        let mut text = String::new();
-        for from in circle {
-            for (to, names) in arrows[from].iter().filter(|(to, _)| circle.contains(*to)) {
-                let names: Vec<&str> = names.iter().map(String::as_str).collect();
-                let (from, to) = (shown(from), shown(to));
-                let _ = write!(text, "\n    {from} takes {} from {to}", names.join(", "));
-            }
-        }
-        format!("a circle of {} files{text}", circle.len())
-    };
-    strongly_connected(&arrows).iter().map(describe).collect()
-}
-
-/// One sentence for each `lib.rs` or `mod.rs` below `main` that defines something.
-pub(crate) fn faces(main: &Path) -> Vec<String> {
-    let mut found = Vec::new();
-    for (path, _) in CrateFiles::read(main).0.values() {
-        let is_face = path.file_name().is_some_and(|name| name == "lib.rs" || name == "mod.rs");
-        let text = std::fs::read_to_string(path).unwrap_or_default();
-        let code = text.split("#[cfg(test)]").next().unwrap_or_default();
-        // Items begin their line, as rustfmt leaves them.
-        let is_item = |line: &&str| {
-            let line = line.strip_prefix("pub(crate) ").unwrap_or(line);
-            let kind = line.strip_prefix("pub ").unwrap_or(line).split([' ', '<']).next();
-            kind.is_some_and(|kind| kind == "impl" || DEFINES.contains(&kind))
-        };
-        if let Some(item) = code.lines().find(is_item).filter(|_| is_face) {
-            found.push(format!("{} only declares and re-exports, but has {item}", path.display()));
-        }
+    let mut found = krate.circles();
+    if main.ends_with("lib.rs") {
+        found.extend(krate.faces());
     }
     found
 }
@@ -79,6 +53,31 @@ impl CrateFiles {
         let mut krate = Self::default();
         krate.walk(main, &[], main.parent().unwrap_or(Path::new(".")));
         krate
+    }
+
+    fn circles(&self) -> Vec<String> {
+        let arrows = self.arrows();
+        let shown = |place: &ModulePath| self.0[place].0.display().to_string();
+        let describe = |circle: &BTreeSet<ModulePath>| {
+            let mut text = String::new();
+            for from in circle {
+                for (to, names) in arrows[from].iter().filter(|(to, _)| circle.contains(*to)) {
+                    let names: Vec<&str> = names.iter().map(String::as_str).collect();
+                    let (from, to) = (shown(from), shown(to));
+                    let _ = write!(text, "\n    {from} takes {} from {to}", names.join(", "));
+                }
+            }
+            format!("a circle of {} files{text}", circle.len())
+        };
+        strongly_connected(&arrows).iter().map(describe).collect()
+    }
+
+    fn faces(&self) -> impl Iterator<Item = String> {
+        self.0.values().filter_map(|(path, names)| {
+            let is_face = path.ends_with("lib.rs") || path.ends_with("mod.rs");
+            let item = names.item.as_ref().filter(|_| is_face)?;
+            Some(format!("{} only declares and re-exports, but has {item}", path.display()))
+        })
     }
 
     fn walk(&mut self, file: &Path, place: &[String], folder: &Path) {
@@ -198,10 +197,16 @@ impl FileNames {
         let all = without_tests(&tokens(text));
         let at = |i: usize| all.get(i).copied().unwrap_or_default();
         let mut found = Self::default();
-        let mut i = 0;
+        let (mut i, mut depth) = (0, 0_i32);
         while i < all.len() {
             let start = i;
             i += 1;
+            match at(start) {
+                "{" => depth += 1,
+                "}" => depth -= 1,
+                "impl" if depth == 0 => found.item = found.item.or(Some("impl".to_owned())),
+                _ => {}
+            }
             if at(start) == "use" {
                 i += all[i..].iter().take_while(|token| **token != ";").count();
                 let before = if at(start.wrapping_sub(1)) == ")" { 4 } else { 1 }; // pub(crate)
@@ -214,6 +219,9 @@ impl FileNames {
             } else if at(start).starts_with(is_word) {
                 if DEFINES.contains(&at(start)) && at(i).starts_with(is_word) {
                     found.defined.insert(at(i).to_owned());
+                    if depth == 0 {
+                        found.item.get_or_insert_with(|| format!("{} {}", at(start), at(i)));
+                    }
                 }
                 while at(i) == "::" && at(i + 1).starts_with(is_word) {
                     i += 2;
@@ -288,7 +296,20 @@ fn text_length(text: &str) -> Option<usize> {
         return Some(end(2, "\n"));
     }
     if text.starts_with("/*") {
-        return Some(end(2, "*/"));
+        let (mut depth, mut at) = (1, 2);
+        while depth > 0
+            && let Some(i) = text[at..].find("*/")
+        {
+            depth = depth + text[at..at + i].matches("/*").count() - 1;
+            at += i + 2;
+        }
+        return Some(if depth == 0 { at } else { text.len() });
+    }
+    if let Some(rest) = text.strip_prefix(['b', 'c'])
+        && rest.starts_with(['r', '"', '\''])
+        && let Some(length) = text_length(rest)
+    {
+        return Some(1 + length);
     }
     if let Some(raw) = text.strip_prefix('r') {
         let marks = raw.len() - raw.trim_start_matches('#').len();
@@ -369,11 +390,10 @@ mod tests {
                 ("b/c.rs", "pub struct B; fn f() { let _ = crate::a::A; }"),
             ],
         );
-        let found = circles(&circle);
+        let found = circles_and_faces(&circle);
         assert_eq!(found.len(), 1, "{found:?}");
         assert!(found[0].starts_with("a circle of 2 files"), "{found:?}");
         assert!(found[0].contains("takes B from") && found[0].contains("takes A from"));
-        assert!(faces(&circle).is_empty());
 
         let tree = krate(
             "tree",
@@ -383,8 +403,8 @@ mod tests {
                 ("b.rs", "pub struct B;\npub fn g() {}\n#[cfg(test)]\nmod tests { use crate::A; }"),
             ],
         );
-        assert!(circles(&tree).is_empty());
-        assert_eq!(faces(&tree).len(), 1);
+        let found = circles_and_faces(&tree);
+        assert!(found.len() == 1 && found[0].ends_with("has fn defined"), "{found:?}");
         for main in [circle, tree] {
             std::fs::remove_dir_all(main.parent().unwrap()).unwrap();
         }
@@ -394,8 +414,8 @@ mod tests {
     fn text_comments_and_tests_are_no_names() {
         let source = r##"
             use a::b; // use c::d
-            /* e f */ const X: &str = "https://h \" i"; let r = r#"j " k"#;
-            fn l<'m>(n: &'m u8) -> char { '\''; 'p' }
+            /* e /* f */ g */ const X: &str = "https://h \" i"; let r = r#"j " k"#;
+            fn l<'m>(n: &'m u8) -> char { '\''; b'o'; 'p' }
             #[cfg(test)] mod tests { use super::q; fn s() { {} } }
             #[cfg(test)] use t::u;
             fn after() {}
@@ -417,6 +437,7 @@ mod tests {
         assert_eq!(imported, ["C=a::b::C:true", "E=a::b::D:true", "a=a:true", "f=a::f:true"]);
         assert_eq!(names.children, ["g"]);
         assert!(names.defined.contains("h"));
+        assert_eq!(names.item.as_deref(), Some("fn h"));
         assert!(names.paths.contains(&vec!["g".to_owned(), "i".to_owned()]));
     }
 }

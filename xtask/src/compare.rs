@@ -1,4 +1,4 @@
-//! The study, as `rough-contact compare` runs it: the same code, built in release.
+//! The study, as `rough-contact compare` runs it: of the built-in surfaces in the profile `first`, of others in release.
 
 use crate::shell::{self, TaskResult, root, rough_contact};
 

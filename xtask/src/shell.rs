@@ -20,8 +20,8 @@ pub(crate) fn cargo() -> Command {
     cargo
 }
 
-/// `rough-contact ARGS`, built in release with all its options, or for the built-in surfaces alone: with what they need
-/// and no more, as it compiles fast. Relative paths are the caller's: the command runs where the task was started.
+/// `rough-contact ARGS`: built in release with `all` its options, or in the profile `first` with what the tasks of this
+/// repository need. Relative paths are the caller's: the command runs where the task was started.
 pub(crate) fn rough_contact(args: &[String], all: bool) -> Command {
     let first = ["--profile", "first", "--no-default-features", "--features", "command,parallel"];
     let how = if all { &RELEASE[..] } else { &first };

@@ -151,10 +151,7 @@ fn rooms(all: &[SourceText], faults: &mut Vec<String>) {
     let roots: Vec<&str> = all.iter().map(|(shown, _)| &**shown).filter(|s| is_root(s)).collect();
     for shown in &roots {
         let main = root().join(shown);
-        let mut found = circles::circles(&main);
-        if shown.ends_with("src/lib.rs") {
-            found.extend(circles::faces(&main));
-        }
+        let found = circles::circles_and_faces(&main);
         let here = format!("{}/", root().display());
         faults.extend(found.iter().map(|fault| format!("{shown}: {}", fault.replace(&here, ""))));
     }
