@@ -64,12 +64,12 @@ fn by_loads<T: Real>(
 ) -> Outcome {
     let mut load = guess;
     if start == Start::Warm {
-        load = fields::sum(&state.pressure) / state.pressure.len() as f64;
+        load = fields::mean(&state.pressure);
     }
     let mut start = start;
     let (mut low, mut high) = (0.0_f64, f64::INFINITY); // loads known to be too small, too large
     let mut last: Option<(f64, f64, f64)> = None; // ln load, level reached, relative accuracy
-    let Outcome { mut iterations, mut transforms, mut fallbacks, .. } = before;
+    let mut spent = before;
     let mut accuracy: f64 = 0.1;
     let finest = 0.25 * task.tolerance; // so that the level is known better than it is asked for
     let mut last_slope: Option<f64> = None;
@@ -80,7 +80,7 @@ fn by_loads<T: Real>(
         let sub = ContactTask {
             target: Target::Pressure(load),
             tolerance: accuracy.max(finest),
-            max_iterations: task.max_iterations - iterations,
+            max_iterations: task.max_iterations - spent.iterations,
             ..*task
         };
         // An iterate that fits its load is no answer yet while its level is another.
@@ -91,18 +91,15 @@ fn by_loads<T: Real>(
                 ((level - reached) / slope).abs()
             });
             watch(&IterateView {
-                iteration: iterations + step.iteration,
-                transforms: transforms + step.transforms,
+                iteration: spent.iterations + step.iteration,
+                transforms: spent.transforms + step.transforms,
                 residual: step.residual.max(missing),
                 state: step.state,
             })
         };
         let outcome = method.solve(&sub, operator, start, state, &mut shifted);
         start = Start::Warm;
-        iterations += outcome.iterations;
-        transforms += outcome.transforms;
-        fallbacks.gradient_steps += outcome.fallbacks.gradient_steps;
-        fallbacks.face_cg_steps += outcome.fallbacks.face_cg_steps;
+        spent.add(&outcome);
         // The level rises with the logarithm of the load about as the mean indentation does.
         let work = fields::dot(&state.pressure, &state.displacement);
         let mut natural = RISE * (work / fields::sum(&state.pressure)).abs();
@@ -125,15 +122,15 @@ fn by_loads<T: Real>(
         let missing = (level - state.level) / slope; // in ln load
         let residual = outcome.residual.max(missing.abs());
         if !matches!(outcome.end, End::Converged | End::Rounding) {
-            return Outcome { end: outcome.end, iterations, transforms, residual, fallbacks };
+            return Outcome { end: outcome.end, residual, ..spent };
         }
         let is_exact = sub.tolerance <= finest;
         if is_exact && missing.abs() <= task.tolerance {
             let end = if residual <= task.tolerance { End::Converged } else { End::Rounding };
-            return Outcome { end, iterations, transforms, residual, fallbacks };
+            return Outcome { end, residual, ..spent };
         }
-        if iterations >= task.max_iterations || loads >= MAX_LOADS {
-            return Outcome { end: End::Exhausted, iterations, transforms, residual, fallbacks };
+        if spent.iterations >= task.max_iterations || loads >= MAX_LOADS {
+            return Outcome { end: End::Exhausted, residual, ..spent };
         }
         // Only an answer clearly on one side of the target may narrow the bracket; one that leaves
         // no room for the target was a mistake.

@@ -82,14 +82,14 @@ impl<T: Real> Problem<T> {
             });
         }
         let heights: Vec<T> = crate::fields::filled(raw.len(), |i| units.scaled(raw[i]));
-        let mean_height = crate::fields::sum(&heights) / heights.len() as f64;
+        let mean_height = crate::fields::mean(&heights);
         let rounding = f64::EPSILON * lowest.abs().max(highest.abs());
         Ok(Self { given: surface.grid(), grid: scaled, heights, mean_height, rounding, units })
     }
 
     /// Heights that are scaled already.
     pub(crate) fn unscaled(grid: Grid, heights: Vec<T>) -> Self {
-        let mean_height = crate::fields::sum(&heights) / heights.len() as f64;
+        let mean_height = crate::fields::mean(&heights);
         let units = Units { origin: 0.0, height: 1.0, pressure: 1.0 };
         Self { given: grid, grid, heights, mean_height, rounding: 0.0, units }
     }

@@ -77,7 +77,7 @@ pub enum Precision {
     #[default]
     #[cfg_attr(feature = "serde", serde(rename = "f64"))]
     Double,
-    /// `f32`: half the memory.
+    /// `f32`: half the memory; with the feature `single`.
     #[cfg_attr(feature = "serde", serde(rename = "f32"))]
     Single,
 }

@@ -38,6 +38,9 @@ impl SolverBuilder {
             let threads = self.threads.unwrap_or(1) as f64;
             return bad("threads", threads, "enable the feature `parallel` or use 1 thread");
         }
+        if !cfg!(feature = "single") && self.precision == Precision::Single {
+            return bad("precision", 32.0, "enable the feature `single`, or use double");
+        }
         if let Some(row) = self.section.filter(|row| *row >= grid.shape()[0]) {
             return bad("section", row as f64, "it must be a row of the map, counted from 0");
         }
@@ -72,16 +75,12 @@ impl SolverBuilder {
         // Transforms are planned for the threads of the pool they are planned in.
         let pool = Pool::new(self.threads)?;
         let boundary = self.boundary;
-        let engine = pool.run(|| match self.precision {
-            Precision::Double => boxed::<f64>(self, modulus, scaled),
+        let engine = pool.run(|| {
             #[cfg(feature = "single")]
-            Precision::Single => boxed::<f32>(self, modulus, scaled),
-            #[cfg(not(feature = "single"))]
-            Precision::Single => Err(SolverError::BadSetting {
-                setting: "precision",
-                value: 32.0,
-                limit: "enable the feature `single`, or use double",
-            }),
+            if self.precision == Precision::Single {
+                return boxed::<f32>(self, modulus, scaled);
+            }
+            boxed::<f64>(self, modulus, scaled)
         })??;
         Ok(Solver { grid, modulus, boundary, engine, pool })
     }

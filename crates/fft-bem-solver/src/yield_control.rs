@@ -50,7 +50,7 @@ pub(crate) fn solve<T: Real>(
     let load_of = |y: f64| h / (1.0 + (-y).exp());
     let y_of = |load: f64| (load / (h - load)).ln();
     let first = match start {
-        Start::Warm => fields::sum(&state.pressure) / state.pressure.len() as f64,
+        Start::Warm => fields::mean(&state.pressure),
         Start::Cold => guess,
     };
     let mut y = y_of(first.clamp(1e-9 * h, 0.9 * h));

@@ -237,7 +237,7 @@ impl Warning {
             Self::NoRolloff => worded(
                 "No roll-off within what was measured.",
                 "The longest waves are not sampled: rms height and everything made of it grow with \
-                 the measured length.",
+                 the measured length, beyond what the ± says. m₂ and m₄ hardly do.",
             ),
             Self::FewWaves { count } => worded(
                 format!("Only {} of the longest waves fit the map.", ratio(count)),

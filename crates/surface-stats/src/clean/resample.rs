@@ -176,6 +176,7 @@ mod tests {
         assert!(low > -0.6 && high < 63.6, "{low} {high}");
         let periodic = resample(&ramp, [4, 256]).unwrap();
         assert!(periodic.range().1 > 66.0);
+        assert!(resample(&ramp, [0, 5]).is_err());
     }
 
     proptest! {

@@ -165,8 +165,12 @@ impl ProfileStatistics {
             return Err(refused); // what was asked for must be possible
         }
         // The profile whose moments count is filtered if that was asked for.
-        let used = levelled.iter().map(|trace| trace.filtered(options.short, options.cutoff));
-        let used: Vec<Trace> = used.collect::<Result<_, _>>()?;
+        let used = if options.short.is_none() && options.cutoff.is_none() {
+            levelled
+        } else {
+            let filtered = levelled.iter().map(|t| t.filtered(options.short, options.cutoff));
+            filtered.collect::<Result<Vec<Trace>, _>>()?
+        };
         let spectrum = TraceSpectrum::of(&used);
         let statistics = Self::of_used(&used, &spectrum, roughness, step, options)?;
         Ok((statistics, used, spectrum))

@@ -81,10 +81,13 @@ impl Trace {
         short: Option<f64>,
         long: Option<f64>,
     ) -> Result<Self, StatsError> {
-        let trace = short.map_or_else(|| Ok(self.clone()), |s| self.without_short_waves(s))?;
+        let shortened = short.map(|s| self.without_short_waves(s)).transpose()?;
         match long {
-            Some(long) => trace.without_long_waves(long)?.without_ends(0.5 * long),
-            None => Ok(trace),
+            Some(long) => {
+                let trace = shortened.as_ref().unwrap_or(self);
+                trace.without_long_waves(long)?.without_ends(0.5 * long)
+            }
+            None => Ok(shortened.unwrap_or_else(|| self.clone())),
         }
     }
 

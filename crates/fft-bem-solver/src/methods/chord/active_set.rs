@@ -101,8 +101,7 @@ impl<T: Real, C: Ceiling<T>> Run<'_, T, C> {
         let pairs = &mut self.work.pairs;
         let State { pressure, displacement, .. } = &*self.iterate;
         control.guess([pressure, displacement], self.memory.residual);
-        let extended = pairs.spare();
-        let rise = fields::sum(extended) / extended.len() as f64;
+        let rise = fields::mean(pairs.spare());
         let factor = control.factor(level + rise, self.load, self.memory.residual);
         pairs.scale(factor, self.iterate);
         self.load *= factor;

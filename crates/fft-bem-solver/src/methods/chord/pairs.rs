@@ -69,9 +69,9 @@ impl<T: Real> Pairs<T> {
     pub(super) fn scale(&mut self, factor: f64, iterate: &mut State<T>) {
         // The step before must stay one that changes no load.
         let Pair { pressure, displacement } = &mut self.before;
-        for field in [&mut iterate.pressure, &mut iterate.displacement, pressure, displacement] {
-            passes::scale(factor, field);
-        }
+        iterate.scale(factor);
+        passes::scale(factor, pressure);
+        passes::scale(factor, displacement);
     }
 
     /// Makes the trial the iterate and, where there is room, the iterate the one before.

@@ -93,14 +93,14 @@ impl<'a, T: Real, C: Ceiling<T>> Run<'a, T, C> {
     ///
     /// What was near the ceiling may so come to lie above it: it is projected, for one convolution.
     pub(super) fn begin_scaled(&mut self) {
-        let present = mean(&self.iterate.pressure);
+        let present = fields::mean(&self.iterate.pressure);
         if self.control.is_some() {
             self.load = present;
             return;
         }
         let factor = self.load / present;
         let is_cut = C::IS_FINITE && self.ceiling.is_passed(factor, &self.iterate.pressure);
-        self.scale_iterate(factor);
+        self.iterate.scale(factor);
         if is_cut {
             project(self.ceiling, &mut self.iterate.pressure, self.load);
             self.operator.apply(&self.iterate.pressure, &mut self.iterate.displacement);
@@ -113,15 +113,10 @@ impl<'a, T: Real, C: Ceiling<T>> Run<'a, T, C> {
         if C::IS_FINITE {
             return; // every trial is given the load to the last digit, and its nodes may not be scaled
         }
-        let present = mean(&self.iterate.pressure);
+        let present = fields::mean(&self.iterate.pressure);
         if (present / self.load - 1.0).abs() > 32.0 * T::EPSILON {
-            self.scale_iterate(self.load / present);
+            self.iterate.scale(self.load / present);
         }
-    }
-
-    fn scale_iterate(&mut self, factor: f64) {
-        passes::scale(factor, &mut self.iterate.pressure);
-        passes::scale(factor, &mut self.iterate.displacement);
     }
 
     /// How far a prescribed level is from being met, in the logarithm of the load.
@@ -137,8 +132,4 @@ pub(super) fn project<T: Real, C: Ceiling<T>>(ceiling: C, field: &mut [T], load:
     } else {
         projection::onto_admissible(field, load);
     }
-}
-
-fn mean<T: Real>(field: &[T]) -> f64 {
-    fields::sum(field) / field.len() as f64
 }
