@@ -16,7 +16,9 @@ pub enum NoUncertainty {
         shape: [usize; 2],
     },
     /// On another rung the number does not exist: the load was not solved there, or the contact is full.
-    #[error("with every second point, or twice the points, there is no such number")]
+    #[error(
+        "with every second point, or twice the points, the load was not solved, or the contact is full or empty"
+    )]
     Undefined,
     /// The iteration stopped too early.
     #[error(

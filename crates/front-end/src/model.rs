@@ -2,7 +2,6 @@
 
 use crate::failure::{Failure, variant};
 use crate::loads::Spread;
-use crate::models::citation;
 use crate::traces::Traces;
 use contact_accuracy::round_to_digits;
 use contact_compare::survey::{ErrorRange, gaussian_errors};
@@ -313,7 +312,7 @@ pub fn object(
     let points: Vec<Value> = questions.iter().zip(results).map(point).collect();
     let mut json = json!({
         "model": card.name,
-        "citation": citation(&card.citation),
+        "citation": card.citation,
         "modulus": (!card.is_rigid).then_some(inputs.modulus.pascals()),
         "inputs": given(card, inputs),
         "load_area": spread.map(|s| s.area),
@@ -423,21 +422,14 @@ fn refusal(error: &ModelError) -> Value {
 fn given(card: &Card, inputs: &Inputs) -> Value {
     let has_gap = card.takes(Input::Gamma) && inputs.has_gap();
     let alone = || inputs.mean_square_slope.map(|m2| json!({ "m0": null, "m2": m2, "m4": null }));
-    let moments = inputs.moments.map(|m| json!({ "m0": m.m0, "m2": m.m2, "m4": m.m4 }));
-    let moments = moments.or_else(alone);
-    let asperities = inputs.asperities.map(|a| {
-        json!({
-            "density": a.density, "radius": a.radius,
-            "height_std": a.height_std, "mean_offset": a.mean_offset,
-        })
-    });
+    let moments = inputs.moments.map(|m| json!(m)).or_else(alone);
     let amplitudes = inputs.amplitudes.as_ref();
     json!({
         "moments": moments,
         "rms_height": inputs.rms_height,
         "mean_slope": inputs.mean_slope,
         "source": inputs.m2().map(|_| inputs.source.name()),
-        "asperities": asperities,
+        "asperities": inputs.asperities,
         "max_amplitude_ratio":
             inputs.max_amplitude_ratio.or(amplitudes.map(AmplitudeSpectrum::max_amplitude_ratio)),
         "record_length": amplitudes.map(AmplitudeSpectrum::record_length),

@@ -81,10 +81,13 @@ fn kind(finding: &Value) -> String {
         other => other.as_str().map(str::to_owned),
     };
     let kind = name(&finding["fact"]).unwrap_or_default();
-    match name(&finding["fact"][&kind]) {
-        Some(inner) if kind == "warned" => inner,
-        _ => kind,
-    }
+    let fact = &finding["fact"][&kind];
+    let inner = match kind.as_str() {
+        "warned" => name(fact),
+        "no_uncertainty" => name(&fact["why"]),
+        _ => None,
+    };
+    inner.unwrap_or(kind)
 }
 
 /// How numbers are spread: their order and what is read off it.
@@ -159,6 +162,9 @@ mod tests {
         assert_eq!(row["seconds"], 3.0);
         assert_eq!(row["to_check"], 1);
         assert_eq!(row["checks"], json!([{ "kind": "edge_jump", "claim": "It jumps." }]));
+        let unsolved =
+            |why| kind(&json!({ "fact": { "no_uncertainty": { "loads": 1, "why": why } } }));
+        assert_eq!(["NotConverged", "AtRounding"].map(unsolved), ["NotConverged", "AtRounding"]);
         assert_eq!(row["models"]["gw"]["area_error"], -0.2);
         assert_eq!(row["curve"], json!([[1e6, 0.01], [2e6, 0.02]]));
     }

@@ -22,7 +22,7 @@ fn citation(authors: &str) -> Citation {
     }
 }
 
-/// HalfTouches of everything touches.
+/// Half of everything touches.
 struct HalfTouches(Card);
 
 impl Theory for HalfTouches {

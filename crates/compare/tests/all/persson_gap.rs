@@ -61,4 +61,8 @@ fn the_default_weight_is_the_one_that_the_solver_confirms() {
         println!("{load}: {:+.3} with gamma 1, {:+.3} with 0.45", one[1], yang[1]);
         assert!(yang[0] < 0.15 && yang[0] < 0.6 * one[0], "{load}: {yang:?} {one:?}");
     }
+    // A model has this weight as it is built.
+    let gap = |model: &Persson| model.mean_gap(gaps[0].1[0][0]).unwrap().to_bits();
+    let told = gaps[0].0.clone().with_gamma(0.45).unwrap();
+    assert_eq!(gap(&gaps[0].0), gap(&told));
 }

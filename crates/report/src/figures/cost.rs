@@ -10,7 +10,7 @@ use crate::numbers::{duration, percent};
 #[derive(Debug, Clone)]
 pub(crate) struct CostRoute {
     pub label: String,
-    /// The series it is, see [`Canvas::series`]; may be empty.
+    /// The series it is, see [`Canvas::series`](crate::draw::svg::Canvas::series); may be empty.
     pub series: String,
     pub look: Style,
     pub seconds: f64,
