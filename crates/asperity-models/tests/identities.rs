@@ -203,8 +203,8 @@ fn order_of_the_three_models() {
     }
     // Greenwood (2006): the simplification adds about 2 % of area.
     let at = |model: &dyn SeparationModel| model.at_separation(0.0).unwrap().area_fraction;
-    let full = at(&model::<asperity_models::EllipticHertz>(2.0));
-    let elliptical = at(&model::<asperity_models::GeometricMeanSphere>(2.0));
-    let mean = at(&model::<asperity_models::ArithmeticMeanSphere>(2.0));
+    let (full, elliptical): (BushGibsonThomas, GreenwoodElliptical) = (model(2.0), model(2.0));
+    let mean: MeanCurvature = model(2.0);
+    let [full, elliptical, mean] = [at(&full), at(&elliptical), at(&mean)];
     assert!((elliptical / full - 1.018).abs() < 1e-3 && mean < 0.95 * full);
 }

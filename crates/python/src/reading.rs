@@ -155,14 +155,9 @@ fn needs(needs: &[surface_io::Need]) -> String {
 }
 
 pub(crate) fn rule(name: &str) -> Result<Fill, Failure> {
-    Ok(match name {
-        "refuse" => Fill::Refuse,
-        "harmonic" => Fill::Harmonic,
-        "nearest" => Fill::Nearest,
-        other => {
-            let message = format!("fill = {other:?} is none of 'refuse', 'harmonic', 'nearest'");
-            return Err(Failure::refused("setting", message));
-        }
+    Fill::of_name(name).ok_or_else(|| {
+        let message = format!("fill = {name:?} is none of 'refuse', 'harmonic', 'nearest'");
+        Failure::refused("setting", message)
     })
 }
 

@@ -188,12 +188,13 @@ pub(crate) fn json(pair: Option<&PairOrigin>) -> Value {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use rough_contact::contact_types::Named;
 
     #[test]
     fn options_of_the_second_body_are_read_as_those_of_the_first() {
         let said = own("--fill harmonic --channel 'Z Axis' --outliers 8").unwrap();
         assert_eq!(said.reading.channel.as_deref(), Some("Z Axis"));
-        assert_eq!(said.reading.fill_name(), "harmonic");
+        assert_eq!(said.reading.fill.name(), "harmonic");
         assert_eq!(said.cleaning.asked().outliers, Some(8.0));
         for bad in ["--fill some", "--channel 'Z", "--pressure 1MPa", "b.x3p"] {
             assert!(own(bad).is_err(), "{bad}");

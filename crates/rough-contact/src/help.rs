@@ -47,25 +47,24 @@ pub(crate) fn grouped(command: Command, words: &[String]) -> Command {
     };
     let names: Vec<String> = command.get_subcommands().map(|c| c.get_name().to_owned()).collect();
     let command = command.mut_args(|arg| placed(arg, false));
-    names.into_iter().fold(command, |command, name| {
+    let command = names.into_iter().fold(command, |command, name| {
         let is_model = name == "model";
-        let is_compare = name == "compare";
         command.mut_subcommand(name, |sub| {
             let sub = sub.mut_args(|arg| placed(arg, is_model));
-            let sub = if is_compare { alone(sub, "from", "out") } else { sub };
             if is_model && model.is_none() {
                 sub.after_help("`rough-contact model NAME -h` shows what a model is made from, --list all of them.")
             } else {
                 sub
             }
         })
-    })
+    });
+    command.mut_subcommand("compare", alone)
 }
 
-/// The command whose option `whole` stands for all others but `kept`: a run file has every setting of its run.
-fn alone(command: Command, whole: &str, kept: &str) -> Command {
-    let ids =
-        command.get_arguments().map(Arg::get_id).filter(|id| ![whole, kept].contains(&id.as_str()));
-    let others: Vec<_> = ids.cloned().collect();
-    command.mut_arg(whole, |arg| arg.conflicts_with_all(others))
+/// The study, whose `--from` excludes all but `--out`: a run file has every setting of its run.
+fn alone(compare: Command) -> Command {
+    let ids = compare.get_arguments().map(Arg::get_id);
+    let others: Vec<_> =
+        ids.filter(|id| !["from", "out"].contains(&id.as_str())).cloned().collect();
+    compare.mut_arg("from", |arg| arg.conflicts_with_all(others))
 }

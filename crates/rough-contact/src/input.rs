@@ -18,26 +18,18 @@ use rough_contact::surface_io::{
 use rough_contact::{front_end, surface_io};
 use std::path::{Path, PathBuf};
 
-/// How missing points can be filled: the rule, its name, what it does.
-const FILLS: [(Fill, &str, &str); 3] = [
-    (Fill::Refuse, "refuse", "Missing points are an error"),
-    (
-        Fill::Harmonic,
-        "harmonic",
-        "A smooth surface through the neighbours: the solution of Laplace's equation",
-    ),
-    (Fill::Nearest, "nearest", "The height of the nearest point"),
-];
-
-/// The rule of this name.
-pub(crate) fn fill_of(name: &str) -> Option<Fill> {
-    FILLS.iter().find(|(_, known, _)| *known == name).map(|(fill, ..)| *fill)
-}
-
+/// How missing points can be filled: a rule by its name.
 fn fills() -> impl TypedValueParser<Value = Fill> {
-    let shown = |(_, name, about)| PossibleValue::new(name).help(about);
-    PossibleValuesParser::new(FILLS.map(shown))
-        .map(|name| fill_of(&name).expect("clap accepts only these names"))
+    let about = |fill| match fill {
+        Fill::Refuse => "Missing points are an error",
+        Fill::Harmonic => {
+            "A smooth surface through the neighbours: the solution of Laplace's equation"
+        }
+        Fill::Nearest => "The height of the nearest point",
+    };
+    let shown = |fill: Fill| PossibleValue::new(fill.name()).help(about(fill));
+    PossibleValuesParser::new(Fill::all().map(shown))
+        .map(|name| Fill::of_name(&name).expect("clap accepts only these names"))
 }
 
 /// What the file does not say, and which part of it is wanted.
@@ -162,11 +154,6 @@ impl ReadingOptions {
         Ok(all)
     }
 
-    /// The name of the rule for missing points.
-    pub(crate) fn fill_name(&self) -> &'static str {
-        FILLS.iter().find(|(fill, ..)| *fill == self.fill).map_or("", |(_, name, _)| name)
-    }
-
     /// What the options say of a file, for findings and for a run that is to be repeated.
     pub(crate) fn origin(&self, path: &Path, cleaning: Cleaning) -> FileOrigin {
         FileOrigin {
@@ -179,7 +166,7 @@ impl ReadingOptions {
             layout: self.layout.map(|layout| layout.name().to_owned()),
             decimal: self.decimal.map(|mark| mark.name().to_owned()),
             missing_marks: self.missing.clone(),
-            fill: self.fill_name().to_owned(),
+            fill: self.fill.name().to_owned(),
             cleaning,
             ..FileOrigin::default()
         }

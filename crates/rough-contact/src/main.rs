@@ -150,7 +150,7 @@ fn run(cli: &Cli) -> Result<Reply, Failure> {
         Command::App(app) => app.run(common),
         Command::Validate(validate) => validate.run(common),
         #[cfg(feature = "shell")]
-        Command::Completions(completions) => completions.run(Cli::command()),
+        Command::Completions(completions) => completions.run(help::grouped(Cli::command(), &[])),
         #[cfg(feature = "shell")]
         Command::Man(man) => man.run(help::grouped(Cli::command(), &[]), common),
     }

@@ -5,7 +5,6 @@ use crate::outcome::{Failure, Reply};
 use crate::output::Folder;
 use clap::{Args, Command};
 use serde_json::json;
-use std::io::Write as _;
 use std::path::PathBuf;
 
 #[derive(Args)]
@@ -25,9 +24,7 @@ impl Man {
         if let Some(out) = &self.out {
             let names: Vec<String> = pages.iter().map(|(name, _)| name.clone()).collect();
             let folder = Folder::prepare(out, &names, common.force)?;
-            for (name, text) in &pages {
-                folder.write(name, |file| file.write_all(text.as_bytes()))?;
-            }
+            folder.write_all(pages.into_iter().map(|(name, text)| (name, text.into_bytes())))?;
             let text = format!("{} pages: {}\n", names.len(), out.display());
             return Ok(Reply::new(text, json!({ "pages": names })));
         }

@@ -20,7 +20,7 @@ use crate::rows::{How, Shown};
 use crate::text::{self, Columns};
 use clap::Args;
 use rough_contact::compare::{EdgesName, Joint, Level, PairOrigin, on_threads};
-use rough_contact::contact_types::{Grid, HeightMap};
+use rough_contact::contact_types::{Grid, HeightMap, Named};
 use rough_contact::fft_bem_solver::{Boundary, Iteration, Load, Solution};
 use rough_contact::front_end::{Point, SolveInput, SolveRequest, SolveResult, Watch};
 use rough_contact::surface_stats::clean::Record;
@@ -190,7 +190,7 @@ impl PerFile for Solve {
             path: &self.input.file,
             map,
             missing,
-            fill: self.input.reading.fill_name(),
+            fill: self.input.reading.fill.name(),
             cleaned: &cleaned,
             pair: pair.as_ref(),
         };

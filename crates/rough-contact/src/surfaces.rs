@@ -1,6 +1,6 @@
 //! What a study is given: files, read and named, or the surfaces of a run file.
 
-use crate::input::{Complete, MapOrTraces, ReadingOptions, fill_of};
+use crate::input::{Complete, MapOrTraces, ReadingOptions};
 use crate::outcome::Failure;
 use crate::profiles::Traces;
 use rough_contact::compare;
@@ -10,7 +10,7 @@ use rough_contact::compare::{
 };
 use rough_contact::contact_types::Named;
 use rough_contact::front_end::told_apart;
-use rough_contact::surface_io::{Cut, DecimalMark, Layout};
+use rough_contact::surface_io::Cut;
 use std::path::Path;
 
 /// What the files hold.
@@ -143,20 +143,20 @@ fn made_again(path: &Path, name: &str, origin: Origin, level: Level) -> Result<O
     })
 }
 
-fn again(run_file: &Path, file: &FileOrigin) -> Result<One, Failure> {
-    let none_of = |key: &str, name: &str, choices: &str| {
-        let file = run_file.display();
-        let message = format!("{file}: {key} = \"{name}\" is none of {choices}");
+/// The choice that a run file names.
+fn choice<T: Named>(run_file: &Path, key: &str, name: &str) -> Result<T, Failure> {
+    T::of_name(name).ok_or_else(|| {
+        let names: Vec<&str> = T::all().map(T::name).collect();
+        let (file, names) = (run_file.display(), names.join(", "));
+        let message = format!("{file}: {key} = \"{name}\" is none of {names}");
         Failure::refused("syntax", message)
-    };
-    let fill = fill_of(&file.fill)
-        .ok_or_else(|| none_of("fill", &file.fill, "refuse, harmonic, nearest"))?;
-    let layout = file.layout.as_deref().map(|name| {
-        Layout::of_name(name).ok_or_else(|| none_of("layout", name, "matrix, list, traces"))
-    });
-    let decimal = file.decimal.as_deref().map(|name| {
-        DecimalMark::of_name(name).ok_or_else(|| none_of("decimal", name, "point, comma"))
-    });
+    })
+}
+
+fn again(run_file: &Path, file: &FileOrigin) -> Result<One, Failure> {
+    let fill = choice(run_file, "fill", &file.fill)?;
+    let layout = file.layout.as_deref().map(|name| choice(run_file, "layout", name));
+    let decimal = file.decimal.as_deref().map(|name| choice(run_file, "decimal", name));
     let reading = ReadingOptions {
         channel: file.channel.clone(),
         pixel: file.pixel,

@@ -2,7 +2,7 @@
 
 use crate::harmonic;
 use crate::{FillError, Measurement};
-use contact_types::{Grid, HeightMap};
+use contact_types::{Grid, HeightMap, Named};
 
 /// What to do about missing points.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
@@ -17,6 +17,11 @@ pub enum Fill {
     Harmonic,
     /// The height of the nearest measured point, in metres (not in pixels).
     Nearest,
+}
+
+impl Named for Fill {
+    const NAMES: &'static [(Self, &'static str)] =
+        &[(Self::Refuse, "refuse"), (Self::Harmonic, "harmonic"), (Self::Nearest, "nearest")];
 }
 
 impl Measurement {

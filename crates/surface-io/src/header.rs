@@ -89,7 +89,10 @@ impl Header {
         let bare =
             |text: &str| text.trim_matches(|c: char| c == '"' || c.is_whitespace()).to_lowercase();
         let count = |names: &str| {
-            let is_one = |key: &str| names.split('|').any(|name| name == bare(key));
+            let is_one = |key: &str| {
+                let key = bare(key);
+                names.split('|').any(|name| name == key)
+            };
             let mut said = self.metadata.iter().filter(|(key, _)| is_one(key));
             said.find_map(|(_, value)| bare(value).parse().ok())
         };

@@ -15,6 +15,9 @@ use std::collections::BTreeMap;
 /// Elements nested deeper than this are refused.
 const DEEPEST: usize = 32;
 
+/// What the refusal of a file without an element says.
+pub(crate) const ABSENT: &str = "the element is missing or empty";
+
 /// An element at its end.
 pub(crate) struct Element<'e> {
     /// Names from the root to this element, without prefixes.

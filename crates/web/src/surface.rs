@@ -69,7 +69,7 @@ pub(crate) fn of_measurement(
     Ok(Surface { name: request.name.clone(), origin: Origin::File(origin), heights: map })
 }
 
-/// The same without its form.
+/// The map of a measurement with the remedies as ticked, its form taken off.
 pub(crate) fn prepared(measured: &Measurement, request: &Request) -> Result<HeightMap, Trouble> {
     levelled(&completed(measured.clone(), request)?.map, request.remedies.level())
 }

@@ -71,16 +71,14 @@ fn raster<'a>(
     let is_little = section.text("SaveOrder")? == "Intel";
     let order = if is_little { ByteOrder::Little } else { ByteOrder::Big };
     let is_signed = section.text("SaveSign")? == "Signed";
-    let sample = match section.text("SaveBits")? {
+    let bits = section.text("SaveBits")?;
+    let sample = match bits {
         "8" => Sample::whole(1, is_signed),
         "16" => Sample::whole(2, is_signed),
         "32" => Sample::whole(4, is_signed),
         _ => None,
     };
-    let sample = sample.ok_or_else(|| {
-        let bits = section.get("SaveBits").unwrap_or_default();
-        b.field("SaveBits", format!("{bits:?}, not 8, 16 or 32"))
-    })?;
+    let sample = sample.ok_or_else(|| b.field("SaveBits", format!("{bits:?}, not 8, 16 or 32")))?;
     let shape = [section.parsed("Lines", "size")?, section.parsed("Points", "size")?];
     limits.check_points(FORMAT, shape)?;
     Ok(Raster { bytes: Bytes { order, ..b }, at, shape, sample })

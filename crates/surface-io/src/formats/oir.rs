@@ -50,7 +50,6 @@ const BLOCKS: [&str; 15] =
     ["", "t", "t", "t", "t", "*tt", "*tw", "*tw", "*tw", "*wtt", "*twtt", "*tt", "*tw", "*tw", "t"];
 const PROPERTIES: usize = 2;
 const PREFIX: usize = 6;
-const ABSENT: &str = "the element is missing or empty";
 
 pub(crate) fn sniff(bytes: &[u8]) -> bool {
     bytes.starts_with(MAGIC) || is_packed(bytes)
@@ -93,12 +92,12 @@ fn add<'a>(
     let parts = FileParts::of(b, limits)?;
     let properties = b.slice(parts.properties.start, parts.properties.len())?;
     let Properties { channels, fields } = Properties::of(properties, limits)?;
-    let image = Entries::new(FORMAT, &fields, ABSENT);
+    let image = Entries::new(FORMAT, &fields, crate::xml::ABSENT);
     let side = |key: &str| image.parsed::<usize>(key, "size");
     let shape = [side("imageInfo/height")?, side("imageInfo/width")?];
     limits.check_points(FORMAT, shape)?;
     for (id, fields) in channels {
-        let own = Entries::new(FORMAT, &fields, ABSENT);
+        let own = Entries::new(FORMAT, &fields, crate::xml::ABSENT);
         let kind = own.get("imageDefinition/imageType").unwrap_or("Picture");
         let name = format!("{member}{}{kind}", if member.is_empty() { "" } else { ": " });
         let channel = (|| {

@@ -28,7 +28,7 @@ pub(crate) fn parse<'a>(bytes: &'a [u8], limits: &Limits) -> Result<Contents<'a>
     let mut archive = Archive::open(bytes, FORMAT, limits)?;
     let index = archive.unpack("index.xml", limits)?;
     let mut fields = xml::fields(&index, FORMAT, "index.xml", limits)?;
-    let entries = Entries::new(FORMAT, &fields, "the element is missing or empty");
+    let entries = Entries::new(FORMAT, &fields, crate::xml::ABSENT);
     let side = |key: &str| entries.parsed::<usize>(key, "size");
     let shape = [side("GENERAL/IMAGE_SIZE_Y")?, side("GENERAL/IMAGE_SIZE_X")?];
     limits.check_points(FORMAT, shape)?;

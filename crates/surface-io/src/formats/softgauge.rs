@@ -25,7 +25,7 @@ pub(crate) fn sniff(bytes: &[u8]) -> bool {
 
 pub(crate) fn parse<'a>(bytes: &'a [u8], limits: &Limits) -> Result<Contents<'a>, ReadError> {
     let fields = xml::fields(bytes, FORMAT, "the softgauge", limits)?;
-    let entries = Entries::new(FORMAT, &fields, "the element is missing or empty");
+    let entries = Entries::new(FORMAT, &fields, crate::xml::ABSENT);
     let kind = entries.get("DATAFILE/DATA_TYPE").unwrap_or("2D");
     if kind != "2D" {
         return Err(FORMAT.unsupported(format!("a softgauge of type {kind} (profiles 2D are)")));

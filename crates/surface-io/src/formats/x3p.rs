@@ -133,7 +133,7 @@ impl MainXml {
     }
 
     fn entries(&self) -> Entries<'_> {
-        Entries::new(FORMAT, &self.fields, "the element is missing or empty")
+        Entries::new(FORMAT, &self.fields, crate::xml::ABSENT)
     }
 
     fn number(&self, path: &str, default: f64) -> Result<f64, ReadError> {
