@@ -59,6 +59,7 @@ pub(crate) fn keep_section_within(
     let (begin, end) = (format!("<!-- begin {name} -->"), format!("<!-- end {name} -->"));
     let start = page.find(&begin).ok_or_else(|| format!("{path} has no '{begin}'"))? + begin.len();
     let stop = page.find(&end).ok_or_else(|| format!("{path} has no '{end}'"))?;
+    let stop = page[..stop].rfind('\n').map_or(stop, |newline| newline + 1); // with what stands before the mark
     let replaced = format!("{}\n{}\n{}", &page[..start], text.trim_end(), &page[stop..]);
     keep_within(tolerance, path, &replaced, check)
 }

@@ -1,7 +1,7 @@
-//! Tables of the book that repeat what the code knows: models and formats.
+//! What repeats what the code knows: tables of models and formats in the book, the numbers of Python's statistics.
 
 use crate::generated::{check_flag, keep_section};
-use crate::shell::{TaskResult, output, rough_contact};
+use crate::shell::{TaskResult, output, read, root, rough_contact};
 use serde_json::Value;
 use std::fmt::Write;
 
@@ -11,7 +11,25 @@ pub(crate) fn run(args: &[String]) -> TaskResult {
     let models = list("model")?;
     keep_section("docs/src/models.md", "models", &model_table(&models), check)?;
     let formats = list("info")?;
-    keep_section("docs/src/formats.md", "formats", &format_table(&formats), check)
+    keep_section("docs/src/formats.md", "formats", &format_table(&formats), check)?;
+    let statistics = read(&root().join("crates/surface-stats/src/statistics.rs"))?;
+    let python = "crates/python/python/rough_contact/_statistics.py";
+    keep_section(python, "numbers", &python_numbers(&statistics), check)
+}
+
+/// The fields of Python's `Statistics` after the table `FIELDS` of a source text.
+fn python_numbers(source: &str) -> String {
+    let mut lines = String::new();
+    let calls = source.split(" field(").filter(|call| call.trim_start().starts_with('"'));
+    for call in calls {
+        let mut texts = call.split('"').skip(1).step_by(2);
+        let (key, unit) = (texts.next().unwrap_or_default(), texts.nth(2).unwrap_or_default());
+        let unit = if unit.is_empty() { "1" } else { &unit.replace('²', "2").replace('⁻', "-") };
+        let absent = if call.contains("Maybe(") { " | None" } else { "" };
+        let _ =
+            writeln!(lines, "    {key}: float{absent} = field(metadata={{\"unit\": \"{unit}\"}})");
+    }
+    lines
 }
 
 /// What `rough-contact COMMAND --list --json` prints.

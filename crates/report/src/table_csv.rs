@@ -4,32 +4,31 @@
 use crate::csv::{cell, quoted};
 use serde_json::Value;
 use std::io::{self, Write};
+use surface_stats::FIELDS;
 
 /// Keys whose values are lists of text for people, or too long for a row.
 const LEFT_OUT: [&str; 6] =
     ["metadata", "channels", "cleaning", "error", "checks", "distributions"];
 
-/// Units of the keys of results; what is not here has none. SI throughout.
+/// Units of the keys of results beside those of the statistics; what is not here has none. SI throughout.
 const UNITS: &[(&str, &str)] = &[
     (
         "m",
-        "pixel height_min height_max height_mean rms_height mean_abs_height peak_height pit_depth \
-           radius height_std mean_offset height_mean roughness rolloff cutoff record_length height_step \
-           noise_rms reliable_wavelength fractal_range mean_gap mean_gap_interval \
-           mean_gap_prediction_interval approach spacing length s_filter l_filter fractal_roughness",
+        "pixel height_min height_max height_mean radius height_std mean_offset fractal_range mean_gap \
+         mean_gap_interval mean_gap_prediction_interval approach spacing length s_filter l_filter \
+         fractal_roughness",
     ),
     ("N", "load"),
-    ("m^2", "m0 m0_spectral m0_interval median_spot_area largest_spot_area load_area"),
-    ("m^-2", "m4 m4_x m4_y m4_spectral m4_interval density"),
-    ("m^-1", "curvature_mean"),
+    ("m²", "m0_interval median_spot_area largest_spot_area load_area"),
+    ("m⁻²", "m4_interval density"),
+    ("m⁻¹", "curvature_mean"),
     (
         "Pa",
         "modulus mean_pressure mean_pressure_interval mean_pressure_prediction_interval max_pressure \
-            real_pressure real_pressure_interval \
-            real_pressure_prediction_interval hardness",
+         real_pressure real_pressure_interval real_pressure_prediction_interval hardness",
     ),
     ("Pa/m", "stiffness stiffness_interval stiffness_prediction_interval"),
-    ("J/m^2", "duality_gap"),
+    ("J/m²", "duality_gap"),
     ("s", "seconds"),
 ];
 
@@ -70,8 +69,16 @@ fn with_unit(head: &str) -> String {
     let words =
         || head.split(['.', '[', ']']).filter(|w| w.parse::<usize>().is_err() && !w.is_empty());
     let name = words().next_back().unwrap_or_default();
-    let unit = UNITS.iter().find(|(_, names)| names.split_whitespace().any(|n| n == name));
-    unit.map_or_else(|| head.to_owned(), |(unit, _)| format!("{head} ({unit})"))
+    let of_result = UNITS.iter().find(|(_, names)| names.split_whitespace().any(|n| n == name));
+    let unit = of_result.map(|(unit, _)| *unit).or_else(|| {
+        FIELDS.iter().find(|field| field.key == name && !field.unit.is_empty()).map(|f| f.unit)
+    });
+    unit.map_or_else(|| head.to_owned(), |unit| format!("{head} ({})", ascii(unit)))
+}
+
+/// `m^-2` of `m⁻²`: a header of CSV is read by programs.
+fn ascii(unit: &str) -> String {
+    unit.replace('²', "^2").replace("⁻^2", "^-2").replace("⁻¹", "^-1")
 }
 
 /// The numbers, words and truths of an object, with the way to them as their name.
@@ -164,5 +171,21 @@ mod tests {
         assert!(lines[1].starts_with("\"a, b\",") && lines[1].contains(",1,"), "{}", lines[1]);
         assert!(lines[2].ends_with("\"no; \"\"file\"\"\""), "{}", lines[2]);
         assert!(lines.iter().skip(2).all(|l| l.matches(',').count() == head.len() - 1), "{text}");
+    }
+    #[test]
+    fn every_number_of_the_statistics_is_in_their_table() {
+        let heights = (0..64).map(|i| f64::from(i * i % 17)).collect();
+        let grid = contact_types::Grid::new([8, 8], [1.0, 1.0]).unwrap();
+        let map = contact_types::HeightMap::new(grid, heights).unwrap();
+        let s = surface_stats::SurfaceStatistics::of(&map, &Default::default()).unwrap();
+        let Value::Object(shown) = crate::json::statistics(&s) else { panic!() };
+        let numbers = shown.iter().filter(|(_, value)| value.is_f64());
+        let listed = FIELDS.iter().filter_map(|field| Some((field.key, field.of(&s)?)));
+        let sorted = |mut all: Vec<(String, f64)>| {
+            all.sort_by(|a, b| a.0.cmp(&b.0));
+            all
+        };
+        let shown = numbers.map(|(key, value)| (key.clone(), value.as_f64().unwrap())).collect();
+        assert_eq!(sorted(shown), sorted(listed.map(|(k, v)| (k.to_owned(), v)).collect()));
     }
 }

@@ -18,7 +18,9 @@ use rough_contact::contact_types::Named;
 use rough_contact::front_end::Iso;
 use rough_contact::front_end::bodies::Bodies;
 use rough_contact::surface_stats::iso25178::Volumes;
-use rough_contact::surface_stats::{ByDistance, Edges, StatsOptions, SurfaceStatistics};
+use rough_contact::surface_stats::{
+    ByDistance, Edges, FIELDS, Field, StatsOptions, SurfaceStatistics,
+};
 use rough_contact::{front_end, report};
 use std::path::Path;
 
@@ -204,37 +206,35 @@ impl Stats {
     }
 
     fn describe(&self, s: &SurfaceStatistics) -> String {
-        let length = |x: Option<f64>| text::or_dash(x, text::length);
-        let number = |x: Option<f64>| text::or_dash(x, text::number);
         let [ny, nx] = s.shape;
         let [dy, dx] = s.pixel;
         let mut t = TwoColumns::default();
         t.row("points", format!("{ny} rows × {nx} columns, {} filled in", s.missing));
         t.row("pixel", format!("{} × {} (dy × dx)", text::length(dy), text::length(dx)));
         t.row("level, edges", format!("{}, {}", s.level.name(), self.boundary.name()));
-        t.row("rms height Sq", text::length(s.rms_height));
-        t.row("mean abs height Sa", text::length(s.mean_abs_height));
-        t.row("skewness Ssk", number(s.skewness));
-        t.row("kurtosis Sku", number(s.kurtosis));
-        t.row("rms gradient Sdq", text::number(s.rms_gradient));
-        t.row("m0", format!("{:.4e} m²", s.m0));
-        t.row("m2", format!("{:.4e} (x {:.4e}, y {:.4e})", s.m2, s.m2_x, s.m2_y));
-        t.row("m4", format!("{:.4e} m⁻² (x {:.4e}, y {:.4e})", s.m4, s.m4_x, s.m4_y));
-        let spectral = text::moments(s.m0_spectral, s.m2_spectral, s.m4_spectral);
-        t.row("m0, m2, m4 spectral", spectral);
-        t.row("bandwidth m0 m4/m2²", number(s.bandwidth));
+        for fields in FIELDS.chunk_by(|a, b| a.name == b.name) {
+            let joined = |one: &dyn Fn(&Field) -> String| {
+                fields.iter().map(one).collect::<Vec<_>>().join(", ")
+            };
+            let name = format!("{} {}", fields[0].name, joined(&|f| f.symbol.to_owned()));
+            let value = |f: &Field| text::or_dash(f.of(s), |value| with_unit(value, f.unit));
+            t.row(name.trim_end(), joined(&value));
+        }
         t.asperities(s.asperities);
         if let Some(a) = s.asperities {
             t.row("asperity mean offset", text::length(a.mean_offset));
         }
         let summits = format!("{}, {:.4e} m⁻²", s.summits.count, s.summits.density);
         t.row("summits counted", summits);
-        t.row("Hurst exponent H", number(s.hurst));
-        t.row("profile dimension D", number(s.dimension));
-        t.row("fractal roughness G", length(s.roughness));
-        t.row("roll-off, cut-off", format!("{}, {}", length(s.rolloff), length(s.cutoff)));
-        let ratio = text::number(s.max_amplitude_ratio);
-        t.row("B_max", format!("{ratio} on records of {}", text::length(s.record_length)));
         t.to_string()
+    }
+}
+
+/// A number in its SI unit.
+fn with_unit(value: f64, unit: &str) -> String {
+    match unit {
+        "" => text::number(value),
+        "m" => text::length(value),
+        unit => format!("{value:.4e} {unit}"),
     }
 }

@@ -42,7 +42,7 @@ pub use level::{Level, level, tilted};
 pub use options::StatsOptions;
 pub use seam::{MOST_SEAM_JUMP, repeats, seam_jump};
 pub use spectral_scales::SpectralScales;
-pub use statistics::{Spectra, SurfaceStatistics};
+pub use statistics::{FIELDS, Field, Spectra, SurfaceStatistics};
 pub use steps::height_step;
 pub use summits::Summits;
 pub use warning::Warning;

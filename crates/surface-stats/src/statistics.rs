@@ -102,6 +102,86 @@ pub struct SurfaceStatistics {
     pub warnings: Vec<Warning>,
 }
 
+/// A number of [`SurfaceStatistics`]: all that CSV, the terminal and Python know of it.
+#[derive(Debug)]
+pub struct Field {
+    /// In JSON, CSV and Python.
+    pub key: &'static str,
+    /// In standards and papers, if it has one.
+    pub symbol: &'static str,
+    /// For people; neighbours of one name share a line.
+    pub name: &'static str,
+    /// SI; empty for a pure number.
+    pub unit: &'static str,
+    value: Value,
+}
+
+#[derive(Debug)]
+enum Value {
+    Always(fn(&SurfaceStatistics) -> f64),
+    Maybe(fn(&SurfaceStatistics) -> Option<f64>),
+}
+use Value::{Always, Maybe};
+
+impl Field {
+    /// The number of a surface, if it has one.
+    pub fn of(&self, statistics: &SurfaceStatistics) -> Option<f64> {
+        match self.value {
+            Always(value) => Some(value(statistics)),
+            Maybe(value) => value(statistics),
+        }
+    }
+}
+
+const fn field(
+    key: &'static str,
+    symbol: &'static str,
+    name: &'static str,
+    unit: &'static str,
+    value: Value,
+) -> Field {
+    Field { key, symbol, name, unit, value }
+}
+
+/// The numbers of [`SurfaceStatistics`], in its order. `cargo xtask study tables` writes those of Python from here.
+pub const FIELDS: [Field; 29] = [
+    field("rms_height", "Sq", "rms height", "m", Always(|s| s.rms_height)),
+    field("mean_abs_height", "Sa", "mean absolute height", "m", Always(|s| s.mean_abs_height)),
+    field("skewness", "Ssk", "skewness", "", Maybe(|s| s.skewness)),
+    field("kurtosis", "Sku", "kurtosis", "", Maybe(|s| s.kurtosis)),
+    field("peak_height", "Sp", "highest peak", "m", Always(|s| s.peak_height)),
+    field("pit_depth", "Sv", "deepest pit", "m", Always(|s| s.pit_depth)),
+    field("rms_gradient", "Sdq", "rms gradient", "", Always(|s| s.rms_gradient)),
+    field("m0", "m0", "height variance", "m²", Always(|s| s.m0)),
+    field("m2", "m2", "slope variance", "", Always(|s| s.m2)),
+    field("m4", "m4", "curvature variance", "m⁻²", Always(|s| s.m4)),
+    field("m2_x", "m2x", "slope variance by axis", "", Always(|s| s.m2_x)),
+    field("m2_y", "m2y", "slope variance by axis", "", Always(|s| s.m2_y)),
+    field("m4_x", "m4x", "curvature variance by axis", "m⁻²", Always(|s| s.m4_x)),
+    field("m4_y", "m4y", "curvature variance by axis", "m⁻²", Always(|s| s.m4_y)),
+    field("m0_spectral", "m0", "by spectrum", "m²", Always(|s| s.m0_spectral)),
+    field("m2_spectral", "m2", "by spectrum", "", Always(|s| s.m2_spectral)),
+    field("m4_spectral", "m4", "by spectrum", "m⁻²", Always(|s| s.m4_spectral)),
+    field("bandwidth", "m0 m4/m2²", "bandwidth", "", Maybe(|s| s.bandwidth)),
+    field("anisotropy", "a2", "slope anisotropy", "", Maybe(|s| s.anisotropy)),
+    field("hurst", "H", "Hurst exponent", "", Maybe(|s| s.hurst)),
+    field("dimension", "D", "profile dimension", "", Maybe(|s| s.dimension)),
+    field("roughness", "G", "fractal roughness", "m", Maybe(|s| s.roughness)),
+    field("rolloff", "λr", "roll-off", "m", Maybe(|s| s.rolloff)),
+    field("cutoff", "λs", "cut-off", "m", Maybe(|s| s.cutoff)),
+    field(
+        "max_amplitude_ratio",
+        "B_max",
+        "amplitude / length",
+        "",
+        Always(|s| s.max_amplitude_ratio),
+    ),
+    field("record_length", "", "length of the rows", "m", Always(|s| s.record_length)),
+    field("height_step", "", "height step", "m", Maybe(|s| s.height_step)),
+    field("noise_rms", "", "noise rms", "m", Maybe(|s| s.noise_rms)),
+    field("reliable_wavelength", "", "reliable wavelength", "m", Maybe(|s| s.reliable_wavelength)),
+];
+
 /// The spectra that [`SurfaceStatistics`] are taken from, of the levelled map.
 #[derive(Debug)]
 #[non_exhaustive]
