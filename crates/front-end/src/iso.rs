@@ -1,76 +1,55 @@
 //! Areal parameters of ISO 25178-2 under the symbols of the standard.
 
 use contact_types::HeightMap;
-use serde_json::{Value, json};
-use surface_stats::iso25178::{
-    CoreRoughness, Hybrid, MaterialRatioCurve, Spatial, Volumes, texture_direction,
-};
+use surface_stats::iso25178::{Hybrid, MaterialRatioCurve, Spatial, texture_direction};
 use surface_stats::{Edges, HeightStatistics, StatsError};
 
-/// Height, hybrid, spatial, material-ratio and volume parameters.
-#[derive(Clone, Debug)]
-pub struct Iso {
-    /// Height parameters.
-    pub heights: HeightStatistics,
-    /// Slopes and developed area.
-    pub hybrid: Hybrid,
-    /// From the autocorrelation.
-    pub spatial: Spatial,
-    /// Std: direction of the texture (degrees from x), if it has one.
-    pub direction: Option<f64>,
-    /// The Sk family.
-    pub core: CoreRoughness,
-    /// Volumes per area (m).
-    pub volumes: Volumes,
-    /// Sxp (m).
-    pub peak_extreme_height: f64,
+/// A parameter of ISO 25178-2.
+#[derive(Clone, Copy, Debug)]
+pub struct IsoParameter {
+    /// In the standard.
+    pub symbol: &'static str,
+    /// SI; `%` of a ratio that is given as a fraction, empty for a pure number, degrees from x for Std.
+    pub unit: &'static str,
+    /// Its value, if the map has one.
+    pub value: Option<f64>,
 }
 
-impl Iso {
-    /// Of a levelled map.
-    ///
-    /// # Errors
-    /// [`StatsError`] of a map that is too small or flat.
-    pub(crate) fn of(map: &HeightMap, edges: Edges) -> Result<Self, StatsError> {
-        let curve = MaterialRatioCurve::of(map)?;
-        Ok(Self {
-            heights: HeightStatistics::of(map),
-            hybrid: Hybrid::of(map)?,
-            spatial: Spatial::of(map, edges)?,
-            direction: texture_direction(map)?,
-            core: curve.core(),
-            volumes: curve.volumes(),
-            peak_extreme_height: curve.peak_extreme_height(),
-        })
-    }
-
-    /// Lengths and volumes per area in m, Std in degrees, ratios as fractions.
-    pub(crate) fn json(&self) -> Value {
-        let Self { heights, hybrid, spatial, direction, core, volumes, peak_extreme_height } = self;
-        json!({
-            "Sq": heights.rms_height,
-            "Sa": heights.mean_abs_height,
-            "Ssk": heights.skewness,
-            "Sku": heights.kurtosis,
-            "Sp": heights.peak_height,
-            "Sv": heights.pit_depth,
-            "Sz": heights.peak_height + heights.pit_depth,
-            "Sdq": hybrid.rms_gradient,
-            "Sdq_seven_point": hybrid.rms_gradient_seven_point,
-            "Sdr": hybrid.developed_area_ratio,
-            "Sal": spatial.autocorrelation_length,
-            "Str": spatial.texture_aspect_ratio,
-            "Std": direction,
-            "Sk": core.core_height,
-            "Spk": core.reduced_peak_height,
-            "Svk": core.reduced_valley_depth,
-            "Smr1": core.peak_ratio,
-            "Smr2": core.valley_ratio,
-            "Sxp": peak_extreme_height,
-            "Vmp": volumes.peak_material,
-            "Vmc": volumes.core_material,
-            "Vvc": volumes.core_void,
-            "Vvv": volumes.valley_void,
-        })
-    }
+/// Height, hybrid, spatial, material-ratio and volume parameters of a levelled map.
+///
+/// # Errors
+/// [`StatsError`] of a map that is too small or flat.
+pub(crate) fn iso(map: &HeightMap, edges: Edges) -> Result<Vec<IsoParameter>, StatsError> {
+    let curve = MaterialRatioCurve::of(map)?;
+    let (core, volumes) = (curve.core(), curve.volumes());
+    let heights = HeightStatistics::of(map);
+    let hybrid = Hybrid::of(map)?;
+    let spatial = Spatial::of(map, edges)?;
+    let (peak, pit) = (heights.peak_height, heights.pit_depth);
+    let all = [
+        ("Sq", "m", Some(heights.rms_height)),
+        ("Sa", "m", Some(heights.mean_abs_height)),
+        ("Ssk", "", heights.skewness),
+        ("Sku", "", heights.kurtosis),
+        ("Sp", "m", Some(peak)),
+        ("Sv", "m", Some(pit)),
+        ("Sz", "m", Some(peak + pit)),
+        ("Sdq", "", Some(hybrid.rms_gradient)),
+        ("Sdq_seven_point", "", hybrid.rms_gradient_seven_point),
+        ("Sdr", "%", Some(hybrid.developed_area_ratio)),
+        ("Sal", "m", spatial.autocorrelation_length),
+        ("Str", "", spatial.texture_aspect_ratio),
+        ("Std", "°", texture_direction(map)?),
+        ("Sk", "m", Some(core.core_height)),
+        ("Spk", "m", Some(core.reduced_peak_height)),
+        ("Svk", "m", Some(core.reduced_valley_depth)),
+        ("Smr1", "%", Some(core.peak_ratio)),
+        ("Smr2", "%", Some(core.valley_ratio)),
+        ("Sxp", "m", Some(curve.peak_extreme_height())),
+        ("Vmp", "m³/m²", Some(volumes.peak_material)),
+        ("Vmc", "m³/m²", Some(volumes.core_material)),
+        ("Vvc", "m³/m²", Some(volumes.core_void)),
+        ("Vvv", "m³/m²", Some(volumes.valley_void)),
+    ];
+    Ok(all.map(|(symbol, unit, value)| IsoParameter { symbol, unit, value }).to_vec())
 }

@@ -32,7 +32,7 @@ pub use documents::{DOCUMENTS, documents, profile_documents, profile_documents_n
 pub use failure::{Failure, variant};
 pub use hardness::unusual as unusual_hardness;
 pub use info::info;
-pub use iso::Iso;
+pub use iso::IsoParameter;
 pub use leak::leak_request;
 pub use paths::{run_file_in, told_apart};
 pub use planned::unmet;

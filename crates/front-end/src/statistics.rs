@@ -1,7 +1,7 @@
 //! Roughness statistics of one map: what `rough-contact stats` answers.
 
 use crate::failure::Failure;
-use crate::iso::Iso;
+use crate::iso::{IsoParameter, iso};
 use crate::scene;
 use contact_compare::{Finding, Level, PairOrigin, Spikes, WorkOfAdhesion};
 use contact_types::{ContactModulus, HeightMap};
@@ -31,7 +31,7 @@ pub struct Statistics {
     /// What may change a conclusion, worst first.
     pub findings: Vec<Finding>,
     /// Areal parameters of ISO 25178-2, if they were asked for.
-    pub iso: Option<Iso>,
+    pub iso: Option<Vec<IsoParameter>>,
     /// Slope, curvature and autocorrelation along x and y by distance, if they were asked for.
     pub scales: Option<[Vec<ByDistance>; 2]>,
 }
@@ -82,11 +82,11 @@ pub fn statistics(
     let levelled = (with_iso || with_scales).then(|| level(map, s.level));
     let levelled = levelled.transpose().map_err(refused)?;
     let iso = match levelled.as_ref().filter(|_| with_iso) {
-        Some(map) => Some(Iso::of(map, options.edges).map_err(refused)?),
+        Some(map) => Some(self::iso(map, options.edges).map_err(refused)?),
         None => None,
     };
     if let Some(iso) = &iso {
-        json["iso25178"] = iso.json();
+        json["iso25178"] = iso.iter().map(|p| (p.symbol.to_owned(), json!(p.value))).collect();
     }
     let scales = levelled.as_ref().filter(|_| with_scales).map(by_distance);
     if let Some([along_x, along_y]) = &scales {

@@ -177,7 +177,8 @@ mod tests {
         let heights = (0..64).map(|i| f64::from(i * i % 17)).collect();
         let grid = contact_types::Grid::new([8, 8], [1.0, 1.0]).unwrap();
         let map = contact_types::HeightMap::new(grid, heights).unwrap();
-        let s = surface_stats::SurfaceStatistics::of(&map, &Default::default()).unwrap();
+        let s = surface_stats::SurfaceStatistics::of(&map, &surface_stats::StatsOptions::default())
+            .unwrap();
         let Value::Object(shown) = crate::json::statistics(&s) else { panic!() };
         let numbers = shown.iter().filter(|(_, value)| value.is_f64());
         let listed = FIELDS.iter().filter_map(|field| Some((field.key, field.of(&s)?)));

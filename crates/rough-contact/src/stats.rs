@@ -15,9 +15,8 @@ use crate::{profile_stats, profiles};
 use clap::Args;
 use rough_contact::compare::{Level, WorkOfAdhesion};
 use rough_contact::contact_types::Named;
-use rough_contact::front_end::Iso;
+use rough_contact::front_end::IsoParameter;
 use rough_contact::front_end::bodies::Bodies;
-use rough_contact::surface_stats::iso25178::Volumes;
 use rough_contact::surface_stats::{
     ByDistance, Edges, FIELDS, Field, StatsOptions, SurfaceStatistics,
 };
@@ -153,29 +152,14 @@ impl PerFile for Stats {
     }
 }
 
-/// Areal parameters of ISO 25178-2.
-fn areal(iso: &Iso) -> String {
-    let joined =
-        |lengths: &[f64]| lengths.iter().map(|&l| text::length(l)).collect::<Vec<_>>().join(", ");
+/// Parameters of ISO 25178-2 that are not shown before.
+fn areal(iso: &[IsoParameter]) -> TwoColumns {
+    let is_new = |p: &&IsoParameter| FIELDS.iter().all(|field| field.symbol != p.symbol);
     let mut t = TwoColumns::default();
-    let Iso { heights, hybrid, spatial, direction, core, volumes, peak_extreme_height } = iso;
-    let (peak, pit) = (heights.peak_height, heights.pit_depth);
-    t.row("Sp, Sv, Sz", joined(&[peak, pit, peak + pit]));
-    let seven = text::or_dash(hybrid.rms_gradient_seven_point, text::number);
-    t.row("Sdq", format!("{}, seven-point {seven}", text::number(hybrid.rms_gradient)));
-    t.row("Sdr", text::percent(hybrid.developed_area_ratio));
-    t.row("Sal", text::or_dash(spatial.autocorrelation_length, text::length));
-    t.row("Str", text::or_dash(spatial.texture_aspect_ratio, text::number));
-    t.row("Std", text::or_dash(*direction, |d| format!("{}° from x", text::digits(d))));
-    let heights = [core.core_height, core.reduced_peak_height, core.reduced_valley_depth];
-    t.row("Sk, Spk, Svk", joined(&heights));
-    let ratios = [core.peak_ratio, core.valley_ratio].map(text::percent);
-    t.row("Smr1, Smr2", ratios.join(", "));
-    t.row("Sxp", text::length(*peak_extreme_height));
-    let Volumes { peak_material, core_material, core_void, valley_void } = *volumes;
-    let shown = joined(&[peak_material, core_material, core_void, valley_void]);
-    t.row("Vmp, Vmc, Vvc, Vvv", format!("{shown} (m³ per m²)"));
-    t.to_string()
+    for p in iso.iter().filter(is_new) {
+        t.row(p.symbol.replace('_', " "), text::or_dash(p.value, |value| with_unit(value, p.unit)));
+    }
+    t
 }
 
 /// A line for each distance.
@@ -235,6 +219,9 @@ fn with_unit(value: f64, unit: &str) -> String {
     match unit {
         "" => text::number(value),
         "m" => text::length(value),
+        "m³/m²" => format!("{} (m³ per m²)", text::length(value)),
+        "%" => text::percent(value),
+        "°" => format!("{}° from x", text::digits(value)),
         unit => format!("{value:.4e} {unit}"),
     }
 }

@@ -86,7 +86,7 @@ fn areal_parameters_of_a_ramp_are_those_of_the_formula() {
         assert!((found / expected - 1.0).abs() < tolerance, "{key}: {found:e}, not {expected:e}");
     }
     let text = at.run(&format!("{line} --iso")).out;
-    has(&text, &["Sk, Spk, Svk", "Vmp, Vmc, Vvc, Vvv"]);
+    has(&text, &["\nSpk ", "\nVmp ", "nm (m³ per m²)"]);
 }
 
 #[test]
