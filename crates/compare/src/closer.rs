@@ -82,10 +82,11 @@ fn certify(
     let load = Load::MeanPressure(surface.headline_pressure());
     let setup = Setup {
         mirrored: settings.edges == EdgesName::Mirrored,
+        stiffness: true,
         ..Setup::new(settings.solver().certified(true).maps(Maps::Pressure), modulus)
     };
     let mut ladder = Ladder::new(surface.surface.clone(), setup).ok()?;
-    let found = ladder.solve(load, true, |now| watch.iteration(now)).ok()?;
+    let found = ladder.solve(load, |now| watch.iteration(now)).ok()?;
     let area = found.solution.state.area_fraction;
     let answer = surface.deterministic.get_mut(surface.headline).and_then(|p| p.answer.as_mut());
     if let Some(answer) = answer {

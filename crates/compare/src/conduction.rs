@@ -55,10 +55,7 @@ const SLOPE: f64 = 1e-3;
 
 /// Stiffness and gas of theories at the loads.
 fn theories(surface: &SurfaceComparison, joint: Joint) -> Vec<TheoryStiffness> {
-    // Persson's gap asks for the spectrum.
-    let own = || surface_stats::spectrum::radial(&surface.surface).ok();
-    let spectrum = surface.inputs.spectrum.clone().or_else(own);
-    let inputs = Inputs { spectrum, ..surface.inputs.clone() };
+    let inputs = surface.inputs_with_spectrum(); // Persson's gap asks for it
     let of = |name: &str| {
         let theory = find(name)?;
         let model = theory.build(&inputs).ok()?;

@@ -121,7 +121,7 @@ fn scene(surface: &SurfaceComparison) -> Scene {
     let is_elastic = surface.inputs.hardness.is_none();
     let answers = surface.deterministic.iter().filter(|_| is_elastic).filter_map(|p| {
         let answer = p.answer.as_ref().filter(|a| a.converged)?;
-        let mean = answer.budget.real_pressure()?.value();
+        let mean = answer.budget.real_pressure()?.value;
         Some(Pressed::of(p.mean_pressure, mean, answer.max_pressure))
     });
     let s = &surface.statistics;

@@ -43,7 +43,7 @@ mod theory;
 mod verdict;
 mod yielding;
 
-pub use adhesion::{Adhesion, NO_PULL_OFF, Rough, WorkOfAdhesion};
+pub use adhesion::{Adhesion, NO_PULL_OFF, WorkOfAdhesion};
 pub use ask::{at_pressure, at_separation};
 pub use cleaning::{Cleaning, CleaningError};
 pub use conducted::{

@@ -345,6 +345,12 @@ impl ModelCurve {
 }
 
 impl SurfaceComparison {
+    /// What the models were given, with the radial spectrum, which not every study asks for.
+    pub(crate) fn inputs_with_spectrum(&self) -> Inputs {
+        let own = || surface_stats::spectrum::radial(&self.surface).ok();
+        Inputs { spectrum: self.inputs.spectrum.clone().or_else(own), ..self.inputs.clone() }
+    }
+
     /// Nominal area that the loads press on (m²): the one given, or that of the map.
     pub fn nominal_area(&self) -> f64 {
         self.load_area.unwrap_or(self.surface.grid().area())

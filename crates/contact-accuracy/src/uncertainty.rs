@@ -71,24 +71,37 @@ impl Uncertain {
 
     /// Of the area `value`, held between `least` and 1.
     pub(crate) fn area(&self, value: f64, least: f64, beside: &Beside<'_>) -> Estimate {
-        let parts = |iteration| {
+        let uncertainty = self.iteration.and_then(|[iteration, _]| {
             let moved = beside.moved(value, |n| Some(n.area))?;
-            Ok(Parts { contact_line: self.line, counting: self.counting, iteration, ..moved })
-        };
-        let uncertainty = self.iteration.and_then(|[area, _]| parts(area * value));
-        let (sampling, materials, least) = (None, 0.0, [least; 2]);
-        Estimate { value, uncertainty, sampling, materials, least, most: 1.0 }
+            let (contact_line, counting) = (self.line, self.counting);
+            Ok(Parts { contact_line, counting, iteration: iteration * value, ..moved })
+        });
+        Estimate { least: [least; 2], most: 1.0, ..Estimate::above_zero(value, uncertainty) }
+    }
+
+    /// Of another number, with that of the area: the contact line brings `line` times the uncertainty of the area over `part`,
+    /// relative and at most `most`; stopping the `iteration` brings what is said of its errors of area and gap.
+    fn other(
+        &self,
+        value: f64,
+        (area, [line, part, most]): (&Estimate, [f64; 3]),
+        moved: Result<Parts, NoUncertainty>,
+        iteration: impl Fn([f64; 2]) -> f64,
+    ) -> Estimate {
+        let uncertainty = self.iteration.and_then(|left| {
+            let moved = moved?;
+            let relative = line * area.half_width()? / part.max(f64::MIN_POSITIVE);
+            let contact_line = relative.min(most) * value;
+            Ok(Parts { contact_line, iteration: iteration(left), ..moved })
+        });
+        Estimate::above_zero(value, uncertainty)
     }
 
     /// Of the mean gap, with that of the area.
     pub(crate) fn gap(&self, value: f64, area: &Estimate, beside: &Beside<'_>) -> Estimate {
-        let uncertainty = self.iteration.and_then(|[_, iteration]| {
-            let moved = beside.moved(value, |n| n.mean_gap)?;
-            let open = (1.0 - area.value).max(f64::MIN_POSITIVE);
-            let contact_line = (GAP * area.half_width()? / open).min(1.0) * value;
-            Ok(Parts { contact_line, iteration, ..moved })
-        });
-        Estimate::above_zero(value.max(0.0), uncertainty) // rounding may leave it just below
+        let line = (area, [GAP, 1.0 - area.value, 1.0]);
+        let found = self.other(value, line, beside.moved(value, |n| n.mean_gap), |[_, gap]| gap);
+        Estimate { value: value.max(0.0), ..found } // rounding may leave it just below
     }
 
     /// Of the gas in the gap, with that of the gap: where the gap is wide beside the temperature jumps it is as its inverse.
@@ -99,16 +112,11 @@ impl Uncertain {
         area: &Estimate,
         beside: &Beside<'_>,
     ) -> Estimate {
-        let uncertainty = self.iteration.and_then(|_| {
-            let moved = beside.moved(value, |n| n.gas)?;
-            let open = (1.0 - area.value).max(f64::MIN_POSITIVE);
-            let contact_line = (GAP * area.half_width()? / open).min(1.0) * value;
-            let of_gap = gap.filter(|gap| gap.value > 0.0);
-            let iteration =
-                of_gap.and_then(|gap| Some(gap.uncertainty.ok()?.iteration / gap.value));
-            Ok(Parts { contact_line, iteration: iteration.unwrap_or(0.0) * value, ..moved })
-        });
-        Estimate::above_zero(value, uncertainty)
+        let of_gap = gap.filter(|gap| gap.value > 0.0);
+        let of_gap = of_gap.and_then(|gap| Some(gap.uncertainty.ok()?.iteration / gap.value));
+        let line = (area, [GAP, 1.0 - area.value, 1.0]);
+        let moved = beside.moved(value, |n| n.gas);
+        self.other(value, line, moved, |_| of_gap.unwrap_or(0.0) * value)
     }
 
     /// Of the stiffness of the contact set, known to `residual` (-), with that of the area.
@@ -119,25 +127,17 @@ impl Uncertain {
         area: &Estimate,
         beside: &Beside<'_>,
     ) -> Estimate {
-        let uncertainty = self.iteration.and_then(|[iteration, _]| {
-            let moved = beside.moved(value, |n| n.stiffness)?;
-            let least = area.value.min(1.0 - area.value).max(f64::MIN_POSITIVE);
-            let contact_line = STIFFNESS * area.half_width()? / least * value;
-            // The set is that of an iterate: the stiffness moves no more than its area does.
-            Ok(Parts { contact_line, iteration: (iteration + residual) * value, ..moved })
-        });
-        Estimate::above_zero(value, uncertainty)
+        let line = (area, [STIFFNESS, area.value.min(1.0 - area.value), f64::INFINITY]);
+        let moved = beside.moved(value, |n| n.stiffness);
+        // The set is that of an iterate: the stiffness moves no more than its area does.
+        self.other(value, line, moved, |[of_area, _]| (of_area + residual) * value)
     }
 
     /// Of the mean pressure at a given gap, which follows the area.
     pub(crate) fn pressure(&self, value: f64, area: &Estimate, beside: &Beside<'_>) -> Estimate {
-        let uncertainty = self.iteration.and_then(|[iteration, _]| {
-            let moved = beside.moved(value, |n| Some(n.mean_pressure))?;
-            let least = area.value.min(1.0 - area.value).max(f64::MIN_POSITIVE);
-            let contact_line = (GAP * area.half_width()? / least).min(1.0) * value;
-            Ok(Parts { contact_line, iteration: iteration * value, ..moved })
-        });
-        Estimate::above_zero(value, uncertainty)
+        let line = (area, [GAP, area.value.min(1.0 - area.value), 1.0]);
+        let moved = beside.moved(value, |n| Some(n.mean_pressure));
+        self.other(value, line, moved, |[of_area, _]| of_area * value)
     }
 }
 

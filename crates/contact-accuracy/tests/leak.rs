@@ -6,7 +6,7 @@
 mod families;
 
 use contact_accuracy::{
-    Answered, Axis, ContactModulus, Finer, Grid, Ladder, Leak, Load, Map, Maps, Setup, Solver,
+    Answered, Axis, ContactModulus, Grid, Ladder, Leak, Load, Map, Maps, Setup, Solver,
 };
 use families::{family, map};
 use gap_flow::Gap;
@@ -17,12 +17,12 @@ fn answered(points: usize, name: &str, seed: u64, pressure: f64) -> Answered {
     let given = map(points, &heights);
     let rms = Map::of(&given).rms_height;
     let setup = Setup {
-        finer: Finer::Never,
+        finer: false,
         leak: vec![Axis::X],
         ..Setup::new(Solver::builder(), ContactModulus::from_pascals(1.0).unwrap())
     };
     let mut ladder = Ladder::new(given, setup).unwrap();
-    ladder.solve(Load::MeanPressure(pressure * rms), false, |_| ()).unwrap()
+    ladder.solve(Load::MeanPressure(pressure * rms), |_| ()).unwrap()
 }
 
 fn leak(points: usize, name: &str, seed: u64, pressure: f64) -> Leak {

@@ -79,7 +79,7 @@ impl SolvedLoads {
     /// What presses at each load that converged, by rising load.
     pub(crate) fn pressed(&self) -> Vec<Pressed> {
         let pressed = |(solution, budget): (&Solution, &Budget)| {
-            let mean = budget.real_pressure()?.value();
+            let mean = budget.real_pressure()?.value;
             Some(Pressed::of(solution.state.mean_pressure, mean, solution.diagnostics.max_pressure))
         };
         let mut all: Vec<Pressed> = self.converged().filter_map(pressed).collect();

@@ -245,7 +245,7 @@ pub(crate) fn answer(
 pub fn accuracy(reached: &Reached) -> Value {
     json!({
         "requested": reached.request.map(AccuracyRequest::relative),
-        "met": reached.met,
+        "met": reached.unmet.is_none(),
         "given": reached.given.shape(),
         "grid": reached.grid.shape(),
         "factor": reached.factor(),

@@ -7,7 +7,7 @@ use crate::profile::findings::profile_findings;
 use crate::reason::Verdict;
 use crate::result::{DeterministicPoint, ModelCurve};
 use crate::scene::Scene;
-use crate::study::{check_models, check_pressures, loads, named};
+use crate::study::{check_models, check_pressures, headline, loads, nearest};
 use crate::theory::{BuildError, Card, Theory};
 use crate::verdict::{Judged, verdict};
 use crate::{Origin, Registry, Settings, StudyError};
@@ -183,7 +183,9 @@ impl ProfileComparison {
         let mut inputs = profile_inputs(&statistics, &spectrum, modulus).map_err(refused)?;
         inputs.surface = Some(name.clone());
         let pressures = loads(&settings, modulus, inputs.rms_gradient());
-        let headline = headline(&settings, &pressures, modulus.pascals() * inputs.rms_gradient())?;
+        let typical = TYPICAL_LOAD * modulus.pascals() * inputs.rms_gradient();
+        let headline =
+            headline(&settings, &pressures)?.unwrap_or_else(|| nearest(&pressures, typical));
         let points: Vec<DeterministicPoint> = pressures
             .iter()
             .map(|&mean_pressure| DeterministicPoint { mean_pressure, answer: None, trouble: None })
@@ -245,18 +247,6 @@ impl ProfileComparison {
             ..Scene::default()
         }
     }
-}
-
-/// The load asked for, or the one nearest to where 2 % usually touch.
-fn headline(settings: &Settings, pressures: &[f64], scale: f64) -> Result<usize, StudyError> {
-    if let Some(value) = settings.headline {
-        let found = pressures.iter().position(|p| named(*p, value));
-        return found.ok_or(StudyError::HeadlineNotComputed { value });
-    }
-    let distance = |p: &f64| (p / (TYPICAL_LOAD * scale)).ln().abs();
-    let nearest = (0..pressures.len())
-        .min_by(|a, b| distance(&pressures[*a]).total_cmp(&distance(&pressures[*b])));
-    Ok(nearest.unwrap_or(0))
 }
 
 fn ask(

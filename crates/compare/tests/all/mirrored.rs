@@ -94,7 +94,7 @@ fn the_intervals_hold() {
         let mut ladder = Ladder::new(map, setup).unwrap();
         for load in [0.02, 0.2] {
             let load = Load::MeanPressure(load * 1e9 * 0.1);
-            let answered = ladder.solve(load, false, |_| ()).unwrap();
+            let answered = ladder.solve(load, |_| ()).unwrap();
             assert_ne!(
                 answered.coarser[0], answered.coarser[1],
                 "seed {seed}: one choice of points"

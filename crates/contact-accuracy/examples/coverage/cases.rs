@@ -2,7 +2,7 @@
 
 use crate::families::{FAMILIES, Heights, MANY_WAVES, family, map};
 use contact_accuracy::{
-    Axis, ContactModulus, Estimate, Finer, Grid, HeightMap, Ladder, Leak, Load, Map, Maps, Numbers,
+    Axis, ContactModulus, Estimate, Grid, HeightMap, Ladder, Leak, Load, Map, Maps, Numbers,
     Setup, Solution, Solver, SolverBuilder, median, thinned,
 };
 use gap_flow::Gap;
@@ -147,7 +147,8 @@ pub(crate) fn solved(heights: &Heights, case: Case) -> Coverage {
     }
     let unit = Map::of(&given).rms_height;
     let setup = |builder: SolverBuilder| Setup {
-        finer: if case == Case::Fast { Finer::Never } else { Finer::WhenNeeded },
+        finer: case != Case::Fast,
+        stiffness: true,
         jump: (case == Case::Gaps).then_some(JUMP * unit),
         leak: if case == Case::Gaps { vec![Axis::X] } else { Vec::new() },
         ..Setup::new(builder.threads(1), ContactModulus::from_pascals(1.0).unwrap())
@@ -174,11 +175,11 @@ pub(crate) fn solved(heights: &Heights, case: Case) -> Coverage {
         pressures.into_iter().filter(|p| *p < 0.9 * hardness).map(Load::MeanPressure).collect();
     if case == Case::Gap {
         let mut gap =
-            |load| ladder.solve(load, false, |_| ()).unwrap().solution.state.mean_gap.unwrap();
+            |load| ladder.solve(load, |_| ()).unwrap().solution.state.mean_gap.unwrap();
         loads = loads.into_iter().map(|load| Load::MeanGap(gap(load))).collect();
     }
     for load in loads {
-        let answered = ladder.solve(load, true, |_| ()).unwrap();
+        let answered = ladder.solve(load, |_| ()).unwrap();
         let Ok(truth) = exact.solve_again(load) else { continue };
         let set = exact.contact_stiffness().unwrap();
         let (budget, true_area) = (answered.budget, truth.state.area_fraction);
@@ -261,10 +262,10 @@ pub(crate) fn sampling() -> String {
             [0.01, 0.1, 0.5].map(|a| pressure_for(&mut probe, a, 10.0 * unit)).to_vec()
         };
         for seed in 100..100 + MAPS {
-            let setup = Setup { finer: Finer::Never, ..Setup::new(builder(), modulus) };
+            let setup = Setup { finer: false, stiffness: true, ..Setup::new(builder(), modulus) };
             let mut ladder = Ladder::new(map(POINTS, &family(name, seed).unwrap()), setup).unwrap();
             for (k, p) in pressures.iter().enumerate() {
-                let b = ladder.solve(Load::MeanPressure(*p), true, |_| ()).unwrap().budget;
+                let b = ladder.solve(Load::MeanPressure(*p), |_| ()).unwrap().budget;
                 let of = |e: Option<Estimate>| e.and_then(|e| Some([e.value, e.sampling?]));
                 numbers[k].push([of(Some(b.area)), of(b.mean_gap), of(b.stiffness)]);
             }

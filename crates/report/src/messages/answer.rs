@@ -13,10 +13,9 @@ pub(crate) fn area(answer: &DeterministicAnswer) -> String {
 
 /// Mean real pressure, load over area, between the ends of that.
 pub(crate) fn real_pressure(answer: &DeterministicAnswer) -> String {
-    answer
-        .budget
-        .real_pressure()
-        .map_or("–".into(), |real| quantity_within(real.value(), real.stated(), PASCALS))
+    answer.budget.real_pressure().map_or("–".into(), |real| {
+        quantity_within(real.value, real.prediction.or(real.interval), PASCALS)
+    })
 }
 
 /// What the ± of [`area`] covers; empty if there is none.
