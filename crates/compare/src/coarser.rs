@@ -112,7 +112,7 @@ mod tests {
     /// what that moves is in the uncertainty.
     #[test]
     fn half_the_points_are_off_by_as_much_as_the_uncertainty_says() {
-        let mut recipe = built_in_recipes().unwrap().remove(0);
+        let mut recipe = built_in_recipes().remove(0);
         (recipe.shape, recipe.quantise) = ([128, 128], None);
         let [dy, dx] = recipe.pixel;
         recipe.cutoff = 8.0 * dy.max(dx);

@@ -4,7 +4,7 @@
 //! materials know, `2/(E* (ρ1 + ρ2))` or `2/(E* (1/k1 + 1/k2))`: one stiffness serves both, and a
 //! correlation of the field is drawn as the stiffness it stands for.
 
-use crate::ask::at_pressure;
+use crate::ask::possible;
 use crate::conducted::{Conductance, Conducted, Conduction, Joint, Octave, TheoryStiffness};
 use crate::progress::LoadListener;
 use crate::registry::find;
@@ -64,7 +64,10 @@ fn theories(surface: &SurfaceComparison, joint: Joint) -> Vec<TheoryStiffness> {
         let conducted = |p| Some(modulus * contact_of(theory, &*model, &inputs, p)?[0]);
         let stiffness = loads().map(conducted).collect();
         let gas = |gas: GapGas| -> Vec<Option<f64>> {
-            let at = |p| gas_at(&at_pressure(name, &*model, p).ok()?, &inputs, gas);
+            let at = |p| {
+                let state = possible(name, model.at_pressure(p).ok()?).ok()?;
+                gas_at(&state, &inputs, gas)
+            };
             loads().map(at).collect()
         };
         let gas = joint.gas.map_or_else(Vec::new, gas);
@@ -116,7 +119,7 @@ pub fn conducted_by(
 /// `-dp/d(separation)`, or of the mean gap, of a model at a mean pressure (Pa/m).
 fn slope(name: &str, model: &dyn ContactModel, pressure: f64) -> Option<f64> {
     let separation = |p: f64| {
-        let state = at_pressure(name, model, p).ok()?;
+        let state = possible(name, model.at_pressure(p).ok()?).ok()?;
         state.separation.or(state.mean_gap) // Persson's is that of the deformed bodies
     };
     let closed = separation(pressure * (1.0 - SLOPE))? - separation(pressure * (1.0 + SLOPE))?;
@@ -147,7 +150,7 @@ impl Joint {
     pub fn of_budget(&self, stiffness: f64, budget: &Budget, modulus: ContactModulus) -> Conducted {
         let estimate = budget.stiffness.filter(|_| stiffness > 0.0 && stiffness.is_finite());
         let set = Conductance { value: stiffness, estimate }.times(1.0 / modulus.pascals());
-        let gas = budget.gas.map(Conductance::estimated);
+        let gas = budget.gas.map(Conductance::from);
         self.conducted(set, gas, budget.mean_pressure.value)
     }
 }
@@ -232,7 +235,7 @@ mod tests {
         let asperities = AsperityStatistics::from_moments(moments).expect("summits");
         let exact = GreenwoodWilliamson::new(asperities, modulus).expect("a model");
         for pressure in [1e4, 1e6, 1e8] {
-            let state = at_pressure("gw", &*theory, pressure).expect("an answer");
+            let state = theory.at_pressure(pressure).expect("an answer");
             let known =
                 exact.stiffness(state.separation.expect("a separation")).expect("stiffness");
             let found = slope("gw", &*theory, pressure).expect("a slope");

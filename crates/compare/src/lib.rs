@@ -44,7 +44,7 @@ mod verdict;
 mod yielding;
 
 pub use adhesion::{Adhesion, NO_PULL_OFF, WorkOfAdhesion};
-pub use ask::{at_pressure, at_separation};
+pub use ask::possible;
 pub use cleaning::{Cleaning, CleaningError};
 pub use conducted::{
     Conductance, Conducted, Conduction, Joint, Octave, Resistance, TheoryStiffness,
@@ -64,16 +64,14 @@ pub use findings::{Solved, findings, is_below_a_point, measured, seam, sticking}
 pub use first_contact::FirstContact;
 pub use gas::{GapGas, Gas};
 pub use grid_fft::parallel::on_threads;
-pub use inputs::{Inputs, MomentSource};
+pub use inputs::Inputs;
 pub use materials::{
-    Listed, Material, MaterialUse, Property, UnknownMaterial, material, materials, source_of,
-    spreads,
+    Listed, Material, MaterialUse, Property, material, materials, source_of, spreads,
 };
 pub use needs::{INPUTS, Input, InputFact, InputSet, InputUnit, OfMap};
 pub use pressure_maps::{PressureMap, PressureMaps, pressure_class, pressure_top};
 pub use profile::{
-    ProfileComparison, ProfileModel, ProfileSurface, area_interval, profile_findings,
-    profile_inputs,
+    ProfileComparison, ProfileSurface, area_interval, profile_findings, profile_inputs,
 };
 pub use progress::{Listener, Progress, StudyError};
 pub use reason::{Applies, Reason, Verdict};

@@ -289,6 +289,9 @@ pub struct ModelComparison {
     pub card: Card,
     /// Its answers at the loads, or why it has none on this surface.
     pub outcome: Result<ModelCurve, BuildError>,
+    /// Of profiles, 95 % interval of the area fraction at each load over traces like these; `None` where the model does
+    /// not answer, is not made of moments, or the traces are too short to tell.
+    pub intervals: Vec<Option<[f64; 2]>>,
     /// Whether its theory covers this surface.
     pub verdict: Verdict,
 }

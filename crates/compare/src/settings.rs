@@ -241,7 +241,7 @@ impl Along {
         match self {
             Self::X => &[Axis::X],
             Self::Y => &[Axis::Y],
-            Self::Both => &Axis::BOTH,
+            Self::Both => &[Axis::X, Axis::Y],
         }
     }
 }

@@ -346,7 +346,7 @@ fn ask(
         ModelCurve { preparation, errors, ..curve }
     });
     let verdict = verdict(&card, inputs, &outcome, loads, judged);
-    ModelComparison { card, outcome, verdict }
+    ModelComparison { card, outcome, intervals: Vec::new(), verdict }
 }
 
 /// Signed relative error of an area.

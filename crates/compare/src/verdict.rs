@@ -102,24 +102,26 @@ fn strains(
                 .iter()
                 .zip(loads)
                 .find(|(m, _)| m.as_ref().is_ok_and(|s| s.area_fraction > 0.05));
-            reasons.extend(crowded.map(|(_, load)| Reason::Crowded { from: load.mean_pressure }));
+            let from = crowded.map(|(_, load)| load.mean_pressure);
+            reasons.extend(from.map(|from| Reason::Strained { caveat: None, from }));
         }
         Assumes::Amplitudes => {
             if let Some(amplitudes) = &inputs.amplitudes {
                 let steepest = amplitudes.waves().iter().max_by(|a, b| {
                     (a.amplitude * a.frequency).total_cmp(&(b.amplitude * b.frequency))
                 });
-                reasons.push(Reason::RecordLength {
-                    wavelength: steepest.map(|w| 1.0 / w.frequency),
-                    length: amplitudes.record_length(),
+                reasons.push(Reason::Band {
+                    dimension: None,
+                    short: steepest.map(|w| 1.0 / w.frequency),
+                    long: amplitudes.record_length(),
                 });
             }
         }
         Assumes::Fractal => {
-            if let (Some(dimension), Some([short, long])) =
+            if let (dimension @ Some(_), Some([short, long])) =
                 (inputs.dimension, statistics.fractal_range)
             {
-                reasons.push(Reason::FitRange { dimension, short, long });
+                reasons.push(Reason::Band { dimension, short: Some(short), long });
             }
         }
         Assumes::Gaussian | Assumes::Unstated => {}
@@ -143,7 +145,8 @@ fn caveat(curve: &ModelCurve, loads: &[DeterministicPoint]) -> Option<Reason> {
             Caveat::Saturated { .. } => true,
             _ => false,
         };
-        strains.then(|| Reason::Caveat { caveat: caveat.clone(), from: load.mean_pressure })
+        let from = load.mean_pressure;
+        strains.then(|| Reason::Strained { caveat: Some(caveat.clone()), from })
     })
 }
 
@@ -152,53 +155,39 @@ mod tests {
     use super::*;
     use contact_types::ContactState;
 
-    /// A curve of one load whose answer has this caveat.
-    fn curve(caveat: Caveat) -> (ModelCurve, [DeterministicPoint; 1]) {
-        let state = ContactState {
-            mean_pressure: 2e6,
-            area_fraction: 0.01,
-            separation: None,
-            mean_gap: None,
-            caveat: Some(caveat),
-        };
-        let load = DeterministicPoint { mean_pressure: 2e6, answer: None, trouble: None };
-        let curve = ModelCurve {
-            points: vec![Ok(state)],
-            preparation: 0.0,
-            seconds: 0.0,
-            errors: vec![None],
-            area_intervals: Vec::new(),
-        };
-        (curve, [load])
-    }
-
+    /// Full contact and a slope beyond the model are strains; an area that underflows is none, and one beyond the model is
+    /// judged by the loads alone.
     #[test]
-    fn an_area_that_underflows_is_no_strain_and_full_contact_is() {
-        let (quiet, loads) = curve(Caveat::Underflow { quantity: "area fraction".into() });
-        assert_eq!(caveat(&quiet, &loads), None);
-        let (full, loads) = curve(Caveat::Saturated { quantity: "area fraction".into() });
-        let Some(Reason::Caveat { caveat: Caveat::Saturated { .. }, from }) = caveat(&full, &loads)
-        else {
-            panic!("full contact is a strain")
-        };
-        assert_eq!(from.to_bits(), 2e6f64.to_bits());
-    }
-
-    #[test]
-    fn an_area_beyond_the_model_is_judged_by_the_loads_alone() {
+    fn a_caveat_that_is_not_about_area_is_a_strain() {
         let beyond = |quantity: &'static str| Caveat::BeyondModel {
             quantity: quantity.into(),
             value: 0.3,
             limit: 0.1,
             reason: "".into(),
         };
-        let (area, loads) = curve(beyond("area fraction"));
-        assert_eq!(caveat(&area, &loads), None);
-        let (slope, loads) = curve(beyond("slope"));
-        let said = caveat(&slope, &loads);
-        let Some(Reason::Caveat { caveat: Caveat::BeyondModel { quantity, .. }, .. }) = said else {
-            panic!("a slope beyond the model is a strain")
-        };
-        assert_eq!(quantity, "slope");
+        for (given, is_strain) in [
+            (Caveat::Underflow { quantity: "area fraction".into() }, false),
+            (Caveat::Saturated { quantity: "area fraction".into() }, true),
+            (beyond("area fraction"), false),
+            (beyond("slope"), true),
+        ] {
+            let state = ContactState {
+                mean_pressure: 2e6,
+                area_fraction: 0.01,
+                separation: None,
+                mean_gap: None,
+                caveat: Some(given.clone()),
+            };
+            let load = DeterministicPoint { mean_pressure: 2e6, answer: None, trouble: None };
+            let curve = ModelCurve {
+                points: vec![Ok(state)],
+                preparation: 0.0,
+                seconds: 0.0,
+                errors: vec![None],
+                area_intervals: Vec::new(),
+            };
+            let expected = is_strain.then_some(Reason::Strained { caveat: Some(given), from: 2e6 });
+            assert_eq!(caveat(&curve, &[load]), expected);
+        }
     }
 }

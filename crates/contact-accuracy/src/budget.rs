@@ -87,7 +87,8 @@ impl Budget {
         {
             area.sampling = Some(of_area * area.value);
             // Where the gap is wide beside the temperature jumps the gas scatters as it does, elsewhere less.
-            let others = [(&mut mean_gap, of_gap), (&mut gas, of_gap), (&mut stiffness, of_stiffness)];
+            let others =
+                [(&mut mean_gap, of_gap), (&mut gas, of_gap), (&mut stiffness, of_stiffness)];
             for (number, relative) in others {
                 number.iter_mut().for_each(|n| n.sampling = Some(relative * n.value));
             }
@@ -154,10 +155,8 @@ impl Budget {
 
     /// Of an iterate that missed its tolerance: the numbers, and why they have no uncertainty.
     pub fn of_iterate(solution: &Solution, map: &Map) -> Self {
-        let why = match solution.diagnostics.end {
-            End::Rounding => NoUncertainty::AtRounding,
-            _ => NoUncertainty::NotConverged,
-        };
+        let at_rounding = solution.diagnostics.end == End::Rounding;
+        let why = NoUncertainty::NotConverged { at_rounding };
         Self::of(solution, None, None, map, &Beside { coarser: Err(why), finer: None })
     }
 

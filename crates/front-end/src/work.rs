@@ -137,10 +137,12 @@ impl SolvedLoads {
         }
         point.without_uncertainty = match error {
             None => budget.and_then(|b: &Budget| b.area.half_width().err()),
-            Some(SolverError::Rounding(_)) => Some(NoUncertainty::AtRounding),
             // Nothing was solved, which is said of itself.
             Some(SolverError::AboveHardness { .. }) => None,
-            Some(_) => Some(NoUncertainty::NotConverged),
+            Some(error) => {
+                let at_rounding = matches!(error, SolverError::Rounding(_));
+                Some(NoUncertainty::NotConverged { at_rounding })
+            }
         };
         if let Ok(solution) = &result {
             let share = self.spikes.share(self.given.len(), &solution.pressure);

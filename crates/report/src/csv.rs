@@ -3,7 +3,7 @@
 use crate::lines::LoadLines;
 use crate::messages::conduction::{conductance, kinds};
 use contact_compare::{
-    Comparison, ModelComparison, ProfileComparison, ProfileModel, Settings, SurfaceComparison,
+    Comparison, ModelComparison, ProfileComparison, Settings, SurfaceComparison,
 };
 use contact_types::{ContactState, Named};
 use std::io::{self, Write};
@@ -114,7 +114,7 @@ fn cells(
 /// Whatever the writer reports.
 pub fn write_profiles(studies: &[ProfileComparison], out: &mut impl Write) -> io::Result<()> {
     let models = studies.first().map_or(&[][..], |study| &study.models);
-    let columns = |model: &ProfileModel| {
+    let columns = |model: &ModelComparison| {
         let name = model.card.name.replace('-', "_");
         format!(
             ",area_fraction_{name} [-],area_fraction_low_{name} [-],area_fraction_high_{name} [-],\

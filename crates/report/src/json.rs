@@ -78,7 +78,7 @@ pub fn surface(s: &SurfaceComparison, comparison: &Comparison) -> Value {
         "statistics": statistics(&s.statistics),
         "inputs": {
             "moments": s.inputs.moments,
-            "source": s.inputs.source.name(),
+            "source": "finite-differences",
             "gamma": s.inputs.has_gap().then(|| s.inputs.gamma()),
         },
         "headline_pressure": s.headline_pressure(),

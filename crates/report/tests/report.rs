@@ -288,7 +288,7 @@ fn the_report_is_deterministic() {
 /// says so.
 #[test]
 fn a_map_that_depends_on_interpolation_is_solved_on_twice_the_points() {
-    let mut recipe = built_in_recipes().unwrap().remove(0);
+    let mut recipe = built_in_recipes().remove(0);
     (recipe.shape, recipe.cutoff, recipe.quantise) = ([96, 80], 2e-6, None);
     (recipe.rms_height, recipe.rms_gradient, recipe.hurst) = (None, Some(0.1), 0.3);
     let comparison = run(vec![recipe.make().unwrap()], Settings::default());

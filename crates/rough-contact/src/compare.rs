@@ -250,7 +250,7 @@ impl Compare {
             let message = "--against is for a second body on a surface FILE, and none is given";
             return Err(Failure::refused("usage", message));
         }
-        let recipes = compare::built_in_recipes().map_err(|e| Failure::from_error(&e))?;
+        let recipes = compare::built_in_recipes();
         let made = recipes.iter().map(compare::Recipe::make).collect::<Result<_, _>>();
         made.map(Given::Maps).map_err(|e| Failure::from_error(&e))
     }

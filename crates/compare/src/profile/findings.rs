@@ -1,7 +1,7 @@
 //! What may change a conclusion drawn from profiles.
 
 use crate::finding::{Fact, Finding, Unevenness};
-use crate::findings::{cleaned, filled};
+use crate::findings::cleaned;
 use crate::scene::Scene;
 use crate::{FileOrigin, Origin};
 use surface_stats::Warning;
@@ -32,22 +32,21 @@ pub fn profile_findings(
             // The first parameter is Ra.
             let ra = statistics.roughness_mean().and_then(|means| means[0].mean);
             if let (SettingSource::Longest(_), Some(ra)) = (setting.source, ra) {
-                let (cutoff, length) = (setting.cutoff, statistics.length);
-                found.push(Finding::note(Fact::CoarserClass { cutoff, ra, length }));
+                let (wavelength, limit) = (setting.cutoff, statistics.length);
+                found.push(Finding::note(Fact::Filter { wavelength, limit, ra: Some(ra) }));
             }
-            if let Some(short) = setting.short_unresolved {
-                let fact = Fact::NoShort { short, spacing: statistics.spacing };
-                found.push(Finding::note(fact));
+            if let Some(wavelength) = setting.short_unresolved {
+                let limit = statistics.spacing;
+                found.push(Finding::note(Fact::Filter { wavelength, limit, ra: None }));
             }
         }
     }
     if statistics.rolloff.is_none() && statistics.options.cutoff.is_none() {
         found.push(Finding::warned(Warning::NoRolloff));
     }
-    if let Origin::File(FileOrigin { missing, fill, cleaned, .. }) = origin {
-        found.extend(filled(*missing, statistics.points * statistics.traces, fill, cleaned));
+    if let Origin::File(FileOrigin { missing, fill, cleaned: steps, .. }) = origin {
+        found.extend(cleaned(steps, *missing, statistics.points * statistics.traces, fill));
     }
-    found.extend(cleaned(origin.cleaned()));
     found.sort_by_key(|f| f.weight);
     found
 }

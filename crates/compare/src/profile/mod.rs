@@ -6,4 +6,4 @@ mod findings;
 mod study;
 
 pub use findings::profile_findings;
-pub use study::{ProfileComparison, ProfileModel, ProfileSurface, area_interval, profile_inputs};
+pub use study::{ProfileComparison, ProfileSurface, area_interval, profile_inputs};

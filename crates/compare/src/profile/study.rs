@@ -1,14 +1,13 @@
 //! The study of a surface of which only profiles are known: statistics and every model.
 
-use crate::ask::{at_pressure, curve_of};
+use crate::ask::{curve_of, possible};
 use crate::finding::{Finding, Pressed, Unevenness};
-use crate::inputs::{Inputs, MomentSource};
+use crate::inputs::Inputs;
 use crate::profile::findings::profile_findings;
-use crate::reason::Verdict;
-use crate::result::{DeterministicPoint, ModelCurve};
+use crate::result::{DeterministicPoint, ModelComparison};
 use crate::scene::Scene;
 use crate::study::{check_models, check_pressures, headline, loads, nearest};
-use crate::theory::{BuildError, Card, Theory};
+use crate::theory::Theory;
 use crate::verdict::{Judged, verdict};
 use crate::{Origin, Registry, Settings, StudyError};
 use contact_types::{Clock, ContactModulus, ContactState, SpectralMoments};
@@ -75,24 +74,10 @@ pub struct ProfileComparison {
     pub pressures: Vec<f64>,
     /// Index of the pressure of the headline.
     pub headline: usize,
-    /// Every model asked.
-    pub models: Vec<ProfileModel>,
+    /// Every model asked, of the isotropic surface with the moments of the traces.
+    pub models: Vec<ModelComparison>,
     /// Wall-clock time of all of it (s).
     pub seconds: f64,
-}
-
-/// A model's answers for the isotropic surface with the moments of the traces.
-#[derive(Debug)]
-pub struct ProfileModel {
-    /// What it is.
-    pub card: Card,
-    /// Its answers at the loads, or why it has none on this surface.
-    pub outcome: Result<ModelCurve, BuildError>,
-    /// 95 % interval of the area fraction at each load over traces like these; `None` where the model
-    /// does not answer, is not made of moments, or the traces are too short to tell.
-    pub intervals: Vec<Option<[f64; 2]>>,
-    /// Whether its theory covers this surface, if it is isotropic.
-    pub verdict: Verdict,
 }
 
 /// What the models are given of profiles: moments by finite differences, amplitudes of waves from the
@@ -108,7 +93,7 @@ pub fn profile_inputs(
     let is_rough = |m: &SpectralMoments| m.m2 > 0.0 && m.m4 > 0.0;
     Ok(Inputs {
         moments: Some(statistics.moments).filter(is_rough),
-        source: MomentSource::FiniteDifferences,
+        is_measured: true,
         amplitudes: Some(spectrum.amplitudes()?),
         fractal: statistics.fractal,
         dimension: statistics.hurst.map(|hurst| 2.0 - hurst),
@@ -130,7 +115,8 @@ pub fn area_interval(
     let area = |moments: SpectralMoments| -> Option<f64> {
         let beside = Inputs { moments: Some(moments), ..inputs.clone() };
         let model = theory.build(&beside).ok()?;
-        let state = at_pressure(&theory.card().title, model.as_ref(), mean_pressure).ok()?;
+        let state = model.at_pressure(mean_pressure).ok()?;
+        let state = possible(&theory.card().title, state).ok()?;
         Some(state.area_fraction).filter(|a| *a > 0.0)
     };
     let middle = area(moments)?;
@@ -254,7 +240,7 @@ fn ask(
     inputs: &Inputs,
     loads: &[DeterministicPoint],
     statistics: &ProfileStatistics,
-) -> ProfileModel {
+) -> ModelComparison {
     let card = theory.card().clone();
     let pressures: Vec<f64> = loads.iter().map(|p| p.mean_pressure).collect();
     let outcome = curve_of(theory, inputs, &pressures);
@@ -279,5 +265,5 @@ fn ask(
         excess: None,
     };
     let verdict = verdict(&card, inputs, &outcome, loads, &judged);
-    ProfileModel { card, outcome, intervals, verdict }
+    ModelComparison { card, outcome, intervals, verdict }
 }

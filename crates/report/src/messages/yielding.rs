@@ -30,7 +30,7 @@ pub(crate) fn headline(found: &Yielding) -> [String; 2] {
 }
 
 /// Of a hardness that no solid of this modulus has.
-pub(crate) fn odd(hardness: f64, [low, high]: [f64; 2]) -> [String; 2] {
+pub(crate) fn odd([hardness, low, high]: [f64; 3]) -> [String; 2] {
     let show = |p: f64| quantity(p, PASCALS, 2);
     [
         "Is the unit of the hardness right?".into(),

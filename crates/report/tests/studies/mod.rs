@@ -17,7 +17,6 @@ pub fn run(surfaces: Vec<Surface>, settings: Settings) -> Comparison {
 /// The built-in surfaces on 96 x 96 points.
 pub fn small(names: &[&str]) -> Vec<Surface> {
     built_in_recipes()
-        .unwrap()
         .into_iter()
         .filter(|r| names.contains(&r.name.as_str()))
         .map(|mut recipe| {
