@@ -8,7 +8,7 @@ use crate::{EdgesName, Listener, Origin, Settings, StudyError};
 use contact_accuracy::{Ladder, Setup, regrid};
 use contact_types::{Clock, ContactModulus, HeightMap};
 use fft_bem_solver::{Load, Maps, Solver};
-use grid_fft::parallel::{join, on_threads};
+use grid_fft::parallel::on_threads;
 use std::borrow::Cow;
 use surface_stats::clean::mirrored;
 use surface_stats::{Level, level};
@@ -136,67 +136,39 @@ fn choices(
     let Some(used) = used.as_deref() else { return Vec::new() };
     let known = known.filter(|area| factor == 1 && *area > 0.0);
     let Some(reference) = known.or_else(|| area(used)) else { return Vec::new() };
-    let mut trials: Vec<ChoiceTrial<'_>> = Vec::new();
+    let mut list = Vec::new();
+    let mut add = |kind, effect: Option<f64>| {
+        list.extend(effect.map(|effect| Choice { kind, effect }));
+    };
+    let mut effect = |map: Option<HeightMap>| Some(area(&map?)? / reference - 1.0);
     // Spikes of the map as given: a coarser grid smears them.
-    if !surface.spikes.indices.is_empty() {
-        let kind = ChoiceKind::WithoutSpikes(surface.spikes.indices.len());
-        trials.push(ChoiceTrial::new(kind, || {
-            let clean = surface.spikes.without(&surface.surface)?;
-            if factor > 1 { on(&clean, used.grid().shape()) } else { Some(clean) }
-        }));
+    let spikes = surface.spikes.indices.len();
+    if spikes > 0 {
+        let clean = surface.spikes.without(&surface.surface);
+        let clean = match factor {
+            1 => clean,
+            _ => clean.and_then(|clean| on(&clean, used.grid().shape())),
+        };
+        add(ChoiceKind::WithoutSpikes(spikes), effect(clean));
     }
     let is_levelled = matches!(surface.statistics.level, Level::Plane);
     if !matches!(surface.origin, Origin::Recipe(_)) && is_levelled {
-        trials
-            .push(ChoiceTrial::new(ChoiceKind::Paraboloid, || level(used, Level::Quadratic).ok()));
+        add(ChoiceKind::Paraboloid, effect(level(used, Level::Quadratic).ok()));
     }
     let [dy, dx] = used.grid().pixel();
     let shortest = surface.statistics.cutoff.unwrap_or(0.0).max(2.0 * dy.max(dx));
     let waves = used.grid().size().map(|side| (side / shortest).floor() as usize);
     if waves[0].min(waves[1]) >= 16 {
-        let kind = ChoiceKind::Cutoff(2.0 * shortest);
-        trials.push(ChoiceTrial::new(kind, move || on(&on(used, waves)?, used.grid().shape())));
+        let smooth = on(used, waves).and_then(|coarse| on(&coarse, used.grid().shape()));
+        add(ChoiceKind::Cutoff(2.0 * shortest), effect(smooth));
     }
     if !repeats && settings.edges == EdgesName::Periodic {
         // Half the points a side: its mirror images have as many as the map.
-        trials.push(ChoiceTrial::new(ChoiceKind::Mirrored, || {
-            on(used, used.grid().shape().map(|n| n / 2))
-        }));
-    }
-    try_all(&trials, |kind, map| {
-        if kind != ChoiceKind::Mirrored {
-            return Some(area(map)? / reference - 1.0);
-        }
-        let as_it_is = area(map)?;
-        Some(area(&mirrored(map).ok()?)? / as_it_is - 1.0)
-    })
-}
-
-/// A choice, and what makes the map as it would be then.
-struct ChoiceTrial<'a> {
-    kind: ChoiceKind,
-    map: Box<dyn Fn() -> Option<HeightMap> + Sync + 'a>,
-}
-
-impl<'a> ChoiceTrial<'a> {
-    fn new(kind: ChoiceKind, map: impl Fn() -> Option<HeightMap> + Sync + 'a) -> Self {
-        Self { kind, map: Box::new(map) }
-    }
-}
-
-/// What each choice does; the map of the next one is made while the `effect` of the one before is found.
-fn try_all(
-    trials: &[ChoiceTrial<'_>],
-    mut effect: impl FnMut(ChoiceKind, &HeightMap) -> Option<f64> + Send,
-) -> Vec<Choice> {
-    let mut list = Vec::new();
-    let make = |trial: Option<&ChoiceTrial<'_>>| trial.and_then(|trial| (trial.map)());
-    let mut map = make(trials.first());
-    for (i, &ChoiceTrial { kind, .. }) in trials.iter().enumerate() {
-        let found = || effect(kind, &map?);
-        let (found, next) = join(found, || make(trials.get(i + 1)));
-        list.extend(found.map(|effect| Choice { kind, effect }));
-        map = next;
+        let half = on(used, used.grid().shape().map(|n| n / 2));
+        let as_it_is = half.as_ref().and_then(&mut area);
+        let among_images = half.and_then(|map| area(&mirrored(&map).ok()?));
+        let both = as_it_is.zip(among_images);
+        add(ChoiceKind::Mirrored, both.map(|(as_it_is, mirrored)| mirrored / as_it_is - 1.0));
     }
     list
 }

@@ -226,7 +226,7 @@ impl Origin {
     }
 
     /// Points that were filled; of a pair those of both whole maps.
-    pub fn missing(&self) -> usize {
+    fn missing(&self) -> usize {
         match self {
             Self::File(file) => file.missing,
             Self::Recipe(_) => 0,
@@ -250,7 +250,7 @@ impl Origin {
     }
 
     /// The form that is taken off: [`Level::Auto`] follows what was said of the edges, where something was.
-    pub fn level(&self, asked: Level) -> Level {
+    fn level(&self, asked: Level) -> Level {
         match self {
             Self::Given(GivenOrigin { repeats: Some(repeats), .. }) if asked == Level::Auto => {
                 if *repeats {
@@ -279,7 +279,7 @@ impl Origin {
 
     /// Height step that is still in the heights (m). Rounding errors of two bodies are independent, so
     /// that the squares of their steps add.
-    pub fn height_step(&self) -> Option<f64> {
+    fn height_step(&self) -> Option<f64> {
         match self {
             Self::File(file) => file.height_step,
             Self::Recipe(_) => None,

@@ -24,7 +24,8 @@ pub struct CurvePoint {
 #[derive(Debug, Clone)]
 pub struct Tabulated {
     card: Card,
-    surface: Option<String>,
+    /// Name of the surface that it is for: on others of the study it does not apply. `None` for all.
+    pub surface: Option<String>,
     points: Arc<[CurvePoint]>,
 }
 
@@ -88,12 +89,6 @@ impl Tabulated {
             before = mean_pressure;
         }
         Ok(Self { card, surface: None, points: points.into() })
-    }
-
-    /// The same for the surface of this name only: on others of the study it does not apply.
-    #[must_use]
-    pub fn of_surface(self, name: impl Into<String>) -> Self {
-        Self { surface: Some(name.into()), ..self }
     }
 }
 
@@ -207,7 +202,8 @@ mod tests {
 
     #[test]
     fn a_curve_of_another_surface_does_not_apply() {
-        let curve = Tabulated::new(card(), vec![point(1.0, 0.1)]).unwrap().of_surface("ground");
+        let mut curve = Tabulated::new(card(), vec![point(1.0, 0.1)]).unwrap();
+        curve.surface = Some("ground".into());
         let mut inputs = Inputs::new(ContactModulus::from_pascals(1e9).unwrap());
         inputs.surface = Some("honed".into());
         assert!(matches!(curve.build(&inputs), Err(BuildError::Missing { .. })));

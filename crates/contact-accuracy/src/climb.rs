@@ -197,8 +197,10 @@ fn attempt(task: &Task<'_>, factor: f64, sink: &mut dyn Sink) -> Result<Attempt,
     }
     let (precision, tolerance) = (builder.has_precision(), builder.has_tolerance());
     let finer = setup.finer && grid == given.grid();
-    let mut ladder =
-        Ladder::new(map, Setup { builder, finer, section: setup.section.map(row), ..setup.clone() })?;
+    let mut ladder = Ladder::new(
+        map,
+        Setup { builder, finer, section: setup.section.map(row), ..setup.clone() },
+    )?;
     sink.begin(ladder.map(), ladder.known());
     let (mut rung, mut missed) = (Vec::new(), 0);
     for (index, &load) in loads.iter().enumerate() {

@@ -126,8 +126,7 @@ impl Ladder {
             builder = builder.maps(setup.maps());
         }
         let surface = whole.as_ref().unwrap_or(&map);
-        let solver =
-            builder.clone().section(setup.section).build(surface.grid(), setup.modulus)?;
+        let solver = builder.clone().section(setup.section).build(surface.grid(), setup.modulus)?;
         let grid = map.grid();
         let coarser = if ThinnedMaps::is_possible(grid) {
             let builder = builder.maps(setup.maps()).certified(false);
@@ -267,13 +266,7 @@ pub enum LadderError {
 /// itself otherwise. Fields are those of the map. Area, contact line, gap, load and residuals are per pixel, means
 /// over the map and its images; the edges of the map are no contact lines, for each pixel there faces its own
 /// image.
-///
-/// # Errors
-/// The one given, its iterate cut likewise.
-pub fn on_given(
-    result: Result<Solution, SolverError>,
-    given: Grid,
-) -> Result<Solution, SolverError> {
+fn on_given(result: Result<Solution, SolverError>, given: Grid) -> Result<Solution, SolverError> {
     let quarter = |mut solution: Solution| {
         if solution.grid.len() != 4 * given.len() {
             return solution;

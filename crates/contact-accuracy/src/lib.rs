@@ -31,7 +31,7 @@ pub use fft_bem_solver::{
 };
 pub use gap_flow::{Bottleneck, Flow, NotSolved};
 pub use indicator::{LIMIT as INDICATOR_LIMIT, indicator};
-pub use ladder::{Answered, Ladder, LadderError, Setup, on_given};
+pub use ladder::{Answered, Ladder, LadderError, Setup};
 pub use leak::{Leak, Leaks};
 pub use request::{AccuracyRequest, BadRequest};
 pub use surface_stats::StatsError;
