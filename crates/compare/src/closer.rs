@@ -1,6 +1,5 @@
-//! A closer look at the headline: proof of its iteration error, its stiffness, and what other
-//! choices in preparing the map would have made of its area. Asked for when a report is written; a
-//! study alone does not need it.
+//! A closer look at the headline, for a report: proof of its iteration error, its stiffness, and what other
+//! choices in preparing the map would have made of its area.
 
 use crate::progress::LoadListener;
 use crate::result::{Choice, ChoiceKind, Closer, Comparison, SurfaceComparison};
@@ -18,13 +17,10 @@ const MOST_POINTS: usize = 1024;
 
 impl Comparison {
     /// Looks closer at the headline of every surface that has a converged one on the grid as given.
-    /// Costs about four solutions like it, for a map whose edges do not match about nine. The listener
-    /// is told of their iterations, but for those of the stiffness.
+    /// Costs about four solutions like it, for a map whose edges do not match about nine.
     ///
     /// # Errors
-    /// [`StudyError::Stopped`] if the listener breaks: surfaces looked at until then keep what was
-    /// found; [`StudyError::Material`] if the modulus of the settings is none, which a finished study
-    /// rules out.
+    /// [`StudyError::Stopped`] if the listener breaks: surfaces looked at until then keep what was found.
     pub fn look_closer(&mut self, progress: &mut Listener<'_>) -> Result<(), StudyError> {
         self.at_headlines(progress, look)
     }

@@ -1,5 +1,4 @@
-//! The headline load once more on coarser grids: what a cheaper deterministic answer would have
-//! cost in accuracy. Asked for when a report is written; a study alone does not need it.
+//! The headline load on coarser grids, for a report: what a cheaper deterministic answer would have cost in accuracy.
 
 use crate::progress::LoadListener;
 use crate::result::{Coarser, Comparison, SurfaceComparison};
@@ -26,13 +25,10 @@ const SHORT: f64 = 0.05;
 impl Comparison {
     /// Solves the headline load of every surface on its coarser grids. A grid without a converged
     /// solution, or with fewer than 16 points a side, is left out; so is a surface whose grid was
-    /// chosen for an accuracy, which says itself what a coarser one would leave. The listener is
-    /// told of every iteration.
+    /// chosen for an accuracy, which says itself what a coarser one would leave.
     ///
     /// # Errors
-    /// [`StudyError::Stopped`] if the listener breaks: what was found until then is kept;
-    /// [`StudyError::Material`] if the modulus of the settings is none, which a finished study rules
-    /// out.
+    /// [`StudyError::Stopped`] if the listener breaks: what was found until then is kept.
     pub fn solve_coarser(&mut self, progress: &mut Listener<'_>) -> Result<(), StudyError> {
         self.at_headlines(progress, solve_all)
     }

@@ -158,11 +158,10 @@ impl Joint {
 impl Comparison {
     /// Solves the headline load of every surface whose conductance was asked for on its waves without the
     /// shortest octave, then without the next: what of area and conductance is a property of the shortest wave
-    /// that was measured. Up to four solutions each. The listener is told of every iteration.
+    /// that was measured. Up to four solutions each.
     ///
     /// # Errors
-    /// [`StudyError::Stopped`] if the listener breaks; [`StudyError::Material`] if the modulus of the
-    /// settings is none, which a finished study rules out.
+    /// [`StudyError::Stopped`] if the listener breaks.
     pub fn remove_octaves(&mut self, progress: &mut Listener<'_>) -> Result<(), StudyError> {
         self.at_headlines(progress, |surface, settings, modulus, watch| {
             let start = Clock::now();

@@ -8,7 +8,7 @@ use crate::progress::{Listener, Progress};
 use crate::result::{DeterministicAnswer, DeterministicPoint, SurfaceComparison};
 use crate::sections::Sections;
 use crate::spots::{Spots, spot_list};
-use contact_accuracy::{Answered, Leaks, Map, Sink};
+use contact_accuracy::{Answered, Budget, Leaks, Map, Sink};
 use contact_types::HeightMap;
 use fft_bem_solver::{Iteration, Solution, SolverError};
 use grid_fft::parallel::join;
@@ -117,12 +117,15 @@ pub(crate) fn solved(
     let of_iterate = |best: Box<Solution>, how: &str| {
         let reached = best.diagnostics.residuals.preconditioned;
         let text = format!("{how}: relative rms pressure error about {reached:.1e}");
-        (Some(DeterministicAnswer::of_iterate(&best, map)), Some(*best), Some(text))
+        let answer = DeterministicAnswer::of(&best, &Budget::of_iterate(&best, map), false);
+        (Some(answer), Some(*best), Some(text))
     };
     let (answer, solution, trouble) = match result {
         Ok(answered) => {
-            let answered = answered.with_materials(materials);
-            (Some(DeterministicAnswer::of(&answered)), Some(answered.solution), None)
+            let Answered { solution, budget, coarser, finer, .. } =
+                answered.with_materials(materials);
+            let answer = DeterministicAnswer::of(&solution, &budget, true);
+            (Some(DeterministicAnswer { coarser, finer, ..answer }), Some(solution), None)
         }
         Err(SolverError::NotConverged(best)) => of_iterate(best, "not converged"),
         Err(SolverError::Rounding(best)) => of_iterate(best, "stopped at rounding"),

@@ -1,8 +1,4 @@
 #![doc = include_str!("../README.md")]
-//!
-//! # What is not here
-//! Nothing here opens a file, prints, draws or words anything: the crate `contact-report` makes
-//! documents out of these results.
 
 mod adhesion;
 mod ask;

@@ -38,11 +38,6 @@ pub struct Recipe {
 }
 
 impl Recipe {
-    /// Makes the heights.
-    ///
-    /// # Errors
-    /// [`RecipeError::Scale`] unless exactly one of rms height and rms gradient is given;
-    /// [`RecipeError::Impossible`] if a value is out of its range.
     pub(crate) fn heights(&self) -> Result<HeightMap, RecipeError> {
         let name = || self.name.clone();
         let scale = match (self.rms_height, self.rms_gradient) {

@@ -10,7 +10,7 @@ use crate::reason::Verdict;
 use crate::sections::Sections;
 use crate::theory::{BuildError, Card};
 use crate::{EdgesName, Origin, Settings, Spikes, Spots};
-use contact_accuracy::{Answered, Budget, Leaks, Map, Numbers, Reached};
+use contact_accuracy::{Budget, Leaks, Map, Numbers, Reached};
 use contact_types::{ContactModel, ContactState, HeightMap, ModelError, SpectralMoments};
 use fft_bem_solver::{End, Residuals, Solution, Yielded};
 use serde::Serialize;
@@ -179,19 +179,8 @@ pub struct DeterministicAnswer {
 }
 
 impl DeterministicAnswer {
-    /// From what the ladder answered.
-    pub(crate) fn of(answered: &Answered) -> Self {
-        let Answered { solution, budget, coarser, finer, .. } = answered;
-        let solved = Self::of_solution(solution, budget, true);
-        Self { coarser: coarser.clone(), finer: *finer, ..solved }
-    }
-
-    /// From an iterate that missed the tolerance, on a map of which `map` tells.
-    pub(crate) fn of_iterate(solution: &Solution, map: &Map) -> Self {
-        Self::of_solution(solution, &Budget::of_iterate(solution, map), false)
-    }
-
-    fn of_solution(solution: &Solution, budget: &Budget, converged: bool) -> Self {
+    /// Without the numbers of other grids.
+    pub(crate) fn of(solution: &Solution, budget: &Budget, converged: bool) -> Self {
         let d = &solution.diagnostics;
         Self {
             touching_fraction: solution.touching_fraction(),

@@ -89,12 +89,10 @@ fn all(
 fn check_combinations(settings: &Settings) -> Result<(), StudyError> {
     settings.joint().check()?;
     if let Some(value) = settings.gamma.filter(|g| !(0.01..=1.0).contains(g)) {
-        return Err(StudyError::BadGamma { value });
+        return Err(StudyError::BadGamma(value));
     }
     match settings.hardness {
-        Some(value) if !(value > 0.0 && value.is_finite()) => {
-            Err(StudyError::BadHardness { value })
-        }
+        Some(value) if !(value > 0.0 && value.is_finite()) => Err(StudyError::BadHardness(value)),
         _ => Ok(()),
     }
 }
@@ -102,9 +100,9 @@ fn check_combinations(settings: &Settings) -> Result<(), StudyError> {
 pub(crate) fn check_pressures(settings: &Settings) -> Result<(), StudyError> {
     let given = settings.pressures.iter().flatten().chain(&settings.headline);
     match given.copied().find(|p| !(p.is_finite() && *p > 0.0)) {
-        Some(value) => Err(StudyError::BadPressure { value }),
+        Some(value) => Err(StudyError::BadPressure(value)),
         None if settings.pressures.as_ref().is_some_and(Vec::is_empty) => {
-            Err(StudyError::BadPressure { value: 0.0 })
+            Err(StudyError::BadPressure(0.0))
         }
         None => Ok(()),
     }
@@ -119,7 +117,7 @@ pub(crate) fn check_models(settings: &Settings, registry: &Registry) -> Result<(
     let is_known = |name: &str| registry.of_studies().any(|t| t.card().name == name);
     match names.iter().find(|name| !is_known(name)) {
         Some(name) => Err(StudyError::UnknownModel { name: name.clone(), known: known() }),
-        None if names.is_empty() => Err(StudyError::NoModel { known: known() }),
+        None if names.is_empty() => Err(StudyError::NoModel(known())),
         None => Ok(()),
     }
 }
@@ -167,9 +165,7 @@ fn compare(
         ..setup(settings.solver().maps(Maps::PressureAndGap))
     };
     let aim = match (settings.accuracy, settings.fast) {
-        (Some(accuracy), _) => Aim::Within(
-            AccuracyRequest::new(accuracy).map_err(|source| StudyError::Accuracy { source })?,
-        ),
+        (Some(accuracy), _) => Aim::Within(AccuracyRequest::new(accuracy)?),
         (None, true) => Aim::Fast,
         (None, false) => Aim::AsGiven,
     };
@@ -303,7 +299,7 @@ pub(crate) fn headline(settings: &Settings, loads: &[f64]) -> Result<Option<usiz
     if named(loads[place], value) {
         Ok(Some(place))
     } else {
-        Err(StudyError::HeadlineNotComputed { value })
+        Err(StudyError::HeadlineNotComputed(value))
     }
 }
 

@@ -21,10 +21,11 @@ pub struct Surface {
 }
 
 impl Recipe {
-    /// Makes the surface: its [heights](Self::heights), with its name and the recipe.
+    /// Makes the surface.
     ///
     /// # Errors
-    /// Those of [`heights`](Self::heights).
+    /// [`RecipeError::Scale`] unless exactly one of rms height and rms gradient is given;
+    /// [`RecipeError::Impossible`] if a value is out of its range.
     pub fn make(&self) -> Result<Surface, RecipeError> {
         let heights = self.heights()?;
         Ok(Surface { name: self.name.clone(), origin: Origin::Recipe(self.clone()), heights })
@@ -204,13 +205,6 @@ impl FileOrigin {
     }
 }
 
-impl PairOrigin {
-    /// What cleaning did to each body, step by step.
-    pub(crate) fn cleaned(&self) -> impl Iterator<Item = &Record> {
-        self.bodies.iter().flat_map(Origin::cleaned)
-    }
-}
-
 impl Origin {
     /// What cleaning did, step by step; nothing where no file was read, or two were.
     pub fn cleaned(&self) -> &[Record] {
@@ -226,7 +220,7 @@ impl Origin {
     }
 
     /// Points that were filled; of a pair those of both whole maps.
-    fn missing(&self) -> usize {
+    pub fn missing(&self) -> usize {
         match self {
             Self::File(file) => file.missing,
             Self::Recipe(_) => 0,
@@ -279,7 +273,7 @@ impl Origin {
 
     /// Height step that is still in the heights (m). Rounding errors of two bodies are independent, so
     /// that the squares of their steps add.
-    fn height_step(&self) -> Option<f64> {
+    pub fn height_step(&self) -> Option<f64> {
         match self {
             Self::File(file) => file.height_step,
             Self::Recipe(_) => None,

@@ -2,8 +2,8 @@
 
 use crate::families::{FAMILIES, Heights, MANY_WAVES, family, map};
 use contact_accuracy::{
-    Axis, ContactModulus, Estimate, Grid, HeightMap, Ladder, Leak, Load, Map, Maps, Numbers,
-    Setup, Solution, Solver, SolverBuilder, median, thinned,
+    Axis, ContactModulus, Estimate, Grid, HeightMap, Ladder, Leak, Load, Map, Maps, Numbers, Setup,
+    Solution, Solver, SolverBuilder, median, thinned,
 };
 use gap_flow::Gap;
 
@@ -174,8 +174,7 @@ pub(crate) fn solved(heights: &Heights, case: Case) -> Coverage {
     let mut loads: Vec<Load> =
         pressures.into_iter().filter(|p| *p < 0.9 * hardness).map(Load::MeanPressure).collect();
     if case == Case::Gap {
-        let mut gap =
-            |load| ladder.solve(load, |_| ()).unwrap().solution.state.mean_gap.unwrap();
+        let mut gap = |load| ladder.solve(load, |_| ()).unwrap().solution.state.mean_gap.unwrap();
         loads = loads.into_iter().map(|load| Load::MeanGap(gap(load))).collect();
     }
     for load in loads {
