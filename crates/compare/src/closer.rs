@@ -86,7 +86,7 @@ fn certify(
     let area = found.solution.state.area_fraction;
     let answer = surface.deterministic.get_mut(surface.headline).and_then(|p| p.answer.as_mut());
     if let Some(answer) = answer {
-        answer.energy_bound = found.solution.diagnostics.energy_bound;
+        answer.diagnostics.energy_bound = found.solution.diagnostics.energy_bound;
         // With its conductance the stiffness was found already.
         answer.budget.stiffness = answer.budget.stiffness.or(found.budget.stiffness);
     }

@@ -128,7 +128,7 @@ fn slope(name: &str, model: &dyn ContactModel, pressure: f64) -> Option<f64> {
 
 /// Stiffness of the contact set of an answer (Pa/m).
 fn stiffness(answer: &DeterministicAnswer) -> Option<f64> {
-    if answer.contact_pixels == 0 {
+    if answer.diagnostics.contact_pixels == 0 {
         return Some(0.0);
     }
     let is_full = answer.touching_fraction >= 1.0;

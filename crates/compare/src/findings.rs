@@ -7,6 +7,7 @@ use crate::scene::{Scene, is_steep};
 use crate::yielding::{BULK_YIELD, hardness_of};
 use crate::{Independence, Origin, PairFound, PairOrigin, Spikes};
 use contact_accuracy::{EdgeShare, INDICATOR_LIMIT, NoUncertainty, Reached};
+use fft_bem_solver::End;
 use surface_stats::clean::Record;
 use surface_stats::{SurfaceStatistics, Warning};
 
@@ -33,7 +34,7 @@ pub fn findings(surface: &SurfaceComparison) -> Vec<Finding> {
             .collect(),
         plan: surface.plan.as_ref(),
         small: answers()
-            .filter(|a| is_below_a_point(a.touching_fraction, a.contact_perimeter))
+            .filter(|a| is_below_a_point(a.touching_fraction, a.diagnostics.contact_perimeter))
             .count(),
         missing: file.map_or(0, |file| file.missing),
         points: surface.surface.grid().len(),
@@ -56,7 +57,7 @@ fn without_uncertainty(surface: &SurfaceComparison) -> Vec<Option<NoUncertainty>
     let of = |point: &DeterministicPoint| match &point.answer {
         Some(answer) if answer.converged => answer.budget.area.half_width().err(),
         answer => {
-            let at_rounding = answer.as_ref().is_some_and(|a| a.stopped_at_rounding);
+            let at_rounding = answer.as_ref().is_some_and(|a| a.diagnostics.end == End::Rounding);
             Some(NoUncertainty::NotConverged { at_rounding })
         }
     };
@@ -102,7 +103,7 @@ fn hardness(surface: &SurfaceComparison) -> Vec<Finding> {
     if highest > BULK_YIELD * pascals {
         found.push(Finding::note(Fact::BulkYield { highest, hardness: pascals }));
     }
-    let yielded = surface.headline_answer().and_then(|a| Some((a, a.yielded?)));
+    let yielded = surface.headline_answer().and_then(|a| Some((a, a.diagnostics.yielded?)));
     if let Some((answer, yielded)) = yielded
         && yielded.area_fraction > 0.0
     {
@@ -127,7 +128,7 @@ fn scene(surface: &SurfaceComparison) -> Scene {
     let answers = surface.deterministic.iter().filter(|_| is_elastic).filter_map(|p| {
         let answer = p.answer.as_ref().filter(|a| a.converged)?;
         let mean = answer.budget.real_pressure()?.value;
-        Some(Pressed::of(p.mean_pressure, mean, answer.max_pressure))
+        Some(Pressed::of(p.mean_pressure, mean, answer.diagnostics.max_pressure))
     });
     let s = &surface.statistics;
     Scene {

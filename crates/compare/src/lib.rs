@@ -53,7 +53,7 @@ pub use contact_types::{
 };
 pub use distribution::{Distributions, GapDistribution, PressureHistogram, SpotDistribution};
 pub use fft_bem_solver::{
-    Iteration, Load, Method, ObserverResult, Precision, Solution, Solver, SolverError, Yielded,
+    End, Iteration, Load, Method, ObserverResult, Precision, Solution, Solver, SolverError, Yielded,
 };
 pub use finding::{Fact, Finding, Passed, Pressed, Seam, Unevenness, Weight, Yield, Yielding};
 pub use findings::{Solved, findings, is_below_a_point, measured, seam, sticking};

@@ -12,7 +12,7 @@ use crate::theory::{BuildError, Card};
 use crate::{EdgesName, Origin, Settings, Spikes, Spots};
 use contact_accuracy::{Budget, Leaks, Map, Numbers, Reached};
 use contact_types::{ContactModel, ContactState, HeightMap, ModelError, SpectralMoments};
-use fft_bem_solver::{End, Residuals, Solution, Yielded};
+use fft_bem_solver::{Diagnostics, Solution};
 use serde::Serialize;
 use surface_stats::SurfaceStatistics;
 
@@ -146,63 +146,29 @@ pub struct DeterministicAnswer {
     pub coarser: Vec<Numbers>,
     /// The same load on twice the points, where the answer depends on what lies between them.
     pub finer: Option<Numbers>,
-    /// Rigorous bound of the relative error in the energy norm, where it was asked for.
-    pub energy_bound: Option<f64>,
     /// Mean gap (m).
     pub mean_gap: Option<f64>,
     /// Approach since first touch (m).
     pub approach: f64,
-    /// Highest pressure of a point (Pa).
-    pub max_pressure: f64,
-    /// Points that carry pressure.
-    pub contact_pixels: usize,
-    /// Contact-line edges per point.
-    pub contact_perimeter: f64,
-    /// Iterations.
-    pub iterations: usize,
-    /// FFT convolutions.
-    pub transforms: f64,
-    /// Wall-clock time (s).
-    pub seconds: f64,
-    /// What is left of the residuals.
-    pub residuals: Residuals,
-    /// What has yielded, if a hardness was given.
-    pub yielded: Option<Yielded>,
-    /// Energy bound (J/m²).
-    pub duality_gap: f64,
-    /// Name of the method that found it.
-    pub method: String,
+    /// How it was found, and what the field is like; its seconds are those of all grids.
+    pub diagnostics: Diagnostics,
     /// True if the tolerance was reached.
     pub converged: bool,
-    /// True if rounding kept the iteration from reaching it.
-    pub stopped_at_rounding: bool,
 }
 
 impl DeterministicAnswer {
     /// Without the numbers of other grids.
     pub(crate) fn of(solution: &Solution, budget: &Budget, converged: bool) -> Self {
-        let d = &solution.diagnostics;
         Self {
             touching_fraction: solution.touching_fraction(),
             area_fraction: solution.state.area_fraction,
             budget: *budget,
             coarser: Vec::new(),
             finer: None,
-            energy_bound: d.energy_bound,
             mean_gap: solution.state.mean_gap,
             approach: solution.approach,
-            max_pressure: d.max_pressure,
-            contact_pixels: d.contact_pixels,
-            contact_perimeter: d.contact_perimeter,
-            iterations: d.iterations,
-            transforms: d.transforms,
-            seconds: d.seconds,
-            residuals: d.residuals,
-            yielded: d.yielded,
-            duality_gap: d.duality_gap,
-            method: d.method.to_string(),
+            diagnostics: solution.diagnostics.clone(),
             converged,
-            stopped_at_rounding: d.end == End::Rounding,
         }
     }
 }

@@ -241,7 +241,7 @@ fn elastic_beside(
 ) -> Result<Vec<DeterministicPoint>, StudyError> {
     let mut beside = Vec::new();
     for (index, point) in found.deterministic.iter().enumerate() {
-        let yielded = point.answer.as_ref().and_then(|a| a.yielded);
+        let yielded = point.answer.as_ref().and_then(|a| a.diagnostics.yielded);
         if yielded.is_some_and(|y| y.area_fraction <= 0.0) {
             beside.push(point.clone());
             continue;

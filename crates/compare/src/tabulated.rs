@@ -104,16 +104,11 @@ impl Theory for Tabulated {
             let needs = format!("a curve of this surface; it was computed for '{own}'");
             return Err(BuildError::missing(self.card.title.clone(), needs));
         }
-        Ok(Box::new(TabulatedModel { card: self.card.clone(), points: Arc::clone(&self.points) }))
+        Ok(Box::new(self.clone()))
     }
 }
 
-struct TabulatedModel {
-    card: Card,
-    points: Arc<[CurvePoint]>,
-}
-
-impl ContactModel for TabulatedModel {
+impl ContactModel for Tabulated {
     fn citation(&self) -> Citation {
         self.card.citation.clone()
     }

@@ -64,7 +64,7 @@ fn cells(
     add("mean_gap_low [m]", gap.map(|r| r[0]));
     add("mean_gap_high [m]", gap.map(|r| r[1]));
     if settings.hardness.is_some() {
-        let yielded = answer.and_then(|a| a.yielded);
+        let yielded = answer.and_then(|a| a.diagnostics.yielded);
         let elastic = surface.elastic.get(i).and_then(|p| Some(p.answer.as_ref()?.area_fraction));
         add("area_fraction_at_hardness [-]", yielded.map(|y| y.area_fraction));
         add("load_share_at_hardness [-]", yielded.map(|y| y.load_share));

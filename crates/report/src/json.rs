@@ -7,7 +7,7 @@ use crate::messages::plan as plan_messages;
 use crate::provenance::Provenance;
 use contact_accuracy::{AccuracyRequest, Reached};
 use contact_compare::{
-    Comparison, DeterministicPoint, Finding, ModelComparison, ModelCurve, SurfaceComparison,
+    Comparison, DeterministicPoint, End, Finding, ModelComparison, ModelCurve, SurfaceComparison,
 };
 use contact_types::{ContactState, ModelError, Named};
 use serde_json::{Value, json};
@@ -67,7 +67,8 @@ pub fn surface(s: &SurfaceComparison, comparison: &Comparison) -> Value {
         .plan
         .as_ref()
         .map_or((settings.precision, settings.tolerance), |p| (p.precision, p.tolerance));
-    let method = s.deterministic.iter().find_map(|p| Some(p.answer.as_ref()?.method.clone()));
+    let method =
+        s.deterministic.iter().find_map(|p| Some(p.answer.as_ref()?.diagnostics.method.name()));
     json!({
         "name": s.name,
         "origin": s.origin.without_folders(),
@@ -154,6 +155,7 @@ fn point(p: &DeterministicPoint) -> Value {
             "trouble": p.trouble,
         });
     };
+    let d = &a.diagnostics;
     let mut point = json!({
         "mean_pressure": p.mean_pressure,
         "touching_fraction": a.touching_fraction,
@@ -162,26 +164,26 @@ fn point(p: &DeterministicPoint) -> Value {
         "no_interval_because": a.budget.area.half_width().err().map(|r| r.to_string()),
         "mean_gap": a.mean_gap,
         "approach": a.approach,
-        "max_pressure": a.max_pressure,
+        "max_pressure": d.max_pressure,
         "converged": a.converged,
-        "stopped_at_rounding": a.stopped_at_rounding,
+        "stopped_at_rounding": d.end == End::Rounding,
         "trouble": p.trouble,
-        "iterations": a.iterations,
-        "transforms": a.transforms,
-        "seconds": a.seconds,
+        "iterations": d.iterations,
+        "transforms": d.transforms,
+        "seconds": d.seconds,
         "residuals": {
-            "preconditioned": a.residuals.preconditioned,
-            "complementarity": a.residuals.complementarity,
-            "penetration": a.residuals.penetration,
+            "preconditioned": d.residuals.preconditioned,
+            "complementarity": d.residuals.complementarity,
+            "penetration": d.residuals.penetration,
         },
-        "duality_gap": a.duality_gap,
-        "energy_bound": a.energy_bound,
-        "contact_pixels": a.contact_pixels,
-        "contact_perimeter": a.contact_perimeter,
+        "duality_gap": d.duality_gap,
+        "energy_bound": d.energy_bound,
+        "contact_pixels": d.contact_pixels,
+        "contact_perimeter": d.contact_perimeter,
     });
     if let Value::Object(keys) = &mut point {
         keys.extend(crate::point_json::budget_keys(Some(&a.budget)));
-        keys.extend(crate::point_json::yield_keys(a.yielded, a.touching_fraction));
+        keys.extend(crate::point_json::yield_keys(d.yielded, a.touching_fraction));
     }
     point
 }

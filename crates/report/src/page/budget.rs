@@ -43,7 +43,7 @@ pub(crate) fn table(
             of(budget.stiffness)
         )
     };
-    let left = tolerance_words(answer.residuals.preconditioned.max(1e-16));
+    let left = tolerance_words(answer.diagnostics.residuals.preconditioned.max(1e-16));
     let part = |e: &Estimate, of: fn(&Parts) -> f64| ends(e.value, Some(of(&e.uncertainty.ok()?)));
     let micro = 1e-6; // Pa per metre -> Pa per micrometre
     let value = |e: Option<Estimate>, scale: f64, units| {
