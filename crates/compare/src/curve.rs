@@ -58,7 +58,7 @@ impl Sink for Curve<'_, '_> {
     }
 
     fn iterated(&mut self, index: usize, now: &Iteration<'_>) -> ControlFlow<()> {
-        (self.progress)(Progress::of_iteration(index, now))
+        (self.progress)(Progress::Iterated { index, now: *now })
     }
 
     fn take(&mut self, index: usize, mut result: Result<Answered, SolverError>) -> ControlFlow<()> {

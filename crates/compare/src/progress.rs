@@ -29,14 +29,8 @@ pub enum Progress<'a> {
     Iterated {
         /// Index of the load, from 0, by rising pressure.
         index: usize,
-        /// Iterations done on this load.
-        number: usize,
-        /// FFT convolutions spent on it.
-        transforms: f64,
-        /// Estimated relative rms pressure error; infinite while there is no estimate.
-        residual: f64,
-        /// The residual at which the iteration ends.
-        tolerance: f64,
+        /// What the solver says of it.
+        now: Iteration<'a>,
     },
     /// A load is solved.
     Solved {
@@ -51,19 +45,6 @@ pub enum Progress<'a> {
     },
     /// The models are being asked.
     Models,
-}
-
-impl Progress<'static> {
-    /// What the solver says of one of its iterations.
-    pub(crate) fn of_iteration(index: usize, now: &Iteration<'_>) -> Self {
-        Self::Iterated {
-            index,
-            number: now.number,
-            transforms: now.transforms,
-            residual: now.residual,
-            tolerance: now.tolerance,
-        }
-    }
 }
 
 /// A listener that is told of the iterations at one load, and whether it has asked to stop.
@@ -81,7 +62,7 @@ impl<'a, 'b> LoadListener<'a, 'b> {
 
     /// Tells of an iteration; what was stopped stays stopped.
     pub(crate) fn iteration(&mut self, now: &Iteration<'_>) -> ControlFlow<()> {
-        let wish = (self.listener)(Progress::of_iteration(self.index, now));
+        let wish = (self.listener)(Progress::Iterated { index: self.index, now: *now });
         self.is_stopped |= wish.is_break();
         if self.is_stopped { ControlFlow::Break(()) } else { ControlFlow::Continue(()) }
     }

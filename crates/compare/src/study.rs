@@ -247,7 +247,7 @@ fn elastic_beside(
             continue;
         }
         let load = Load::MeanPressure(point.mean_pressure);
-        let result = ladder.solve(load, |now| progress(Progress::of_iteration(index, now)));
+        let result = ladder.solve(load, |now| progress(Progress::Iterated { index, now: *now }));
         if matches!(result, Err(SolverError::Stopped(_))) {
             return Err(StudyError::Stopped);
         }

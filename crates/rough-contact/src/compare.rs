@@ -282,8 +282,8 @@ fn study(
                 let area = area_fraction.map_or_else(|| "no answer".to_owned(), text::percent);
                 progress.step(&format!("{current}: {}, {area}", text::pressure(mean_pressure)));
             }
-            compare::Progress::Iterated { number, residual, .. } => {
-                progress.iterating(|| text::iterating(&current, number, residual));
+            compare::Progress::Iterated { now, .. } => {
+                progress.iterating(|| text::iterating(&current, now.number, now.residual));
             }
             compare::Progress::Models => {
                 progress.step(&format!("{current}: models"));
@@ -295,8 +295,8 @@ fn study(
     let mut comparison = comparison.map_err(|e| Failure::from_error(&e))?;
     progress.working_on("coarser grids");
     let mut watch = |news: compare::Progress<'_>| {
-        if let compare::Progress::Iterated { number, residual, .. } = news {
-            progress.iterating(|| text::iterating("a closer look", number, residual));
+        if let compare::Progress::Iterated { now, .. } = news {
+            progress.iterating(|| text::iterating("a closer look", now.number, now.residual));
         }
         ControlFlow::Continue(())
     };
