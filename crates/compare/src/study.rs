@@ -341,7 +341,7 @@ fn ask(
         let errors = curve.points.iter().zip(loads).map(|(m, d)| error(m, d)).collect();
         ModelCurve { preparation, errors, ..curve }
     });
-    let verdict = verdict(&card, inputs, &outcome, loads, judged);
+    let verdict = verdict(&card, inputs, &outcome, &pressures, judged);
     ModelComparison { card, outcome, intervals: Vec::new(), verdict }
 }
 

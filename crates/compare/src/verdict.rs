@@ -4,7 +4,7 @@ use crate::finding::Fact;
 use crate::findings::rows_jump;
 use crate::inputs::Inputs;
 use crate::reason::{Applies, Reason, Verdict};
-use crate::result::{DeterministicPoint, ModelCurve};
+use crate::result::ModelCurve;
 use crate::scene::{is_steep, steep};
 use crate::theory::{Assumes, BuildError, Card};
 use contact_types::Caveat;
@@ -48,7 +48,7 @@ pub(crate) fn verdict(
     card: &Card,
     inputs: &Inputs,
     outcome: &Result<ModelCurve, BuildError>,
-    loads: &[DeterministicPoint],
+    pressures: &[f64],
     statistics: &Judged,
 ) -> Verdict {
     let curve = match outcome {
@@ -62,7 +62,7 @@ pub(crate) fn verdict(
             return Verdict { answer: Applies::No, reasons, at_every_load: true };
         }
     };
-    let reasons = strains(card, inputs, curve, loads, statistics);
+    let reasons = strains(card, inputs, curve, pressures, statistics);
     let answer = if reasons.is_empty() { Applies::Yes } else { Applies::Caution };
     let at_every_load = reasons.is_empty() || reasons.iter().any(|r| !r.is_by_load());
     Verdict { answer, reasons, at_every_load }
@@ -73,7 +73,7 @@ fn strains(
     card: &Card,
     inputs: &Inputs,
     curve: &ModelCurve,
-    loads: &[DeterministicPoint],
+    pressures: &[f64],
     statistics: &Judged,
 ) -> Vec<Reason> {
     let mut reasons = Vec::new();
@@ -100,9 +100,9 @@ fn strains(
             let crowded = curve
                 .points
                 .iter()
-                .zip(loads)
+                .zip(pressures)
                 .find(|(m, _)| m.as_ref().is_ok_and(|s| s.area_fraction > 0.05));
-            let from = crowded.map(|(_, load)| load.mean_pressure);
+            let from = crowded.map(|(_, pressure)| *pressure);
             reasons.extend(from.map(|from| Reason::Strained { caveat: None, from }));
         }
         Assumes::Amplitudes => {
@@ -127,7 +127,7 @@ fn strains(
         Assumes::Gaussian | Assumes::Unstated => {}
     }
     reasons.extend(statistics.excess.clone().filter(|_| !card.yields));
-    reasons.extend(caveat(curve, loads));
+    reasons.extend(caveat(curve, pressures));
     let failed = curve.points.iter().filter(|p| p.is_err()).count();
     if failed > 0 {
         reasons.push(Reason::NoAnswer { loads: failed, of: curve.points.len() });
@@ -137,15 +137,14 @@ fn strains(
 
 /// The model's own caveat that is not about area, which is judged above. An area too small for a
 /// double is no strain of the theory.
-fn caveat(curve: &ModelCurve, loads: &[DeterministicPoint]) -> Option<Reason> {
-    curve.points.iter().zip(loads).find_map(|(point, load)| {
+fn caveat(curve: &ModelCurve, pressures: &[f64]) -> Option<Reason> {
+    curve.points.iter().zip(pressures).find_map(|(point, &from)| {
         let caveat = point.as_ref().ok()?.caveat.as_ref()?;
         let strains = match caveat {
             Caveat::BeyondModel { quantity, .. } => quantity != "area fraction",
             Caveat::Saturated { .. } => true,
             _ => false,
         };
-        let from = load.mean_pressure;
         strains.then(|| Reason::Strained { caveat: Some(caveat.clone()), from })
     })
 }
@@ -178,7 +177,6 @@ mod tests {
                 mean_gap: None,
                 caveat: Some(given.clone()),
             };
-            let load = DeterministicPoint { mean_pressure: 2e6, answer: None, trouble: None };
             let curve = ModelCurve {
                 points: vec![Ok(state)],
                 preparation: 0.0,
@@ -187,7 +185,7 @@ mod tests {
                 area_intervals: Vec::new(),
             };
             let expected = is_strain.then_some(Reason::Strained { caveat: Some(given), from: 2e6 });
-            assert_eq!(caveat(&curve, &[load]), expected);
+            assert_eq!(caveat(&curve, &[2e6]), expected);
         }
     }
 }

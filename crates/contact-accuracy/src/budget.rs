@@ -67,18 +67,18 @@ impl Budget {
     ) -> Self {
         let found = &solution.diagnostics;
         let load = solution.state.mean_pressure;
-        let uncertain = Uncertain::of(solution, map.rms_height);
+        let uncertain = Uncertain::of(solution, map.rms_height, *beside);
         let own = Numbers::of(solution, set, jump);
         // No pressure exceeds the hardness: on any grid the area is at least P/H.
         let least = found.yielded.map_or(0.0, |yielded| (load / yielded.hardness).min(1.0));
-        let mut area = uncertain.area(own.area, least, beside);
+        let mut area = uncertain.area(own.area, least);
         if found.contact_pixels == 0 {
             area.uncertainty = Err(NoUncertainty::NoContact);
         }
-        let mut mean_gap = own.mean_gap.map(|gap| uncertain.gap(gap, &area, beside));
-        let mut gas = own.gas.map(|gas| uncertain.gas(gas, mean_gap.as_ref(), &area, beside));
+        let mut mean_gap = own.mean_gap.map(|gap| uncertain.gap(gap, &area));
+        let mut gas = own.gas.map(|gas| uncertain.gas(gas, mean_gap.as_ref(), &area));
         let residual = set.map_or(0.0, |set| set.residual);
-        let mut stiffness = own.stiffness.map(|k| uncertain.stiffness(k, residual, &area, beside));
+        let mut stiffness = own.stiffness.map(|k| uncertain.stiffness(k, residual, &area));
         // An isolated contact is no sample of a surface that goes on; of one that yields it was not studied.
         let yields = found.yielded.is_some_and(|yielded| yielded.area_fraction > 0.0);
         let goes_on = found.boundary == Boundary::Periodic && !yields;
@@ -114,8 +114,8 @@ impl Budget {
         beside: &Beside<'_>,
     ) -> Self {
         let (Load::MeanGap(_), Some(gap)) = (load, self.mean_gap) else { return self };
-        let uncertain = Uncertain::of(solution, map.rms_height);
-        let mut pressure = uncertain.pressure(self.mean_pressure.value, &self.area, beside);
+        let uncertain = Uncertain::of(solution, map.rms_height, *beside);
+        let mut pressure = uncertain.pressure(self.mean_pressure.value, &self.area);
         // By one sampling variability of the gap the load moves by as much as the gap falls per e-fold load: at
         // least by the elastic energy over the load, while most is out of contact.
         let fall = solution.diagnostics.elastic_energy / self.mean_pressure.value;

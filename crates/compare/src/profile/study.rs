@@ -4,7 +4,7 @@ use crate::ask::{curve_of, possible};
 use crate::finding::{Finding, Pressed, Unevenness};
 use crate::inputs::Inputs;
 use crate::profile::findings::profile_findings;
-use crate::result::{DeterministicPoint, ModelComparison};
+use crate::result::ModelComparison;
 use crate::scene::Scene;
 use crate::study::{check_models, check_pressures, headline, loads, nearest};
 use crate::theory::Theory;
@@ -172,13 +172,9 @@ impl ProfileComparison {
         let typical = TYPICAL_LOAD * modulus.pascals() * inputs.rms_gradient();
         let headline =
             headline(&settings, &pressures)?.unwrap_or_else(|| nearest(&pressures, typical));
-        let points: Vec<DeterministicPoint> = pressures
-            .iter()
-            .map(|&mean_pressure| DeterministicPoint { mean_pressure, answer: None, trouble: None })
-            .collect();
         let models = settings
             .asked_models(registry)
-            .map(|theory| ask(theory, &inputs, &points, &statistics))
+            .map(|theory| ask(theory, &inputs, &pressures, &statistics))
             .collect();
         Ok(Self {
             settings,
@@ -238,23 +234,16 @@ impl ProfileComparison {
 fn ask(
     theory: &dyn Theory,
     inputs: &Inputs,
-    loads: &[DeterministicPoint],
+    pressures: &[f64],
     statistics: &ProfileStatistics,
 ) -> ModelComparison {
     let card = theory.card().clone();
-    let pressures: Vec<f64> = loads.iter().map(|p| p.mean_pressure).collect();
-    let outcome = curve_of(theory, inputs, &pressures);
-    let intervals = match &outcome {
-        Ok(curve) => loads
-            .iter()
-            .zip(&curve.points)
-            .map(|(load, point)| {
-                point.as_ref().ok()?;
-                area_interval(theory, inputs, statistics, load.mean_pressure)
-            })
-            .collect(),
-        Err(_) => vec![None; loads.len()],
+    let outcome = curve_of(theory, inputs, pressures);
+    let interval = |(i, pressure): (usize, &f64)| {
+        outcome.as_ref().ok()?.points[i].as_ref().ok()?;
+        area_interval(theory, inputs, statistics, *pressure)
     };
+    let intervals = pressures.iter().enumerate().map(interval).collect();
     let judged = Judged {
         gradient: inputs.rms_gradient(),
         rows_jump: None,
@@ -264,6 +253,6 @@ fn ask(
         fractal_range: statistics.fractal_range,
         excess: None,
     };
-    let verdict = verdict(&card, inputs, &outcome, loads, &judged);
+    let verdict = verdict(&card, inputs, &outcome, pressures, &judged);
     ModelComparison { card, outcome, intervals, verdict }
 }
