@@ -170,11 +170,6 @@ impl Input {
     pub fn name(self) -> &'static str {
         self.fact().name
     }
-
-    /// What it is.
-    pub(crate) fn phrase(self) -> &'static str {
-        self.fact().phrase
-    }
 }
 
 /// Inputs that together make a model.
@@ -211,7 +206,7 @@ impl InputSet {
 
 /// "m0, m2, m4; or …".
 pub(crate) fn in_words(sets: &[InputSet]) -> String {
-    let each = sets.iter().map(|set| set.shown(|i| i.phrase().to_owned(), ", "));
+    let each = sets.iter().map(|set| set.shown(|i| i.fact().phrase.to_owned(), ", "));
     each.collect::<Vec<_>>().join("; or ")
 }
 

@@ -106,8 +106,9 @@ impl Default for Registry {
 mod tests {
     use super::*;
     use crate::inputs::Inputs;
+    use crate::tabulated::{CurvePoint, Tabulated};
     use crate::theory::BuildError;
-    use contact_types::{Citation, ContactModel, ContactModulus};
+    use contact_types::{Citation, ContactModulus};
 
     /// Every row makes its model, which answers and cites its paper; names are unique.
     #[test]
@@ -137,25 +138,14 @@ mod tests {
         }
     }
 
-    struct NamedTheory(Card);
-
-    impl Theory for NamedTheory {
-        fn card(&self) -> &Card {
-            &self.0
-        }
-
-        fn build(&self, _: &Inputs) -> Result<Box<dyn ContactModel>, BuildError> {
-            Err(BuildError::missing("it", "everything"))
-        }
-    }
-
     #[test]
     fn names_and_labels_are_unique() {
         let card = |name: &'static str, title: &'static str| {
             let source = ["me", "title", "journal", ""].map(std::borrow::Cow::from);
             let [authors, title_, journal, doi] = source;
             let citation = Citation { authors, year: 2026, title: title_, journal, doi };
-            NamedTheory(Card::new(name, title, citation))
+            let point = CurvePoint { mean_pressure: 1.0, area_fraction: 0.5, mean_gap: None };
+            Tabulated::new(Card::new(name, title, citation), vec![point]).unwrap()
         };
         let own = Registry::built_in().with(card("mine", "Mine")).unwrap();
         assert_eq!(own.iter().last().unwrap().card().label, "Mine");

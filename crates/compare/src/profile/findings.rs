@@ -42,7 +42,7 @@ pub fn profile_findings(
         }
     }
     if statistics.rolloff.is_none() && statistics.options.cutoff.is_none() {
-        found.push(Finding::warned(Warning::NoRolloff));
+        found.push(Finding::warned(Warning::FewWaves { count: None }));
     }
     if let Origin::File(FileOrigin { missing, fill, cleaned: steps, .. }) = origin {
         found.extend(cleaned(steps, *missing, statistics.points * statistics.traces, fill));
