@@ -1,14 +1,9 @@
 //! The leak through the gap of a solution holds that of four times the points.
-#![allow(clippy::unwrap_used, reason = "tests: a panic is the report")]
 
-#[path = "../examples/coverage/families.rs"]
-#[allow(dead_code, reason = "the study uses all of it")]
-mod families;
-
+use crate::families::{family, map};
 use contact_accuracy::{
     Answered, Axis, ContactModulus, Grid, Ladder, Leak, Load, Map, Maps, Setup, Solver,
 };
-use families::{family, map};
 use gap_flow::Gap;
 use surface_stats::synthesis::{Scale, SelfAffine};
 

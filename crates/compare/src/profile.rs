@@ -1,23 +1,28 @@
-//! The study of a surface of which only profiles are known: statistics and every model.
+//! The study of a surface of which only profiles are known: statistics and every model, with what the assumption of
+//! isotropy and the length of the traces leave of them. No contact is solved.
 
 use crate::ask::{curve_of, possible};
-use crate::finding::{Finding, Pressed, Unevenness};
+use crate::finding::{Fact, Finding, Pressed, Unevenness};
+use crate::findings::cleaned;
 use crate::inputs::Inputs;
-use crate::profile::findings::profile_findings;
 use crate::result::ModelComparison;
 use crate::scene::Scene;
 use crate::study::{check_models, check_pressures, headline, loads, nearest};
 use crate::theory::Theory;
 use crate::verdict::{Judged, verdict};
-use crate::{Origin, Registry, Settings, StudyError};
+use crate::{FileOrigin, Origin, Registry, Settings, StudyError};
 use contact_types::{Clock, ContactModulus, ContactState, SpectralMoments};
-use surface_stats::StatsError;
-use surface_stats::profile::{ProfileOptions, ProfileStatistics, Trace, TraceSpectrum};
+use surface_stats::profile::{
+    ProfileOptions, ProfileStatistics, SettingSource, Trace, TraceSpectrum,
+};
+use surface_stats::{StatsError, Warning};
 
 /// Load over E* h'rms at which about 2 % of a surface touches.
 const TYPICAL_LOAD: f64 = 0.01;
 /// Step of the logarithm of a moment by which the answer of a model is differentiated.
 const STEP: f64 = 0.05;
+/// Half width of the interval of m2 beyond which the traces are too few or too short.
+const LOOSE: f64 = 0.2;
 
 /// Traces of one surface, with a name and where they came from.
 #[derive(Debug, Clone)]
@@ -255,4 +260,60 @@ fn ask(
     };
     let verdict = verdict(&card, inputs, &outcome, pressures, &judged);
     ModelComparison { card, outcome, intervals, verdict }
+}
+
+/// The findings of profiles, worst first. `scene` is what is asked of elasticity, `origin` where the
+/// traces come from.
+pub fn profile_findings(
+    statistics: &ProfileStatistics,
+    uneven: Option<Unevenness>,
+    origin: &Origin,
+    scene: &Scene,
+) -> Vec<Finding> {
+    let mut found = scene.findings();
+    found.push(Finding::check(Fact::OneDirection));
+    found.push(sample(statistics));
+    found.extend(statistics.warnings.iter().copied().map(Finding::warned));
+    found.extend(uneven.map(|uneven| Finding::note(Fact::Uneven(uneven))));
+    match &statistics.roughness {
+        Err(error) => {
+            found.push(Finding::note(Fact::NoRoughness { why: error.to_string() }));
+        }
+        Ok(all) => {
+            let setting = all[0].setting;
+            // The first parameter is Ra.
+            let ra = statistics.roughness_mean().and_then(|means| means[0].mean);
+            if let (SettingSource::Longest(_), Some(ra)) = (setting.source, ra) {
+                let (wavelength, limit) = (setting.cutoff, statistics.length);
+                found.push(Finding::note(Fact::Filter { wavelength, limit, ra: Some(ra) }));
+            }
+            if let Some(wavelength) = setting.short_unresolved {
+                let limit = statistics.spacing;
+                found.push(Finding::note(Fact::Filter { wavelength, limit, ra: None }));
+            }
+        }
+    }
+    if statistics.rolloff.is_none() && statistics.options.cutoff.is_none() {
+        found.push(Finding::warned(Warning::FewWaves { count: None }));
+    }
+    if let Origin::File(FileOrigin { missing, fill, cleaned: steps, .. }) = origin {
+        found.extend(cleaned(steps, *missing, statistics.points * statistics.traces, fill));
+    }
+    found.sort_by_key(|f| f.weight);
+    found
+}
+
+fn sample(statistics: &ProfileStatistics) -> Finding {
+    let factors = [0, 1, 2].map(|k| {
+        let [low, high] = statistics.interval(k)?;
+        (low > 0.0).then(|| (high / low).sqrt())
+    });
+    let is_loose = factors[1].is_none_or(|factor| factor > 1.0 + LOOSE);
+    let fact = Fact::Sample {
+        traces: statistics.traces,
+        length: statistics.length,
+        factors,
+        between: statistics.scatter.between,
+    };
+    Finding::check_if(is_loose, fact)
 }

@@ -1,16 +1,11 @@
 //! The uncertainties hold on surfaces given by formulas, whatever is asked, and an accuracy is climbed to.
-#![allow(clippy::unwrap_used, reason = "tests: a panic is the report")]
 
-#[path = "../examples/coverage/families.rs"]
-#[allow(dead_code, reason = "the study uses all of it")]
-mod families;
-
+use crate::families::{family, map};
 use contact_accuracy::{
     AccuracyRequest, Aim, Answered, Boundary, ContactModulus, Estimate, Grid, HeightMap, Ladder,
     Load, Map, NoUncertainty, Numbers, Reached, Setup, Sink, Solver, SolverBuilder, SolverError,
     Task, climb,
 };
-use families::{family, map};
 use std::ops::ControlFlow;
 
 fn setup(builder: SolverBuilder) -> Setup {
@@ -46,7 +41,9 @@ fn uncertainties_hold_the_surface_of_the_formula() {
         // Temperature jumps of a rough and of a smooth surface in air.
         let jump = Some(if jumps % 2 == 0 { 0.05 } else { 1.0 } * rms);
         jumps += 1;
-        let mut ladder = Ladder::new(given, Setup { jump, stiffness: true, ..setup(Solver::builder()) }).unwrap();
+        let mut ladder =
+            Ladder::new(given, Setup { jump, stiffness: true, ..setup(Solver::builder()) })
+                .unwrap();
         let mut exact =
             Solver::builder().build(fine.grid(), setup(Solver::builder()).modulus).unwrap();
         for load in [0.3, 3.0, 20.0].map(|p| Load::MeanPressure(p * rms)) {
@@ -101,8 +98,7 @@ fn no_map_is_without_an_uncertainty() {
     ];
     for (case, (map, setup, pressure)) in cases.into_iter().enumerate() {
         let load = Load::MeanPressure(pressure);
-        let found =
-            Ladder::new(map(128), setup.clone()).unwrap().solve(load, |_| ()).unwrap();
+        let found = Ladder::new(map(128), setup.clone()).unwrap().solve(load, |_| ()).unwrap();
         let builder = setup.builder.clone().boundary(setup.boundary);
         let fine = map(512);
         let truth = builder.build(fine.grid(), setup.modulus).unwrap().solve(&fine, load).unwrap();
@@ -184,7 +180,11 @@ fn asking_for_more_never_gives_less() {
         reached
     };
     let fast = reach(Aim::Fast);
-    assert!(fast.factor() < 0.6 && fast.unmet.is_none() && fast.next.is_some_and(|n| n.shape == [128, 128]));
+    assert!(
+        fast.factor() < 0.6
+            && fast.unmet.is_none()
+            && fast.next.is_some_and(|n| n.shape == [128, 128])
+    );
     let mut last = f64::INFINITY;
     for percent in [40.0, 8.0, 4.0, 1.0, 0.1] {
         let request = AccuracyRequest::new(percent / 100.0).unwrap();
