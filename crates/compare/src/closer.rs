@@ -5,8 +5,8 @@ use crate::progress::LoadListener;
 use crate::result::{Choice, ChoiceKind, Closer, Comparison, SurfaceComparison};
 use crate::{EdgesName, Listener, Origin, Settings, StudyError};
 use contact_accuracy::{Ladder, Setup, regrid};
-use contact_types::{Clock, ContactModulus, HeightMap};
-use fft_bem_solver::{Load, Maps, Solver};
+use contact_types::{Clock, HeightMap};
+use fft_bem_solver::{Load, Maps, Solution, Solver};
 use grid_fft::parallel::on_threads;
 use std::borrow::Cow;
 use surface_stats::clean::mirrored;
@@ -32,25 +32,39 @@ impl Comparison {
         ask: fn(
             &mut SurfaceComparison,
             &Settings,
-            ContactModulus,
             &mut LoadListener<'_, '_>,
         ) -> Result<(), StudyError>,
     ) -> Result<(), StudyError> {
-        let modulus = ContactModulus::from_pascals(self.settings.modulus)?;
         let Self { settings, surfaces, .. } = self;
         on_threads(settings.threads, || {
             surfaces.iter_mut().try_for_each(|surface| {
                 let mut watch = LoadListener::new(progress, surface.headline);
-                ask(surface, settings, modulus, &mut watch)
+                ask(surface, settings, &mut watch)
             })
         })
+    }
+}
+
+impl SurfaceComparison {
+    /// The headline load on another map, from nothing, and the solver of it.
+    pub(crate) fn solve_headline(
+        &self,
+        map: &HeightMap,
+        settings: &Settings,
+        watch: &mut LoadListener<'_, '_>,
+    ) -> Option<(Solver, Solution)> {
+        let whole = settings.edges.around(map).ok()?;
+        let builder = settings.solver().maps(Maps::None);
+        let mut solver = builder.build(whole.grid(), self.inputs.modulus).ok()?;
+        let load = Load::MeanPressure(self.headline_pressure());
+        let found = solver.solve_observed(&whole, load, |now| watch.iteration(now));
+        Some((solver, found.ok()?))
     }
 }
 
 fn look(
     surface: &mut SurfaceComparison,
     settings: &Settings,
-    modulus: ContactModulus,
     watch: &mut LoadListener<'_, '_>,
 ) -> Result<(), StudyError> {
     let start = Clock::now();
@@ -58,9 +72,9 @@ fn look(
     if surface.plan.is_some() || !is_solved || surface.map.rms_height <= 0.0 {
         return Ok(());
     }
-    let area = certify(surface, settings, modulus, watch);
+    let area = certify(surface, settings, watch);
     watch.go_on()?;
-    let choices = choices(surface, settings, modulus, area, watch);
+    let choices = choices(surface, settings, area, watch);
     watch.go_on()?;
     let seconds = start.elapsed().as_secs_f64();
     surface.closer = Some(Closer { choices, seconds });
@@ -72,14 +86,14 @@ fn look(
 fn certify(
     surface: &mut SurfaceComparison,
     settings: &Settings,
-    modulus: ContactModulus,
     watch: &mut LoadListener<'_, '_>,
 ) -> Option<f64> {
     let load = Load::MeanPressure(surface.headline_pressure());
+    let builder = settings.solver().certified(true).maps(Maps::Pressure);
     let setup = Setup {
         mirrored: settings.edges == EdgesName::Mirrored,
         stiffness: true,
-        ..Setup::new(settings.solver().certified(true).maps(Maps::Pressure), modulus)
+        ..Setup::new(builder, surface.inputs.modulus)
     };
     let mut ladder = Ladder::new(surface.surface.clone(), setup).ok()?;
     let found = ladder.solve(load, |now| watch.iteration(now)).ok()?;
@@ -98,23 +112,11 @@ fn certify(
 fn choices(
     surface: &SurfaceComparison,
     settings: &Settings,
-    modulus: ContactModulus,
     known: Option<f64>,
     watch: &mut LoadListener<'_, '_>,
 ) -> Vec<Choice> {
-    let mut last: Option<Solver> = None; // most of the maps stand on the same grid
-    let mut area = |map: &HeightMap| -> Option<f64> {
-        let whole = settings.edges.around(map).ok()?;
-        let grid = whole.grid();
-        if last.as_ref().is_none_or(|solver| solver.grid() != grid) {
-            last = None; // its memory first
-            last = Some(settings.solver().maps(Maps::None).build(grid, modulus).ok()?);
-        }
-        let solver = last.as_mut()?;
-        solver.forget();
-        let load = Load::MeanPressure(surface.headline_pressure());
-        let found = solver.solve_observed(&whole, load, |now| watch.iteration(now));
-        let solution = found.ok()?;
+    let mut area = |map: &HeightMap| {
+        let (_, solution) = surface.solve_headline(map, settings, watch)?;
         Some(solution.state.area_fraction).filter(|a| *a > 0.0)
     };
     let repeats = surface.map.repeats;

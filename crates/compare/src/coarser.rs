@@ -4,8 +4,8 @@ use crate::progress::LoadListener;
 use crate::result::{Coarser, Comparison, SurfaceComparison};
 use crate::{Listener, Settings, StudyError};
 use contact_accuracy::thinned;
-use contact_types::{ContactModulus, HeightMap};
-use fft_bem_solver::{Load, Maps};
+use contact_types::HeightMap;
+use fft_bem_solver::Load;
 use grid_fft::parallel;
 
 /// Point spacings tried, in spacings of the map. Together they have
@@ -38,7 +38,6 @@ impl Comparison {
 fn solve_all(
     surface: &mut SurfaceComparison,
     settings: &Settings,
-    modulus: ContactModulus,
     watch: &mut LoadListener<'_, '_>,
 ) -> Result<(), StudyError> {
     if surface.plan.is_some() {
@@ -47,7 +46,7 @@ fn solve_all(
     // All maps first: nothing else runs while a solution is timed.
     let maps = parallel::map(&COARSER, |factor| coarsened(&surface.surface, *factor));
     for (factor, map) in COARSER.into_iter().zip(maps) {
-        let found = map.and_then(|map| solve(surface, settings, modulus, (factor, &map), watch));
+        let found = map.and_then(|map| solve(surface, settings, (factor, &map), watch));
         watch.go_on()?;
         surface.coarser.extend(found);
     }
@@ -57,15 +56,12 @@ fn solve_all(
 fn solve(
     surface: &SurfaceComparison,
     settings: &Settings,
-    modulus: ContactModulus,
     (factor, map): (usize, &HeightMap),
     watch: &mut LoadListener<'_, '_>,
 ) -> Option<Coarser> {
     let truth = surface.headline_answer().filter(|a| a.converged)?.area_fraction;
-    let whole = settings.edges.around(map).ok()?;
-    let mut solver = settings.solver().maps(Maps::None).build(whole.grid(), modulus).ok()?;
-    let load = Load::MeanPressure(surface.headline_pressure());
-    let solution = solver.solve_observed(&whole, load, |now| watch.iteration(now)).ok()?;
+    let (mut solver, solution) = surface.solve_headline(map, settings, watch)?;
+    let (whole, load) = (settings.edges.around(map).ok()?, surface.headline_pressure());
     let found = &solution.diagnostics;
     let (mut seconds, mut spent) = (found.seconds, found.seconds);
     for _ in 1..REPEATS {
@@ -73,7 +69,7 @@ fn solve(
             break;
         }
         solver.forget();
-        let again = solver.solve(&whole, load).ok()?.diagnostics.seconds;
+        let again = solver.solve(&whole, Load::MeanPressure(load)).ok()?.diagnostics.seconds;
         (seconds, spent) = (seconds.min(again), spent + again);
     }
     (truth > 0.0).then(|| Coarser {

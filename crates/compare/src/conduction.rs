@@ -14,7 +14,6 @@ use crate::{GapGas, Input, Inputs, Listener, StudyError, Theory};
 use asperity_models::thermal_conductance::gas_between;
 use contact_accuracy::{Budget, regrid};
 use contact_types::{Clock, ContactModel, ContactModulus, ContactState, HeightMap};
-use fft_bem_solver::Load;
 
 /// Points along the shorter side that the shortest wave left must fit, twice.
 const FEWEST_POINTS: usize = 16;
@@ -163,9 +162,9 @@ impl Comparison {
     /// # Errors
     /// [`StudyError::Stopped`] if the listener breaks.
     pub fn remove_octaves(&mut self, progress: &mut Listener<'_>) -> Result<(), StudyError> {
-        self.at_headlines(progress, |surface, settings, modulus, watch| {
+        self.at_headlines(progress, |surface, settings, watch| {
             let start = Clock::now();
-            let octaves = octaves(surface, settings, modulus, watch);
+            let octaves = octaves(surface, settings, watch);
             watch.go_on()?;
             if let Some(conduction) = &mut surface.conduction {
                 conduction.octaves = octaves;
@@ -179,7 +178,6 @@ impl Comparison {
 fn octaves(
     surface: &SurfaceComparison,
     settings: &Settings,
-    modulus: ContactModulus,
     watch: &mut LoadListener<'_, '_>,
 ) -> Vec<Octave> {
     let at_headline =
@@ -191,10 +189,7 @@ fn octaves(
     let shortest = surface.statistics.cutoff.unwrap_or(0.0).max(2.0 * dy.max(dx));
     let mut found = vec![Octave { shortest, area: answer.area_fraction, stiffness }];
     let mut solve = |map: &HeightMap| -> Option<[f64; 2]> {
-        let whole = settings.edges.around(map).ok()?;
-        let mut solver = settings.solver().build(whole.grid(), modulus).ok()?;
-        let load = Load::MeanPressure(surface.headline_pressure());
-        let solution = solver.solve_observed(&whole, load, |now| watch.iteration(now)).ok()?;
+        let (mut solver, solution) = surface.solve_headline(map, settings, watch)?;
         let set = solver.contact_stiffness().ok()?;
         Some([solution.state.area_fraction, set.per_area])
     };
