@@ -2,7 +2,7 @@
 //! choices in preparing the map would have made of its area.
 
 use crate::progress::LoadListener;
-use crate::result::{Choice, ChoiceKind, Closer, Comparison, SurfaceComparison};
+use crate::result::{ChoiceKind, Closer, Comparison, SurfaceComparison};
 use crate::{EdgesName, Listener, Origin, Settings, StudyError};
 use contact_accuracy::{Ladder, Setup, regrid};
 use contact_types::{Clock, HeightMap};
@@ -114,7 +114,7 @@ fn choices(
     settings: &Settings,
     known: Option<f64>,
     watch: &mut LoadListener<'_, '_>,
-) -> Vec<Choice> {
+) -> Vec<(ChoiceKind, f64)> {
     let mut area = |map: &HeightMap| {
         let (_, solution) = surface.solve_headline(map, settings, watch)?;
         Some(solution.state.area_fraction).filter(|a| *a > 0.0)
@@ -136,7 +136,7 @@ fn choices(
     let Some(reference) = known.or_else(|| area(used)) else { return Vec::new() };
     let mut list = Vec::new();
     let mut add = |kind, effect: Option<f64>| {
-        list.extend(effect.map(|effect| Choice { kind, effect }));
+        list.extend(effect.map(|effect| (kind, effect)));
     };
     let mut effect = |map: Option<HeightMap>| Some(area(&map?)? / reference - 1.0);
     // Spikes of the map as given: a coarser grid smears them.

@@ -74,7 +74,7 @@ pub use reason::{Applies, Reason, Verdict};
 pub use recipe::{Recipe, RecipeError, built_in_recipes};
 pub use registry::{NotRegistered, Registry, built_in, find};
 pub use result::{
-    Choice, ChoiceKind, Closer, Coarser, Comparison, DeterministicAnswer, DeterministicPoint,
+    ChoiceKind, Closer, Coarser, Comparison, DeterministicAnswer, DeterministicPoint,
     ModelComparison, ModelCurve, Refused, Spectral, SurfaceComparison,
 };
 pub use run_file::{RunFile, RunFileError, RunSurface};

@@ -177,20 +177,10 @@ impl DeterministicAnswer {
 #[derive(Debug, Clone, PartialEq, Serialize)]
 #[non_exhaustive]
 pub struct Closer {
-    /// Other choices, each with the relative change of the area it makes.
-    pub choices: Vec<Choice>,
+    /// Other choices in preparing the map, each with the area with it over that without, less 1.
+    pub choices: Vec<(ChoiceKind, f64)>,
     /// Wall-clock time of all of it (s).
     pub seconds: f64,
-}
-
-/// Another choice in preparing the map.
-#[derive(Debug, Clone, PartialEq, Serialize)]
-#[non_exhaustive]
-pub struct Choice {
-    /// What it is.
-    pub kind: ChoiceKind,
-    /// Area with it over area without, less 1.
-    pub effect: f64,
 }
 
 /// A choice that was tried.

@@ -92,9 +92,9 @@ pub fn surface(s: &SurfaceComparison, comparison: &Comparison) -> Value {
         })),
         "distributions": s.distributions.get(s.headline),
         "finer": finer(s),
-        "choices": s.closer.as_ref().map(|c| c.choices.iter().map(|c| json!({
-            "choice": c.kind.name(),
-            "area_effect": c.effect,
+        "choices": s.closer.as_ref().map(|c| c.choices.iter().map(|(kind, effect)| json!({
+            "choice": kind.name(),
+            "area_effect": effect,
         })).collect::<Vec<_>>()),
         "coarser": s.coarser.iter().map(|c| json!({
             "mean_pressure": s.headline_pressure(),

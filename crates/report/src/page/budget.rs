@@ -122,7 +122,7 @@ fn coarser_words(answer: &DeterministicAnswer) -> String {
 pub(crate) fn choices(surface: &SurfaceComparison) -> String {
     let Some(closer) = &surface.closer else { return String::new() };
     let mut list: Vec<(f64, String)> =
-        closer.choices.iter().map(|c| (c.effect, choice(c.kind))).collect();
+        closer.choices.iter().map(|(kind, effect)| (*effect, choice(*kind))).collect();
     if let Some(answer) = surface.headline_answer()
         && answer.area_fraction > 0.0
     {
