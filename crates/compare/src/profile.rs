@@ -251,12 +251,9 @@ fn ask(
     let intervals = pressures.iter().enumerate().map(interval).collect();
     let judged = Judged {
         gradient: inputs.rms_gradient(),
-        rows_jump: None,
-        anisotropy: None,
-        skewness: statistics.skewness,
-        kurtosis: statistics.kurtosis,
+        heights: statistics.skewness.zip(statistics.kurtosis),
         fractal_range: statistics.fractal_range,
-        excess: None,
+        ..Judged::default()
     };
     let verdict = verdict(&card, inputs, &outcome, pressures, &judged);
     ModelComparison { card, outcome, intervals, verdict }

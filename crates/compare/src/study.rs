@@ -4,6 +4,7 @@ use crate::ask::curve_of;
 use crate::conducted::Conduction;
 use crate::curve::{Curve, solved};
 use crate::describe::{describe, model_inputs, spectral};
+use crate::findings::rows_jump;
 use crate::inputs::Inputs;
 use crate::materials::spreads;
 use crate::progress::{Listener, Progress, StudyError};
@@ -216,8 +217,15 @@ fn compare(
     }
 
     tell(progress, Progress::Models)?;
-    let excess = excess(&found.deterministic, &found.elastic);
-    let judged = Judged { excess, ..Judged::of(&found.statistics) };
+    let statistics = &found.statistics;
+    let judged = Judged {
+        gradient: statistics.rms_gradient,
+        rows_jump: rows_jump(statistics),
+        anisotropy: statistics.anisotropy,
+        heights: statistics.skewness.zip(statistics.kurtosis),
+        fractal_range: statistics.fractal_range,
+        excess: excess(&found.deterministic, &found.elastic),
+    };
     let ask = |theory| ask(theory, &found, seconds, &judged);
     found.models = settings.asked_models(registry).map(ask).collect();
     found.conduction = Conduction::of(&found, settings);

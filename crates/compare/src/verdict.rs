@@ -1,16 +1,16 @@
 //! Does a theory cover this surface? Yes, with caution, or no, each with the measured reason.
 
 use crate::finding::Fact;
-use crate::findings::rows_jump;
 use crate::inputs::Inputs;
 use crate::reason::{Applies, Reason, Verdict};
 use crate::result::ModelCurve;
 use crate::scene::{is_steep, steep};
 use crate::theory::{Assumes, BuildError, Card};
 use contact_types::Caveat;
-use surface_stats::{SurfaceStatistics, Warning};
+use surface_stats::Warning;
 
 /// What a verdict looks at of a surface.
+#[derive(Default)]
 pub(crate) struct Judged {
     /// Rms gradient \[-\].
     pub(crate) gradient: f64,
@@ -18,29 +18,12 @@ pub(crate) struct Judged {
     pub(crate) rows_jump: Option<Warning>,
     /// Largest over smallest mean square slope \[-\], if it is known.
     pub(crate) anisotropy: Option<f64>,
-    /// Skewness \[-\].
-    pub(crate) skewness: Option<f64>,
-    /// Kurtosis \[-\].
-    pub(crate) kurtosis: Option<f64>,
+    /// Skewness and kurtosis \[-\].
+    pub(crate) heights: Option<(f64, f64)>,
     /// Wavelengths of the fractal fit (m).
     pub(crate) fractal_range: Option<[f64; 2]>,
     /// What yield adds to the elastic area, if a hardness is given and it does.
     pub(crate) excess: Option<Reason>,
-}
-
-impl Judged {
-    /// Of a map.
-    pub(crate) fn of(statistics: &SurfaceStatistics) -> Self {
-        Self {
-            gradient: statistics.rms_gradient,
-            rows_jump: rows_jump(statistics),
-            anisotropy: statistics.anisotropy,
-            skewness: statistics.skewness,
-            kurtosis: statistics.kurtosis,
-            fractal_range: statistics.fractal_range,
-            excess: None,
-        }
-    }
 }
 
 /// Judges the domain, not the error.
@@ -88,7 +71,7 @@ fn strains(
         } else if let Some(ratio) = statistics.anisotropy.filter(|r| *r > 2.0) {
             warned(Warning::Anisotropic { ratio });
         }
-        if let (Some(skewness), Some(kurtosis)) = (statistics.skewness, statistics.kurtosis)
+        if let Some((skewness, kurtosis)) = statistics.heights
             && (skewness.abs() > 0.2 || (kurtosis - 3.0).abs() > 0.3)
         {
             warned(Warning::NotGaussian { skewness, kurtosis });
