@@ -201,7 +201,7 @@ fn attempt(task: &Task<'_>, factor: f64, sink: &mut dyn Sink) -> Result<Attempt,
         map,
         Setup { builder, finer, section: setup.section.map(row), ..setup.clone() },
     )?;
-    sink.begin(ladder.map(), ladder.known());
+    sink.begin(ladder.map(), &ladder.known);
     let (mut rung, mut missed) = (Vec::new(), 0);
     for (index, &load) in loads.iter().enumerate() {
         let result = ladder.solve(load, |now| sink.iterated(index, now));

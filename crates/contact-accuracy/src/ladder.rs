@@ -74,7 +74,8 @@ impl Setup {
 #[derive(Debug)]
 pub struct Ladder {
     setup: Setup,
-    known: Map,
+    /// What the map says before anything is solved.
+    pub known: Map,
     /// The map as it was given.
     given: HeightMap,
     /// With its mirror images, if those were asked for.
@@ -137,11 +138,6 @@ impl Ladder {
             Err(NoUncertainty::TooFewPoints { shape: grid.shape() })
         };
         Ok(Self { setup, known, given: map, whole, solver, coarser, finer: None })
-    }
-
-    /// What the map says before anything is solved.
-    pub fn known(&self) -> &Map {
-        &self.known
     }
 
     /// The map as it was given.

@@ -228,7 +228,7 @@ impl SolveRequest {
                     is_stopped = true;
                     break;
                 }
-                work.take(index, load, result, ladder.known(), part, watch);
+                work.take(index, load, result, &ladder.known, part, watch);
                 watch.done(load);
             }
             *kept = Some(ladder);
