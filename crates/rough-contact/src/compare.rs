@@ -377,8 +377,11 @@ fn models(reference: &report::Reference<'_>) -> Columns {
             model.verdict.answer.word().to_owned(),
         ]);
     }
-    let solved: Vec<f64> =
-        reference.points.iter().filter_map(|p| Some(p.answer.as_ref()?.seconds)).collect();
+    let solved: Vec<f64> = reference
+        .points
+        .iter()
+        .filter_map(|p| Some(p.answer.as_ref()?.diagnostics.seconds))
+        .collect();
     if !solved.is_empty() {
         let mean = solved.iter().sum::<f64>() / solved.len() as f64;
         columns.row(["Deterministic".into(), dash(), dash(), text::seconds(mean), dash()]);
