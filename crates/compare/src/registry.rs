@@ -96,12 +96,6 @@ impl Registry {
     }
 }
 
-impl Default for Registry {
-    fn default() -> Self {
-        Self::built_in()
-    }
-}
-
 #[cfg(test)]
 mod tests {
     use super::*;
