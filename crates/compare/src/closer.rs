@@ -1,6 +1,8 @@
 //! A closer look at the headline, for a report: proof of its iteration error, its stiffness, and what other
 //! choices in preparing the map would have made of its area.
 
+use crate::coarser::solve_coarser;
+use crate::conduction::remove_octaves;
 use crate::progress::LoadListener;
 use crate::result::{ChoiceKind, Closer, Comparison, SurfaceComparison};
 use crate::{EdgesName, Listener, Origin, Settings, StudyError};
@@ -15,31 +17,36 @@ use surface_stats::{Level, level};
 /// Points a side above which the choices are compared on a coarser grid.
 const MOST_POINTS: usize = 1024;
 
+/// What is asked of a surface beside its loads.
+type Ask =
+    fn(&mut SurfaceComparison, &Settings, &mut LoadListener<'_, '_>) -> Result<(), StudyError>;
+
 impl Comparison {
-    /// Looks closer at the headline of every surface that has a converged one on the grid as given.
-    /// Costs about four solutions like it, for a map whose edges do not match about nine.
+    /// What a report asks beside the loads, at the converged headline of every surface: coarser grids, unless the grid was
+    /// chosen for an accuracy; the map without its shortest octaves, if its conductance was asked for, since what of
+    /// that and of the area is a property of the shortest wave that was measured; and a closer look, for a map whose
+    /// edges do not match about nine solutions.
     ///
     /// # Errors
-    /// [`StudyError::Stopped`] if the listener breaks: surfaces looked at until then keep what was found.
-    pub fn look_closer(&mut self, progress: &mut Listener<'_>) -> Result<(), StudyError> {
-        self.at_headlines(progress, look)
-    }
-
-    /// Asks more at the headline of every surface, on the threads of the study.
-    pub(crate) fn at_headlines(
+    /// Which of `coarser_grids`, `octaves` and `closer_look` is not finished, and [`StudyError::Stopped`] if the listener
+    /// breaks: what was found until then is kept.
+    pub fn look_around(
         &mut self,
         progress: &mut Listener<'_>,
-        ask: fn(
-            &mut SurfaceComparison,
-            &Settings,
-            &mut LoadListener<'_, '_>,
-        ) -> Result<(), StudyError>,
-    ) -> Result<(), StudyError> {
+    ) -> Result<(), (&'static str, StudyError)> {
+        let all: [(_, Ask); 3] = [
+            ("coarser_grids", solve_coarser),
+            ("octaves", remove_octaves),
+            ("closer_look", look_closer),
+        ];
         let Self { settings, surfaces, .. } = self;
         on_threads(settings.threads, || {
-            surfaces.iter_mut().try_for_each(|surface| {
-                let mut watch = LoadListener::new(progress, surface.headline);
-                ask(surface, settings, &mut watch)
+            all.into_iter().try_for_each(|(stage, ask)| {
+                let mut asked = surfaces.iter_mut().map(|surface| {
+                    let mut watch = LoadListener::new(progress, surface.headline);
+                    ask(surface, settings, &mut watch)
+                });
+                asked.try_for_each(|done| done.map_err(|why| (stage, why)))
             })
         })
     }
@@ -62,7 +69,7 @@ impl SurfaceComparison {
     }
 }
 
-fn look(
+fn look_closer(
     surface: &mut SurfaceComparison,
     settings: &Settings,
     watch: &mut LoadListener<'_, '_>,

@@ -1,8 +1,8 @@
 //! The headline load on coarser grids, for a report: what a cheaper deterministic answer would have cost in accuracy.
 
 use crate::progress::LoadListener;
-use crate::result::{Coarser, Comparison, SurfaceComparison};
-use crate::{Listener, Settings, StudyError};
+use crate::result::{Coarser, SurfaceComparison};
+use crate::{Settings, StudyError};
 use contact_accuracy::thinned;
 use contact_types::HeightMap;
 use fft_bem_solver::Load;
@@ -22,20 +22,9 @@ const REPEATS: usize = 5;
 /// Seconds after which a solution is not repeated.
 const SHORT: f64 = 0.05;
 
-impl Comparison {
-    /// Solves the headline load of every surface on its coarser grids. A grid without a converged
-    /// solution, or with fewer than 16 points a side, is left out; so is a surface whose grid was
-    /// chosen for an accuracy, which says itself what a coarser one would leave.
-    ///
-    /// # Errors
-    /// [`StudyError::Stopped`] if the listener breaks: what was found until then is kept.
-    pub fn solve_coarser(&mut self, progress: &mut Listener<'_>) -> Result<(), StudyError> {
-        self.at_headlines(progress, solve_all)
-    }
-}
-
-/// The headline load on every coarser grid.
-fn solve_all(
+/// The headline load on every coarser grid. One without a converged solution, or with fewer than 16 points a side, is left out;
+/// a grid that was chosen for an accuracy says itself what a coarser one would leave.
+pub(crate) fn solve_coarser(
     surface: &mut SurfaceComparison,
     settings: &Settings,
     watch: &mut LoadListener<'_, '_>,
@@ -97,7 +86,7 @@ fn coarsened(map: &HeightMap, factor: usize) -> Option<HeightMap> {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::{Registry, Settings, built_in_recipes};
+    use crate::{Comparison, Registry, Settings, built_in_recipes};
     use std::ops::ControlFlow;
 
     /// The error is against the map's own answer. A map whose shortest wave is 8 points long has 4 at half the points:
@@ -115,10 +104,10 @@ mod tests {
                 .unwrap();
         assert!(study.surfaces[0].coarser.is_empty(), "not asked for, not computed");
         let mut stop = |_: crate::Progress<'_>| ControlFlow::Break(());
-        assert!(matches!(study.solve_coarser(&mut stop), Err(StudyError::Stopped)));
-        assert!(matches!(study.look_closer(&mut stop), Err(StudyError::Stopped)));
+        let stopped = study.look_around(&mut stop);
+        assert!(matches!(stopped, Err(("coarser_grids", StudyError::Stopped))));
         assert!(study.surfaces[0].coarser.is_empty() && study.surfaces[0].closer.is_none());
-        study.solve_coarser(&mut go).unwrap();
+        study.look_around(&mut go).unwrap();
         let surface = &study.surfaces[0];
         let shapes: Vec<[usize; 2]> = surface.coarser.iter().map(|c| c.shape).collect();
         assert_eq!(shapes, [[64, 64], [32, 32], [16, 16]]);

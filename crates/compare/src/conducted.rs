@@ -190,7 +190,7 @@ pub struct Conduction {
     /// conductance; of correlations of the conductance the stiffness that it stands for.
     pub theories: Vec<TheoryStiffness>,
     /// The headline load on the map without its shortest octaves, the whole map first; empty unless asked
-    /// for, see [`Comparison::remove_octaves`](crate::Comparison::remove_octaves).
+    /// for, see [`Comparison::look_around`](crate::Comparison::look_around).
     pub octaves: Vec<Octave>,
     /// Wall-clock time of the octaves (s).
     pub seconds: f64,

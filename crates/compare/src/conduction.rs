@@ -8,9 +8,9 @@ use crate::ask::possible;
 use crate::conducted::{Conductance, Conducted, Conduction, Joint, Octave, TheoryStiffness};
 use crate::progress::LoadListener;
 use crate::registry::find;
-use crate::result::{Comparison, DeterministicAnswer, SurfaceComparison};
+use crate::result::{DeterministicAnswer, SurfaceComparison};
 use crate::settings::Settings;
-use crate::{GapGas, Input, Inputs, Listener, StudyError, Theory};
+use crate::{GapGas, Input, Inputs, StudyError, Theory};
 use asperity_models::thermal_conductance::gas_between;
 use contact_accuracy::{Budget, regrid};
 use contact_types::{Clock, ContactModel, ContactModulus, ContactState, HeightMap};
@@ -154,25 +154,21 @@ impl Joint {
     }
 }
 
-impl Comparison {
-    /// Solves the headline load of every surface whose conductance was asked for on its waves without the
-    /// shortest octave, then without the next: what of area and conductance is a property of the shortest wave
-    /// that was measured. Up to four solutions each.
-    ///
-    /// # Errors
-    /// [`StudyError::Stopped`] if the listener breaks.
-    pub fn remove_octaves(&mut self, progress: &mut Listener<'_>) -> Result<(), StudyError> {
-        self.at_headlines(progress, |surface, settings, watch| {
-            let start = Clock::now();
-            let octaves = octaves(surface, settings, watch);
-            watch.go_on()?;
-            if let Some(conduction) = &mut surface.conduction {
-                conduction.octaves = octaves;
-                conduction.seconds = start.elapsed().as_secs_f64();
-            }
-            Ok(())
-        })
+/// Solves the headline load without the shortest octave of waves, then without the next, if the conductance was asked for:
+/// up to four solutions.
+pub(crate) fn remove_octaves(
+    surface: &mut SurfaceComparison,
+    settings: &Settings,
+    watch: &mut LoadListener<'_, '_>,
+) -> Result<(), StudyError> {
+    let start = Clock::now();
+    let octaves = octaves(surface, settings, watch);
+    watch.go_on()?;
+    if let Some(conduction) = &mut surface.conduction {
+        conduction.octaves = octaves;
+        conduction.seconds = start.elapsed().as_secs_f64();
     }
+    Ok(())
 }
 
 fn octaves(

@@ -71,9 +71,9 @@ pub struct SurfaceComparison {
     /// Seconds spent on every second point, and on twice the points, for the uncertainties.
     pub beside_seconds: [f64; 2],
     /// The headline load on coarser grids; empty unless asked for, see
-    /// [`Comparison::solve_coarser`].
+    /// [`Comparison::look_around`].
     pub coarser: Vec<Coarser>,
-    /// A closer look at the headline, see [`Comparison::look_closer`]; `None` unless asked for.
+    /// A closer look at the headline, see [`Comparison::look_around`]; `None` unless asked for.
     pub closer: Option<Closer>,
     /// What the contact conducts, if resistivities or conductivities were given.
     pub conduction: Option<Conduction>,
