@@ -70,20 +70,14 @@ impl Finding {
 
     /// What the statistics warn of.
     pub(crate) fn warned(warning: Warning) -> Self {
-        let matters = matches!(
+        let is_note = matches!(
             warning,
-            Warning::Rounding { .. }
-                | Warning::Flat
-                | Warning::Tilted { .. }
-                | Warning::RowsJump { .. }
-                | Warning::Anisotropic { .. }
-                | Warning::NotGaussian { .. }
-                | Warning::NarrowBand { .. }
-                | Warning::Unresolved { .. }
-                | Warning::Stepped { .. }
-                | Warning::Noisy { .. }
+            Warning::FlatTops { .. }
+                | Warning::EdgeJump { .. }
+                | Warning::FewWaves { .. }
+                | Warning::NotSelfAffine { .. }
         );
-        Self::check_if(matters, Fact::Warned(warning))
+        Self::check_if(!is_note, Fact::Warned(warning))
     }
 
     /// What it is about: `material` (what the solids bear), `surface` (the heights), `grid` (the point spacing, against
