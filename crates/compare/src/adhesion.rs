@@ -1,7 +1,8 @@
 //! Whether the bodies stick: a verdict, where a work of adhesion was given. Nothing here solves a contact that does.
 
+use crate::inputs::Inputs;
 use asperity_models::adhesion::{Attraction, LIGHT, STICKY};
-use contact_types::{AsperityStatistics, RoughnessSpectrum};
+use contact_types::AsperityStatistics;
 use serde::{Deserialize, Serialize};
 
 /// Fuller and Tabor's parameter from which nothing is left of the pull-off force.
@@ -24,21 +25,6 @@ impl WorkOfAdhesion {
     /// Distance of atoms, over which van der Waals forces act on clean surfaces (m); the verdict goes with its third
     /// root.
     pub const RANGE: f64 = 0.3e-9;
-}
-
-/// What it acts on. Everything depends on the shortest wave that was measured.
-#[derive(Debug, Clone, Copy, PartialEq, Default, Serialize)]
-pub struct Rough {
-    /// Contact modulus (Pa).
-    pub modulus: f64,
-    /// Rms gradient \[-\].
-    pub gradient: f64,
-    /// Mean square second derivative of profiles (1/m²).
-    pub m4: f64,
-    /// Summits, if there are any.
-    pub asperities: Option<AsperityStatistics>,
-    /// Shortest wave (m), if it is known.
-    pub shortest: Option<f64>,
 }
 
 /// Numbers of adhesion, and the verdict.
@@ -72,24 +58,27 @@ pub struct Adhesion {
 }
 
 impl Adhesion {
-    /// Of a surface and the contacts on it, `[mean pressure (Pa), area fraction]`.
+    /// Of a surface, its shortest wave (m) and the contacts on it, `[mean pressure (Pa), area fraction]`. Everything depends
+    /// on the shortest wave that was measured.
     pub fn of(
         given: WorkOfAdhesion,
-        rough: &Rough,
-        spectrum: Option<&RoughnessSpectrum>,
+        inputs: &Inputs,
+        shortest: Option<f64>,
         contacts: &[[f64; 2]],
     ) -> Self {
-        let Rough { modulus, gradient, asperities, .. } = *rough;
+        let (modulus, gradient) = (inputs.modulus.pascals(), inputs.rms_gradient());
         // Half the Laplacian of an isotropic surface: <(h_xx + h_yy)²> = 8/3 m4.
-        let curvature = (2.0 / 3.0 * rough.m4).sqrt();
+        let curvature = (2.0 / 3.0 * inputs.moments.map_or(0.0, |m| m.m4)).sqrt();
         let acts = Attraction::new(modulus, given.work, given.range).ok();
         let of_summits = |number: fn(&Attraction, AsperityStatistics) -> Option<f64>| {
-            acts.as_ref().zip(asperities).and_then(|(acts, a)| number(acts, a))
+            acts.as_ref().zip(inputs.asperities()).and_then(|(acts, a)| number(acts, a))
         };
         let fuller_tabor = of_summits(|acts, a| acts.fuller_tabor(a.height_std, a.radius).ok());
         let tabor = of_summits(|acts, a| acts.tabor(a.radius).ok());
         let criterion = acts.as_ref().and_then(|a| a.pastewka_robbins(gradient, curvature).ok());
-        let energy = spectrum.map(|s| 0.25 * modulus * s.first_moment());
+        let shells = inputs.spectrum.as_ref().map(|s| s.shells().iter());
+        let first_moment = shells.map(|all| all.map(|s| s.variance * s.wavenumber).sum::<f64>());
+        let energy = first_moment.map(|m1| 0.25 * modulus * m1);
         let rim = acts.as_ref().and_then(|a| a.attracting_area(gradient, curvature).ok());
         let solved = contacts.iter().filter(|[p, area]| *p > 0.0 && *area > 0.0);
         let shares = solved.filter_map(|[p, area]| {
@@ -112,7 +101,7 @@ impl Adhesion {
             attraction: if is_none { Some(0.0) } else { attraction },
             at: worst.map(|[_, p]| p),
             gradient,
-            shortest: rough.shortest,
+            shortest,
             negligible: is_none
                 || (fuller_tabor.is_some_and(|theta| theta > NO_PULL_OFF)
                     && criterion.is_some_and(|c| c > STICKY)
@@ -124,48 +113,49 @@ impl Adhesion {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use contact_types::Shell;
+    use contact_types::{ContactModulus, RoughnessSpectrum, Shell, SpectralMoments};
     use std::f64::consts::{PI, TAU};
 
-    const STEEL: Rough = Rough {
-        modulus: 115e9,
-        gradient: 0.1,
-        m4: 1e10,
-        asperities: Some(AsperityStatistics {
-            density: 1e10,
-            radius: 10e-6,
-            height_std: 0.5e-6,
-            mean_offset: 0.0,
-        }),
-        shortest: Some(1e-6),
-    };
+    /// Gradient 0.1.
+    fn rough(modulus: f64) -> Inputs {
+        Inputs {
+            moments: Some(SpectralMoments { m0: 0.0, m2: 0.005, m4: 1e10 }),
+            asperities: Some(AsperityStatistics {
+                density: 1e10,
+                radius: 10e-6,
+                height_std: 0.5e-6,
+                mean_offset: 0.0,
+            }),
+            ..Inputs::new(ContactModulus::from_pascals(modulus).unwrap())
+        }
+    }
 
-    fn verdict(rough: &Rough, work: f64, contacts: &[[f64; 2]]) -> Adhesion {
+    fn verdict(inputs: &Inputs, work: f64, contacts: &[[f64; 2]]) -> Adhesion {
         let given = WorkOfAdhesion { work, range: WorkOfAdhesion::RANGE };
-        Adhesion::of(given, rough, None, contacts)
+        Adhesion::of(given, inputs, Some(1e-6), contacts)
     }
 
     /// The adhesion paradox: rough metal does not stick, rubber does; and no work of adhesion sticks nothing.
     #[test]
     fn steel_does_not_stick_and_rubber_does() {
-        assert!(verdict(&STEEL, 0.05, &[]).negligible);
-        let rubber = Rough { modulus: 1e6, ..STEEL };
+        let (steel, rubber) = (rough(115e9), rough(1e6));
+        assert!(verdict(&steel, 0.05, &[]).negligible);
         let sticks = verdict(&rubber, 0.05, &[]);
         assert!(!sticks.negligible && sticks.fuller_tabor.is_some_and(|t| t < NO_PULL_OFF));
         let nothing = verdict(&rubber, 0.0, &[[1e5, 0.1]]);
         assert!(nothing.negligible && nothing.attraction == Some(0.0));
         // A flat map, and one without summits: nothing says that adhesion is negligible.
-        assert!(!verdict(&Rough { gradient: 0.0, ..STEEL }, 0.05, &[]).negligible);
-        assert!(!verdict(&Rough { asperities: None, ..STEEL }, 0.05, &[]).negligible);
+        assert!(!verdict(&Inputs { moments: None, ..steel.clone() }, 0.05, &[]).negligible);
+        assert!(!verdict(&Inputs { asperities: None, ..steel }, 0.05, &[]).negligible);
     }
 
     /// With light contact solved, A = 2 p/(E* g), the share is that of light contact; the worst load counts.
     #[test]
     fn the_share_follows_the_area() {
-        let p = 1e6;
+        let (p, steel) = (1e6, rough(115e9));
         let area = 2.0 * p / (115e9 * 0.1);
-        let light = verdict(&STEEL, 0.05, &[]).attraction.expect("a share");
-        let solved = verdict(&STEEL, 0.05, &[[p, area], [10.0 * p, 3.0 * area]]);
+        let light = verdict(&steel, 0.05, &[]).attraction.expect("a share");
+        let solved = verdict(&steel, 0.05, &[[p, area], [10.0 * p, 3.0 * area]]);
         assert!((solved.attraction.expect("a share") / light - 1.0).abs() < 1e-12);
         assert_eq!(solved.at, Some(p));
     }
@@ -175,9 +165,8 @@ mod tests {
     fn a_wave_takes_its_energy_to_close() {
         let (amplitude, length) = (1e-7, 1e-5);
         let wave = Shell { wavenumber: TAU / length, variance: amplitude * amplitude / 2.0 };
-        let spectrum = RoughnessSpectrum::new(vec![wave]).expect("a shell");
-        let given = WorkOfAdhesion { work: 0.05, range: 3e-10 };
-        let found = Adhesion::of(given, &STEEL, Some(&spectrum), &[]);
+        let spectrum = RoughnessSpectrum::new(vec![wave]).ok();
+        let found = verdict(&Inputs { spectrum, ..rough(115e9) }, 0.05, &[]);
         let exact = PI * 115e9 * amplitude * amplitude / (4.0 * length);
         assert!((found.full_contact_energy.expect("an energy") / exact - 1.0).abs() < 1e-12);
         assert!((found.effective_work.expect("a work") - (0.05 - exact)).abs() < 1e-12 * exact);

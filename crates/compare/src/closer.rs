@@ -1,14 +1,15 @@
-//! A closer look at the headline: proof of its iteration error, its stiffness, and what other
-//! choices in preparing the map would have made of its area. Asked for when a report is written; a
-//! study alone does not need it.
+//! A closer look at the headline, for a report: proof of its iteration error, its stiffness, and what other
+//! choices in preparing the map would have made of its area.
 
+use crate::coarser::solve_coarser;
+use crate::conduction::remove_octaves;
 use crate::progress::LoadListener;
-use crate::result::{Choice, ChoiceKind, Closer, Comparison, SurfaceComparison};
+use crate::result::{ChoiceKind, Closer, Comparison, SurfaceComparison};
 use crate::{EdgesName, Listener, Origin, Settings, StudyError};
 use contact_accuracy::{Ladder, Setup, regrid};
-use contact_types::{Clock, ContactModulus, HeightMap};
-use fft_bem_solver::{Load, Maps, Solver};
-use grid_fft::parallel::{join, on_threads};
+use contact_types::{Clock, HeightMap};
+use fft_bem_solver::{Load, Maps, Solution, Solver};
+use grid_fft::parallel::on_threads;
 use std::borrow::Cow;
 use surface_stats::clean::mirrored;
 use surface_stats::{Level, level};
@@ -16,45 +17,61 @@ use surface_stats::{Level, level};
 /// Points a side above which the choices are compared on a coarser grid.
 const MOST_POINTS: usize = 1024;
 
+/// What is asked of a surface beside its loads.
+type Ask =
+    fn(&mut SurfaceComparison, &Settings, &mut LoadListener<'_, '_>) -> Result<(), StudyError>;
+
 impl Comparison {
-    /// Looks closer at the headline of every surface that has a converged one on the grid as given.
-    /// Costs about four solutions like it, for a map whose edges do not match about nine. The listener
-    /// is told of their iterations, but for those of the stiffness.
+    /// What a report asks beside the loads, at the converged headline of every surface: coarser grids, unless the grid was
+    /// chosen for an accuracy; the map without its shortest octaves, if its conductance was asked for, since what of
+    /// that and of the area is a property of the shortest wave that was measured; and a closer look, for a map whose
+    /// edges do not match about nine solutions.
     ///
     /// # Errors
-    /// [`StudyError::Stopped`] if the listener breaks: surfaces looked at until then keep what was
-    /// found; [`StudyError::Material`] if the modulus of the settings is none, which a finished study
-    /// rules out.
-    pub fn look_closer(&mut self, progress: &mut Listener<'_>) -> Result<(), StudyError> {
-        self.at_headlines(progress, look)
-    }
-
-    /// Asks more at the headline of every surface, on the threads of the study.
-    pub(crate) fn at_headlines(
+    /// Which of `coarser_grids`, `octaves` and `closer_look` is not finished, and [`StudyError::Stopped`] if the listener
+    /// breaks: what was found until then is kept.
+    pub fn look_around(
         &mut self,
         progress: &mut Listener<'_>,
-        ask: fn(
-            &mut SurfaceComparison,
-            &Settings,
-            ContactModulus,
-            &mut LoadListener<'_, '_>,
-        ) -> Result<(), StudyError>,
-    ) -> Result<(), StudyError> {
-        let modulus = ContactModulus::from_pascals(self.settings.modulus)?;
+    ) -> Result<(), (&'static str, StudyError)> {
+        let all: [(_, Ask); 3] = [
+            ("coarser_grids", solve_coarser),
+            ("octaves", remove_octaves),
+            ("closer_look", look_closer),
+        ];
         let Self { settings, surfaces, .. } = self;
         on_threads(settings.threads, || {
-            surfaces.iter_mut().try_for_each(|surface| {
-                let mut watch = LoadListener::new(progress, surface.headline);
-                ask(surface, settings, modulus, &mut watch)
+            all.into_iter().try_for_each(|(stage, ask)| {
+                let mut asked = surfaces.iter_mut().map(|surface| {
+                    let mut watch = LoadListener::new(progress, surface.headline);
+                    ask(surface, settings, &mut watch)
+                });
+                asked.try_for_each(|done| done.map_err(|why| (stage, why)))
             })
         })
     }
 }
 
-fn look(
+impl SurfaceComparison {
+    /// The headline load on another map, from nothing, and the solver of it.
+    pub(crate) fn solve_headline(
+        &self,
+        map: &HeightMap,
+        settings: &Settings,
+        watch: &mut LoadListener<'_, '_>,
+    ) -> Option<(Solver, Solution)> {
+        let whole = settings.edges.around(map).ok()?;
+        let builder = settings.solver().maps(Maps::None);
+        let mut solver = builder.build(whole.grid(), self.inputs.modulus).ok()?;
+        let load = Load::MeanPressure(self.headline_pressure());
+        let found = solver.solve_observed(&whole, load, |now| watch.iteration(now));
+        Some((solver, found.ok()?))
+    }
+}
+
+fn look_closer(
     surface: &mut SurfaceComparison,
     settings: &Settings,
-    modulus: ContactModulus,
     watch: &mut LoadListener<'_, '_>,
 ) -> Result<(), StudyError> {
     let start = Clock::now();
@@ -62,9 +79,9 @@ fn look(
     if surface.plan.is_some() || !is_solved || surface.map.rms_height <= 0.0 {
         return Ok(());
     }
-    let area = certify(surface, settings, modulus, watch);
+    let area = certify(surface, settings, watch);
     watch.go_on()?;
-    let choices = choices(surface, settings, modulus, area, watch);
+    let choices = choices(surface, settings, area, watch);
     watch.go_on()?;
     let seconds = start.elapsed().as_secs_f64();
     surface.closer = Some(Closer { choices, seconds });
@@ -76,20 +93,21 @@ fn look(
 fn certify(
     surface: &mut SurfaceComparison,
     settings: &Settings,
-    modulus: ContactModulus,
     watch: &mut LoadListener<'_, '_>,
 ) -> Option<f64> {
     let load = Load::MeanPressure(surface.headline_pressure());
+    let builder = settings.solver().certified(true).maps(Maps::Pressure);
     let setup = Setup {
         mirrored: settings.edges == EdgesName::Mirrored,
-        ..Setup::new(settings.solver().certified(true).maps(Maps::Pressure), modulus)
+        stiffness: true,
+        ..Setup::new(builder, surface.inputs.modulus)
     };
     let mut ladder = Ladder::new(surface.surface.clone(), setup).ok()?;
-    let found = ladder.solve(load, true, |now| watch.iteration(now)).ok()?;
+    let found = ladder.solve(load, |now| watch.iteration(now)).ok()?;
     let area = found.solution.state.area_fraction;
     let answer = surface.deterministic.get_mut(surface.headline).and_then(|p| p.answer.as_mut());
     if let Some(answer) = answer {
-        answer.energy_bound = found.solution.diagnostics.energy_bound;
+        answer.diagnostics.energy_bound = found.solution.diagnostics.energy_bound;
         // With its conductance the stiffness was found already.
         answer.budget.stiffness = answer.budget.stiffness.or(found.budget.stiffness);
     }
@@ -101,23 +119,11 @@ fn certify(
 fn choices(
     surface: &SurfaceComparison,
     settings: &Settings,
-    modulus: ContactModulus,
     known: Option<f64>,
     watch: &mut LoadListener<'_, '_>,
-) -> Vec<Choice> {
-    let mut last: Option<Solver> = None; // most of the maps stand on the same grid
-    let mut area = |map: &HeightMap| -> Option<f64> {
-        let whole = settings.edges.around(map).ok()?;
-        let grid = whole.grid();
-        if last.as_ref().is_none_or(|solver| solver.grid() != grid) {
-            last = None; // its memory first
-            last = Some(settings.solver().maps(Maps::None).build(grid, modulus).ok()?);
-        }
-        let solver = last.as_mut()?;
-        solver.forget();
-        let load = Load::MeanPressure(surface.headline_pressure());
-        let found = solver.solve_observed(&whole, load, |now| watch.iteration(now));
-        let solution = found.ok()?;
+) -> Vec<(ChoiceKind, f64)> {
+    let mut area = |map: &HeightMap| {
+        let (_, solution) = surface.solve_headline(map, settings, watch)?;
         Some(solution.state.area_fraction).filter(|a| *a > 0.0)
     };
     let repeats = surface.map.repeats;
@@ -135,67 +141,39 @@ fn choices(
     let Some(used) = used.as_deref() else { return Vec::new() };
     let known = known.filter(|area| factor == 1 && *area > 0.0);
     let Some(reference) = known.or_else(|| area(used)) else { return Vec::new() };
-    let mut trials: Vec<ChoiceTrial<'_>> = Vec::new();
+    let mut list = Vec::new();
+    let mut add = |kind, effect: Option<f64>| {
+        list.extend(effect.map(|effect| (kind, effect)));
+    };
+    let mut effect = |map: Option<HeightMap>| Some(area(&map?)? / reference - 1.0);
     // Spikes of the map as given: a coarser grid smears them.
-    if !surface.spikes.indices.is_empty() {
-        let kind = ChoiceKind::WithoutSpikes(surface.spikes.indices.len());
-        trials.push(ChoiceTrial::new(kind, || {
-            let clean = surface.spikes.without(&surface.surface)?;
-            if factor > 1 { on(&clean, used.grid().shape()) } else { Some(clean) }
-        }));
+    let spikes = surface.spikes.indices.len();
+    if spikes > 0 {
+        let clean = surface.spikes.without(&surface.surface);
+        let clean = match factor {
+            1 => clean,
+            _ => clean.and_then(|clean| on(&clean, used.grid().shape())),
+        };
+        add(ChoiceKind::WithoutSpikes(spikes), effect(clean));
     }
     let is_levelled = matches!(surface.statistics.level, Level::Plane);
     if !matches!(surface.origin, Origin::Recipe(_)) && is_levelled {
-        trials
-            .push(ChoiceTrial::new(ChoiceKind::Paraboloid, || level(used, Level::Quadratic).ok()));
+        add(ChoiceKind::Paraboloid, effect(level(used, Level::Quadratic).ok()));
     }
     let [dy, dx] = used.grid().pixel();
     let shortest = surface.statistics.cutoff.unwrap_or(0.0).max(2.0 * dy.max(dx));
     let waves = used.grid().size().map(|side| (side / shortest).floor() as usize);
     if waves[0].min(waves[1]) >= 16 {
-        let kind = ChoiceKind::Cutoff(2.0 * shortest);
-        trials.push(ChoiceTrial::new(kind, move || on(&on(used, waves)?, used.grid().shape())));
+        let smooth = on(used, waves).and_then(|coarse| on(&coarse, used.grid().shape()));
+        add(ChoiceKind::Cutoff(2.0 * shortest), effect(smooth));
     }
     if !repeats && settings.edges == EdgesName::Periodic {
         // Half the points a side: its mirror images have as many as the map.
-        trials.push(ChoiceTrial::new(ChoiceKind::Mirrored, || {
-            on(used, used.grid().shape().map(|n| n / 2))
-        }));
-    }
-    try_all(&trials, |kind, map| {
-        if kind != ChoiceKind::Mirrored {
-            return Some(area(map)? / reference - 1.0);
-        }
-        let as_it_is = area(map)?;
-        Some(area(&mirrored(map).ok()?)? / as_it_is - 1.0)
-    })
-}
-
-/// A choice, and what makes the map as it would be then.
-struct ChoiceTrial<'a> {
-    kind: ChoiceKind,
-    map: Box<dyn Fn() -> Option<HeightMap> + Sync + 'a>,
-}
-
-impl<'a> ChoiceTrial<'a> {
-    fn new(kind: ChoiceKind, map: impl Fn() -> Option<HeightMap> + Sync + 'a) -> Self {
-        Self { kind, map: Box::new(map) }
-    }
-}
-
-/// What each choice does; the map of the next one is made while the `effect` of the one before is found.
-fn try_all(
-    trials: &[ChoiceTrial<'_>],
-    mut effect: impl FnMut(ChoiceKind, &HeightMap) -> Option<f64> + Send,
-) -> Vec<Choice> {
-    let mut list = Vec::new();
-    let make = |trial: Option<&ChoiceTrial<'_>>| trial.and_then(|trial| (trial.map)());
-    let mut map = make(trials.first());
-    for (i, &ChoiceTrial { kind, .. }) in trials.iter().enumerate() {
-        let found = || effect(kind, &map?);
-        let (found, next) = join(found, || make(trials.get(i + 1)));
-        list.extend(found.map(|effect| Choice { kind, effect }));
-        map = next;
+        let half = on(used, used.grid().shape().map(|n| n / 2));
+        let as_it_is = half.as_ref().and_then(&mut area);
+        let among_images = half.and_then(|map| area(&mirrored(&map).ok()?));
+        let both = as_it_is.zip(among_images);
+        add(ChoiceKind::Mirrored, both.map(|(as_it_is, mirrored)| mirrored / as_it_is - 1.0));
     }
     list
 }

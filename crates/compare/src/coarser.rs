@@ -1,12 +1,11 @@
-//! The headline load once more on coarser grids: what a cheaper deterministic answer would have
-//! cost in accuracy. Asked for when a report is written; a study alone does not need it.
+//! The headline load on coarser grids, for a report: what a cheaper deterministic answer would have cost in accuracy.
 
 use crate::progress::LoadListener;
-use crate::result::{Coarser, Comparison, SurfaceComparison};
-use crate::{Listener, Settings, StudyError};
+use crate::result::{Coarser, SurfaceComparison};
+use crate::{Settings, StudyError};
 use contact_accuracy::thinned;
-use contact_types::{ContactModulus, HeightMap};
-use fft_bem_solver::{Load, Maps};
+use contact_types::HeightMap;
+use fft_bem_solver::Load;
 use grid_fft::parallel;
 
 /// Point spacings tried, in spacings of the map. Together they have
@@ -23,26 +22,11 @@ const REPEATS: usize = 5;
 /// Seconds after which a solution is not repeated.
 const SHORT: f64 = 0.05;
 
-impl Comparison {
-    /// Solves the headline load of every surface on its coarser grids. A grid without a converged
-    /// solution, or with fewer than 16 points a side, is left out; so is a surface whose grid was
-    /// chosen for an accuracy, which says itself what a coarser one would leave. The listener is
-    /// told of every iteration.
-    ///
-    /// # Errors
-    /// [`StudyError::Stopped`] if the listener breaks: what was found until then is kept;
-    /// [`StudyError::Material`] if the modulus of the settings is none, which a finished study rules
-    /// out.
-    pub fn solve_coarser(&mut self, progress: &mut Listener<'_>) -> Result<(), StudyError> {
-        self.at_headlines(progress, solve_all)
-    }
-}
-
-/// The headline load on every coarser grid.
-fn solve_all(
+/// The headline load on every coarser grid. One without a converged solution, or with fewer than 16 points a side, is left out;
+/// a grid that was chosen for an accuracy says itself what a coarser one would leave.
+pub(crate) fn solve_coarser(
     surface: &mut SurfaceComparison,
     settings: &Settings,
-    modulus: ContactModulus,
     watch: &mut LoadListener<'_, '_>,
 ) -> Result<(), StudyError> {
     if surface.plan.is_some() {
@@ -51,7 +35,7 @@ fn solve_all(
     // All maps first: nothing else runs while a solution is timed.
     let maps = parallel::map(&COARSER, |factor| coarsened(&surface.surface, *factor));
     for (factor, map) in COARSER.into_iter().zip(maps) {
-        let found = map.and_then(|map| solve(surface, settings, modulus, (factor, &map), watch));
+        let found = map.and_then(|map| solve(surface, settings, (factor, &map), watch));
         watch.go_on()?;
         surface.coarser.extend(found);
     }
@@ -61,15 +45,12 @@ fn solve_all(
 fn solve(
     surface: &SurfaceComparison,
     settings: &Settings,
-    modulus: ContactModulus,
     (factor, map): (usize, &HeightMap),
     watch: &mut LoadListener<'_, '_>,
 ) -> Option<Coarser> {
     let truth = surface.headline_answer().filter(|a| a.converged)?.area_fraction;
-    let whole = settings.edges.around(map).ok()?;
-    let mut solver = settings.solver().maps(Maps::None).build(whole.grid(), modulus).ok()?;
-    let load = Load::MeanPressure(surface.headline_pressure());
-    let solution = solver.solve_observed(&whole, load, |now| watch.iteration(now)).ok()?;
+    let (mut solver, solution) = surface.solve_headline(map, settings, watch)?;
+    let (whole, load) = (settings.edges.around(map).ok()?, surface.headline_pressure());
     let found = &solution.diagnostics;
     let (mut seconds, mut spent) = (found.seconds, found.seconds);
     for _ in 1..REPEATS {
@@ -77,7 +58,7 @@ fn solve(
             break;
         }
         solver.forget();
-        let again = solver.solve(&whole, load).ok()?.diagnostics.seconds;
+        let again = solver.solve(&whole, Load::MeanPressure(load)).ok()?.diagnostics.seconds;
         (seconds, spent) = (seconds.min(again), spent + again);
     }
     (truth > 0.0).then(|| Coarser {
@@ -105,14 +86,14 @@ fn coarsened(map: &HeightMap, factor: usize) -> Option<HeightMap> {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::{Registry, Settings, built_in_recipes};
+    use crate::{Comparison, Registry, Settings, built_in_recipes};
     use std::ops::ControlFlow;
 
     /// The error is against the map's own answer. A map whose shortest wave is 8 points long has 4 at half the points:
     /// what that moves is in the uncertainty.
     #[test]
     fn half_the_points_are_off_by_as_much_as_the_uncertainty_says() {
-        let mut recipe = built_in_recipes().unwrap().remove(0);
+        let mut recipe = built_in_recipes().remove(0);
         (recipe.shape, recipe.quantise) = ([128, 128], None);
         let [dy, dx] = recipe.pixel;
         recipe.cutoff = 8.0 * dy.max(dx);
@@ -123,10 +104,10 @@ mod tests {
                 .unwrap();
         assert!(study.surfaces[0].coarser.is_empty(), "not asked for, not computed");
         let mut stop = |_: crate::Progress<'_>| ControlFlow::Break(());
-        assert!(matches!(study.solve_coarser(&mut stop), Err(StudyError::Stopped)));
-        assert!(matches!(study.look_closer(&mut stop), Err(StudyError::Stopped)));
+        let stopped = study.look_around(&mut stop);
+        assert!(matches!(stopped, Err(("coarser_grids", StudyError::Stopped))));
         assert!(study.surfaces[0].coarser.is_empty() && study.surfaces[0].closer.is_none());
-        study.solve_coarser(&mut go).unwrap();
+        study.look_around(&mut go).unwrap();
         let surface = &study.surfaces[0];
         let shapes: Vec<[usize; 2]> = surface.coarser.iter().map(|c| c.shape).collect();
         assert_eq!(shapes, [[64, 64], [32, 32], [16, 16]]);

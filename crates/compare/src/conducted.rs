@@ -94,15 +94,16 @@ pub struct Conductance {
     pub estimate: Option<Estimate>,
 }
 
+impl From<Estimate> for Conductance {
+    fn from(estimate: Estimate) -> Self {
+        Self { value: estimate.value, estimate: Some(estimate) }
+    }
+}
+
 impl Conductance {
     /// A number alone.
     pub(crate) fn of(value: f64) -> Self {
         Self { value, estimate: None }
-    }
-
-    /// A number with its uncertainty.
-    pub fn estimated(estimate: Estimate) -> Self {
-        Self { value: estimate.value, estimate: Some(estimate) }
     }
 
     /// Nothing without contact or with an insulator.
@@ -146,29 +147,29 @@ pub struct Conducted {
 impl Conducted {
     /// Resistance of the part to current (Ω), and to heat by all ways there are (K/W).
     pub fn resistances(&self) -> [Option<Resistance>; 2] {
-        let of = |h: Option<Conductance>| Some(Resistance { conductance: h?, area: self.area? });
+        let of = |h: Option<Conductance>| {
+            let (Conductance { value, estimate }, area) = (h?, self.area?);
+            let inverted = |[low, high]: [f64; 2]| [high, low].map(|h| 1.0 / (h * area));
+            Some(Resistance {
+                value: 1.0 / (value * area),
+                interval: estimate.and_then(|e| e.interval().ok()).map(inverted),
+                prediction: estimate.and_then(|e| e.prediction()).map(inverted),
+            })
+        };
         [of(self.electrical), of(self.joint.or(self.thermal))]
     }
 }
 
 /// Resistance of a nominal area.
 #[derive(Debug, Clone, Copy, PartialEq)]
+#[non_exhaustive]
 pub struct Resistance {
-    conductance: Conductance,
-    area: f64,
-}
-
-impl Resistance {
     /// The number: 0 where the conductance has no end, infinite where there is none.
-    pub fn value(&self) -> f64 {
-        1.0 / (self.conductance.value * self.area)
-    }
-
-    /// The ends of an interval of the conductance, as those of the resistance.
-    pub fn ends(&self, of: impl Fn(&Estimate) -> Option<[f64; 2]>) -> Option<[f64; 2]> {
-        let [low, high] = of(self.conductance.estimate.as_ref()?)?;
-        Some([high, low].map(|h| 1.0 / (h * self.area)))
-    }
+    pub value: f64,
+    /// `[low, high]` as the number of this map, if it has an uncertainty.
+    pub interval: Option<[f64; 2]>,
+    /// `[low, high]` as a number of the surface, if the map can tell.
+    pub prediction: Option<[f64; 2]>,
 }
 
 /// What a contact conducts.
@@ -189,7 +190,7 @@ pub struct Conduction {
     /// conductance; of correlations of the conductance the stiffness that it stands for.
     pub theories: Vec<TheoryStiffness>,
     /// The headline load on the map without its shortest octaves, the whole map first; empty unless asked
-    /// for, see [`Comparison::remove_octaves`](crate::Comparison::remove_octaves).
+    /// for, see [`Comparison::look_around`](crate::Comparison::look_around).
     pub octaves: Vec<Octave>,
     /// Wall-clock time of the octaves (s).
     pub seconds: f64,

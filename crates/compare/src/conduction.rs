@@ -4,17 +4,16 @@
 //! materials know, `2/(E* (ρ1 + ρ2))` or `2/(E* (1/k1 + 1/k2))`: one stiffness serves both, and a
 //! correlation of the field is drawn as the stiffness it stands for.
 
-use crate::ask::at_pressure;
+use crate::ask::possible;
 use crate::conducted::{Conductance, Conducted, Conduction, Joint, Octave, TheoryStiffness};
 use crate::progress::LoadListener;
 use crate::registry::find;
-use crate::result::{Comparison, DeterministicAnswer, SurfaceComparison};
+use crate::result::{DeterministicAnswer, SurfaceComparison};
 use crate::settings::Settings;
-use crate::{GapGas, Input, Inputs, Listener, StudyError, Theory};
+use crate::{GapGas, Input, Inputs, StudyError, Theory};
 use asperity_models::thermal_conductance::gas_between;
 use contact_accuracy::{Budget, regrid};
 use contact_types::{Clock, ContactModel, ContactModulus, ContactState, HeightMap};
-use fft_bem_solver::Load;
 
 /// Points along the shorter side that the shortest wave left must fit, twice.
 const FEWEST_POINTS: usize = 16;
@@ -55,10 +54,7 @@ const SLOPE: f64 = 1e-3;
 
 /// Stiffness and gas of theories at the loads.
 fn theories(surface: &SurfaceComparison, joint: Joint) -> Vec<TheoryStiffness> {
-    // Persson's gap asks for the spectrum.
-    let own = || surface_stats::spectrum::radial(&surface.surface).ok();
-    let spectrum = surface.inputs.spectrum.clone().or_else(own);
-    let inputs = Inputs { spectrum, ..surface.inputs.clone() };
+    let inputs = surface.inputs_with_spectrum(); // Persson's gap asks for it
     let of = |name: &str| {
         let theory = find(name)?;
         let model = theory.build(&inputs).ok()?;
@@ -67,7 +63,10 @@ fn theories(surface: &SurfaceComparison, joint: Joint) -> Vec<TheoryStiffness> {
         let conducted = |p| Some(modulus * contact_of(theory, &*model, &inputs, p)?[0]);
         let stiffness = loads().map(conducted).collect();
         let gas = |gas: GapGas| -> Vec<Option<f64>> {
-            let at = |p| gas_at(&at_pressure(name, &*model, p).ok()?, &inputs, gas);
+            let at = |p| {
+                let state = possible(name, model.at_pressure(p).ok()?).ok()?;
+                gas_at(&state, &inputs, gas)
+            };
             loads().map(at).collect()
         };
         let gas = joint.gas.map_or_else(Vec::new, gas);
@@ -119,7 +118,7 @@ pub fn conducted_by(
 /// `-dp/d(separation)`, or of the mean gap, of a model at a mean pressure (Pa/m).
 fn slope(name: &str, model: &dyn ContactModel, pressure: f64) -> Option<f64> {
     let separation = |p: f64| {
-        let state = at_pressure(name, model, p).ok()?;
+        let state = possible(name, model.at_pressure(p).ok()?).ok()?;
         state.separation.or(state.mean_gap) // Persson's is that of the deformed bodies
     };
     let closed = separation(pressure * (1.0 - SLOPE))? - separation(pressure * (1.0 + SLOPE))?;
@@ -128,7 +127,7 @@ fn slope(name: &str, model: &dyn ContactModel, pressure: f64) -> Option<f64> {
 
 /// Stiffness of the contact set of an answer (Pa/m).
 fn stiffness(answer: &DeterministicAnswer) -> Option<f64> {
-    if answer.contact_pixels == 0 {
+    if answer.diagnostics.contact_pixels == 0 {
         return Some(0.0);
     }
     let is_full = answer.touching_fraction >= 1.0;
@@ -150,37 +149,31 @@ impl Joint {
     pub fn of_budget(&self, stiffness: f64, budget: &Budget, modulus: ContactModulus) -> Conducted {
         let estimate = budget.stiffness.filter(|_| stiffness > 0.0 && stiffness.is_finite());
         let set = Conductance { value: stiffness, estimate }.times(1.0 / modulus.pascals());
-        let gas = budget.gas.map(Conductance::estimated);
+        let gas = budget.gas.map(Conductance::from);
         self.conducted(set, gas, budget.mean_pressure.value)
     }
 }
 
-impl Comparison {
-    /// Solves the headline load of every surface whose conductance was asked for on its waves without the
-    /// shortest octave, then without the next: what of area and conductance is a property of the shortest wave
-    /// that was measured. Up to four solutions each. The listener is told of every iteration.
-    ///
-    /// # Errors
-    /// [`StudyError::Stopped`] if the listener breaks; [`StudyError::Material`] if the modulus of the
-    /// settings is none, which a finished study rules out.
-    pub fn remove_octaves(&mut self, progress: &mut Listener<'_>) -> Result<(), StudyError> {
-        self.at_headlines(progress, |surface, settings, modulus, watch| {
-            let start = Clock::now();
-            let octaves = octaves(surface, settings, modulus, watch);
-            watch.go_on()?;
-            if let Some(conduction) = &mut surface.conduction {
-                conduction.octaves = octaves;
-                conduction.seconds = start.elapsed().as_secs_f64();
-            }
-            Ok(())
-        })
+/// Solves the headline load without the shortest octave of waves, then without the next, if the conductance was asked for:
+/// up to four solutions.
+pub(crate) fn remove_octaves(
+    surface: &mut SurfaceComparison,
+    settings: &Settings,
+    watch: &mut LoadListener<'_, '_>,
+) -> Result<(), StudyError> {
+    let start = Clock::now();
+    let octaves = octaves(surface, settings, watch);
+    watch.go_on()?;
+    if let Some(conduction) = &mut surface.conduction {
+        conduction.octaves = octaves;
+        conduction.seconds = start.elapsed().as_secs_f64();
     }
+    Ok(())
 }
 
 fn octaves(
     surface: &SurfaceComparison,
     settings: &Settings,
-    modulus: ContactModulus,
     watch: &mut LoadListener<'_, '_>,
 ) -> Vec<Octave> {
     let at_headline =
@@ -192,10 +185,7 @@ fn octaves(
     let shortest = surface.statistics.cutoff.unwrap_or(0.0).max(2.0 * dy.max(dx));
     let mut found = vec![Octave { shortest, area: answer.area_fraction, stiffness }];
     let mut solve = |map: &HeightMap| -> Option<[f64; 2]> {
-        let whole = settings.edges.around(map).ok()?;
-        let mut solver = settings.solver().build(whole.grid(), modulus).ok()?;
-        let load = Load::MeanPressure(surface.headline_pressure());
-        let solution = solver.solve_observed(&whole, load, |now| watch.iteration(now)).ok()?;
+        let (mut solver, solution) = surface.solve_headline(map, settings, watch)?;
         let set = solver.contact_stiffness().ok()?;
         Some([solution.state.area_fraction, set.per_area])
     };
@@ -235,7 +225,7 @@ mod tests {
         let asperities = AsperityStatistics::from_moments(moments).expect("summits");
         let exact = GreenwoodWilliamson::new(asperities, modulus).expect("a model");
         for pressure in [1e4, 1e6, 1e8] {
-            let state = at_pressure("gw", &*theory, pressure).expect("an answer");
+            let state = theory.at_pressure(pressure).expect("an answer");
             let known =
                 exact.stiffness(state.separation.expect("a separation")).expect("stiffness");
             let found = slope("gw", &*theory, pressure).expect("a slope");

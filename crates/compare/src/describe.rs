@@ -1,6 +1,6 @@
 //! From a surface to what models and the report need of it, each computed once.
 
-use crate::inputs::{Inputs, MomentSource};
+use crate::inputs::Inputs;
 use crate::result::Spectral;
 use crate::theory::Assumes;
 use crate::{Origin, Registry, Settings, poisson};
@@ -39,7 +39,7 @@ pub(crate) fn model_inputs(
         .any(|t| matches!(t.card().assumes, Assumes::Amplitudes | Assumes::Unstated));
     Inputs {
         moments: Some(statistics.moments()).filter(|m| m.m2 > 0.0 && m.m4 > 0.0),
-        source: MomentSource::FiniteDifferences,
+        is_measured: true,
         amplitudes: Some(amplitudes).filter(|_| has_use),
         fractal: statistics.fractal(),
         dimension: statistics.dimension,

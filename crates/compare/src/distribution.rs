@@ -1,7 +1,6 @@
 //! How pressure, gap and contact spots are distributed over a map.
 
 use crate::spots::Spot;
-use grid_fft::parallel::join;
 use serde::Serialize;
 
 /// Classes of pressure and of gap.
@@ -72,28 +71,11 @@ impl Distributions {
     /// Of a pressure field (Pa), the gap field on the same points (m; empty if there is none) and the list of spots;
     /// `None` if nothing touches.
     pub fn of(pressure: &[f64], gap: &[f64], spots: &[Spot]) -> Option<Self> {
-        Self::with(FieldDistributions::of(pressure, gap)?, spots)
-    }
-
-    /// Those of the fields, with those of the list of spots; `None` if it is empty.
-    pub(crate) fn with(fields: FieldDistributions, spots: &[Spot]) -> Option<Self> {
-        let FieldDistributions { pressure, gap } = fields;
-        Some(Self { pressure, gap, spots: SpotDistribution::of(spots)? })
-    }
-}
-
-/// The distributions that need no list of spots.
-pub(crate) struct FieldDistributions {
-    pressure: PressureHistogram,
-    gap: Option<GapDistribution>,
-}
-
-impl FieldDistributions {
-    /// As [`Distributions::of`].
-    pub(crate) fn of(pressure: &[f64], gap: &[f64]) -> Option<Self> {
-        let (of_pressure, gap) =
-            join(|| PressureHistogram::of(pressure), || GapDistribution::of(pressure, gap));
-        Some(Self { pressure: of_pressure?, gap })
+        Some(Self {
+            pressure: PressureHistogram::of(pressure)?,
+            gap: GapDistribution::of(pressure, gap),
+            spots: SpotDistribution::of(spots)?,
+        })
     }
 }
 
@@ -155,10 +137,9 @@ impl GapDistribution {
         let gaps: Vec<f64> = (1..=CLASSES)
             .map(|i| widest * 10f64.powf(4.0 * (i as f64 / CLASSES as f64 - 1.0)))
             .collect();
-        let classes = Classes::of(&gaps);
         let mut counts = [0_usize; CLASSES];
         for g in apart() {
-            counts[classes.class(g)] += 1;
+            counts[gaps.partition_point(|limit| *limit < g).min(CLASSES - 1)] += 1;
         }
         let mut closer = gap.len() - count;
         let below = counts.iter().map(|n| {
@@ -166,43 +147,6 @@ impl GapDistribution {
             closer as f64 / gap.len() as f64
         });
         Some(Self { mean: sum / count as f64, below: below.collect(), gaps })
-    }
-}
-
-/// Finds the class of a number among rising limits that are further apart than the numbers of one bin: the first limit
-/// not below it, or the last. A bin holds the numbers whose exponent and first four binary digits are alike, so that
-/// no search is needed.
-struct Classes<'a> {
-    limits: &'a [f64],
-    /// Bin of the lowest limit.
-    first: usize,
-    /// Class of the lowest number of each bin from there on.
-    begin: Vec<usize>,
-}
-
-/// Digits of a number that are not told apart within a bin.
-const LEFT_OUT: u32 = 48;
-
-impl<'a> Classes<'a> {
-    /// Of positive limits.
-    fn of(limits: &'a [f64]) -> Self {
-        let (first, last) = (Self::bin(limits[0]), Self::bin(limits[limits.len() - 1]));
-        let lowest = |bin: usize| f64::from_bits((bin as u64) << LEFT_OUT);
-        let class = |bin: usize| limits.partition_point(|limit| *limit < lowest(bin));
-        Self { limits, first, begin: (first..=last).map(class).collect() }
-    }
-
-    fn bin(number: f64) -> usize {
-        (number.to_bits() >> LEFT_OUT) as usize
-    }
-
-    /// Of a number that is not negative.
-    fn class(&self, number: f64) -> usize {
-        let Some(bin) = Self::bin(number).checked_sub(self.first) else { return 0 };
-        let last = self.limits.len() - 1;
-        let begin = self.begin.get(bin).map_or(last, |begin| *begin.min(&last));
-        // At most one limit lies within a bin.
-        (begin + usize::from(self.limits[begin] < number)).min(last)
     }
 }
 
@@ -267,18 +211,6 @@ mod tests {
         assert!((p.exponent_at_zero.unwrap() - 1.0).abs() < 0.1, "{:?}", p.exponent_at_zero);
         assert_eq!((found.spots.count, found.gap.is_none()), (1, true));
         assert!(found.spots.area_share.iter().all(|s| (s - 1.0).abs() < 1e-12));
-    }
-
-    /// As a search finds them: at the limits, just beside them, between and beyond them.
-    #[test]
-    fn classes_are_those_of_a_search() {
-        let limits: Vec<f64> = (1..=CLASSES).map(|i| 3e-7 * 10f64.powf(0.1 * i as f64)).collect();
-        let classes = Classes::of(&limits);
-        let beside = limits.iter().flat_map(|l| [l.next_down(), *l, l.next_up(), 1.1 * l]);
-        for number in beside.chain([0.0, f64::MIN_POSITIVE, 1e-9, 1.0]) {
-            let searched = limits.partition_point(|limit| *limit < number).min(CLASSES - 1);
-            assert_eq!(classes.class(number), searched, "{number:e}");
-        }
     }
 
     #[test]

@@ -70,20 +70,14 @@ impl Finding {
 
     /// What the statistics warn of.
     pub(crate) fn warned(warning: Warning) -> Self {
-        let matters = matches!(
+        let is_note = matches!(
             warning,
-            Warning::Rounding { .. }
-                | Warning::Flat
-                | Warning::Tilted { .. }
-                | Warning::RowsJump { .. }
-                | Warning::Anisotropic { .. }
-                | Warning::NotGaussian { .. }
-                | Warning::NarrowBand { .. }
-                | Warning::Unresolved { .. }
-                | Warning::Stepped { .. }
-                | Warning::Noisy { .. }
+            Warning::FlatTops { .. }
+                | Warning::EdgeJump { .. }
+                | Warning::FewWaves { .. }
+                | Warning::NotSelfAffine { .. }
         );
-        Self::check_if(matters, Fact::Warned(warning))
+        Self::check_if(!is_note, Fact::Warned(warning))
     }
 
     /// What it is about: `material` (what the solids bear), `surface` (the heights), `grid` (the point spacing, against
@@ -92,13 +86,10 @@ impl Finding {
         match &self.fact {
             Fact::Yield(_)
             | Fact::Yielding(_)
-            | Fact::OddHardness { .. }
+            | Fact::Unit { hardness: Some(_), .. }
             | Fact::BulkYield { .. }
             | Fact::Adhesion(_) => "material",
-            Fact::NoUncertainty {
-                why: NoUncertainty::NotConverged | NoUncertainty::AtRounding,
-                ..
-            } => "solution",
+            Fact::NoUncertainty { why: NoUncertainty::NotConverged { .. }, .. } => "solution",
             Fact::PlanUnmet(_) => "plan",
             Fact::Interpolation { .. } | Fact::NoUncertainty { .. } | Fact::BelowPoint { .. } => {
                 "grid"
@@ -113,7 +104,8 @@ impl Finding {
 #[derive(Debug, Clone, PartialEq, Serialize)]
 #[serde(rename_all = "snake_case")]
 pub enum Fact {
-    /// Sizes that no rough surface has; each `None` where it is usual.
+    /// Sizes that no rough surface has, or a hardness that solids of this modulus do not have: is the unit right? Each `None`
+    /// where it is usual.
     Unit {
         /// Rms gradient \[-\].
         gradient: Option<f64>,
@@ -121,18 +113,13 @@ pub enum Fact {
         rms_height: Option<f64>,
         /// Radius of asperities (m).
         radius: Option<f64>,
+        /// Hardness, and that of solids from low to high (Pa).
+        hardness: Option<[f64; 3]>,
     },
     /// The elastic answer presses harder than solids of this modulus usually bear.
     Yield(Yield),
     /// Part of the contact has yielded at the hardness given.
     Yielding(Yielding),
-    /// A hardness that solids of this modulus do not have.
-    OddHardness {
-        /// H (Pa).
-        hardness: f64,
-        /// That of solids, `[low, high]` (Pa).
-        usual: [f64; 2],
-    },
     /// Loads so high that the bodies yield in their volume.
     BulkYield {
         /// The highest (Pa).
@@ -199,21 +186,14 @@ pub enum Fact {
         /// Why not, as the statistics refuse it.
         why: String,
     },
-    /// The cut-off that Ra asks for is longer than the traces allow.
-    CoarserClass {
-        /// λc that was used (m).
-        cutoff: f64,
-        /// Ra with it (m).
-        ra: f64,
-        /// Length of the traces (m).
-        length: f64,
-    },
-    /// λs was left out.
-    NoShort {
-        /// λs (m).
-        short: f64,
-        /// Spacing of the points (m).
-        spacing: f64,
+    /// A filter of the roughness parameters that is not the standard's: λc shorter than Ra asks for, or λs left out.
+    Filter {
+        /// λc that was used, or λs that was not (m).
+        wavelength: f64,
+        /// Length of the traces, or spacing of their points (m), which allow no other.
+        limit: f64,
+        /// Ra with λc (m); `None` of λs.
+        ra: Option<f64>,
     },
     /// A warning of the statistics.
     Warned(Warning),
@@ -239,17 +219,15 @@ pub enum Fact {
         /// How many cleaning took out before.
         taken: usize,
     },
-    /// Points that were filled.
-    Filled {
-        /// Their part of the map \[-\].
-        share: f64,
-        /// True if some of them were spikes.
-        spikes: bool,
+    /// Steps of cleaning, and points that were filled.
+    Cleaned {
+        /// The steps.
+        steps: Vec<Record>,
+        /// Part of the map that was filled \[-\], removed spikes among it; 0 if nothing was.
+        filled: f64,
         /// By which rule.
         how: String,
     },
-    /// Steps of cleaning.
-    Cleaned(Vec<Record>),
     /// Two bodies whose moments do not add, as those of independent surfaces do.
     Pair {
         /// Their names.
@@ -257,19 +235,14 @@ pub enum Fact {
         /// The moments.
         moments: Independence,
     },
-    /// Two bodies measured at different distances of the points.
-    PixelsDiffer {
+    /// How two bodies lie on each other, where not point on point or not with all of them.
+    Laid {
         /// Their names.
         names: [String; 2],
-        /// Their pixels `[dy, dx]` (m).
-        pixels: [[f64; 2]; 2],
-    },
-    /// Two bodies of which only parts lie on each other.
-    CommonPart {
-        /// Their names.
-        names: [String; 2],
-        /// Part of each that lies on the other \[-\].
-        shares: [f64; 2],
+        /// Their pixels `[dy, dx]` (m), if they differ.
+        pixels: Option<[[f64; 2]; 2]>,
+        /// Part of each that lies on the other \[-\], if not all does.
+        shares: Option<[f64; 2]>,
     },
     /// What was tested and is fine.
     Passed(Passed),

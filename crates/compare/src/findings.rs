@@ -7,6 +7,7 @@ use crate::scene::{Scene, is_steep};
 use crate::yielding::{BULK_YIELD, hardness_of};
 use crate::{Independence, Origin, PairFound, PairOrigin, Spikes};
 use contact_accuracy::{EdgeShare, INDICATOR_LIMIT, NoUncertainty, Reached};
+use fft_bem_solver::End;
 use surface_stats::clean::Record;
 use surface_stats::{SurfaceStatistics, Warning};
 
@@ -33,7 +34,7 @@ pub fn findings(surface: &SurfaceComparison) -> Vec<Finding> {
             .collect(),
         plan: surface.plan.as_ref(),
         small: answers()
-            .filter(|a| is_below_a_point(a.touching_fraction, a.contact_perimeter))
+            .filter(|a| is_below_a_point(a.touching_fraction, a.diagnostics.contact_perimeter))
             .count(),
         missing: file.map_or(0, |file| file.missing),
         points: surface.surface.grid().len(),
@@ -55,8 +56,10 @@ pub fn findings(surface: &SurfaceComparison) -> Vec<Finding> {
 fn without_uncertainty(surface: &SurfaceComparison) -> Vec<Option<NoUncertainty>> {
     let of = |point: &DeterministicPoint| match &point.answer {
         Some(answer) if answer.converged => answer.budget.area.half_width().err(),
-        Some(answer) if answer.stopped_at_rounding => Some(NoUncertainty::AtRounding),
-        _ => Some(NoUncertainty::NotConverged),
+        answer => {
+            let at_rounding = answer.as_ref().is_some_and(|a| a.diagnostics.end == End::Rounding);
+            Some(NoUncertainty::NotConverged { at_rounding })
+        }
     };
     let all: Vec<_> = surface.deterministic.iter().map(of).collect();
     let is_told = surface.statistics.rms_height > 0.0 && !all.iter().flatten().any(is_unsolved);
@@ -90,14 +93,17 @@ pub fn measured(s: &SurfaceStatistics, spikes: &Spikes, pair: Option<&PairOrigin
 fn hardness(surface: &SurfaceComparison) -> Vec<Finding> {
     let Some(given) = hardness_of(surface) else { return Vec::new() };
     let pascals = given.pascals;
-    let odd = |usual| Finding::check(Fact::OddHardness { hardness: pascals, usual });
+    let odd = |[low, high]: [f64; 2]| {
+        let hardness = Some([pascals, low, high]);
+        Finding::check(Fact::Unit { gradient: None, rms_height: None, radius: None, hardness })
+    };
     let mut found: Vec<Finding> = given.unusual().map(odd).into_iter().collect();
     let solved = surface.deterministic.iter().filter(|p| p.answer.is_some());
     let highest = solved.map(|p| p.mean_pressure).fold(0.0, f64::max);
     if highest > BULK_YIELD * pascals {
         found.push(Finding::note(Fact::BulkYield { highest, hardness: pascals }));
     }
-    let yielded = surface.headline_answer().and_then(|a| Some((a, a.yielded?)));
+    let yielded = surface.headline_answer().and_then(|a| Some((a, a.diagnostics.yielded?)));
     if let Some((answer, yielded)) = yielded
         && yielded.area_fraction > 0.0
     {
@@ -121,8 +127,8 @@ fn scene(surface: &SurfaceComparison) -> Scene {
     let is_elastic = surface.inputs.hardness.is_none();
     let answers = surface.deterministic.iter().filter(|_| is_elastic).filter_map(|p| {
         let answer = p.answer.as_ref().filter(|a| a.converged)?;
-        let mean = answer.budget.real_pressure()?.value();
-        Some(Pressed::of(p.mean_pressure, mean, answer.max_pressure))
+        let mean = answer.budget.real_pressure()?.value;
+        Some(Pressed::of(p.mean_pressure, mean, answer.diagnostics.max_pressure))
     });
     let s = &surface.statistics;
     Scene {
@@ -184,7 +190,8 @@ impl Solved<'_> {
         found.extend(hardness);
         found.extend(self.adhesion.map(sticking));
         found.extend(spiky(&self.spikes, self.spike_share));
-        for why in [NoUncertainty::NotConverged, NoUncertainty::AtRounding] {
+        for at_rounding in [false, true] {
+            let why = NoUncertainty::NotConverged { at_rounding };
             let loads = self.loads.iter().filter(|load| **load == Some(why)).count();
             found.extend(
                 (loads > 0).then(|| Finding::check(Fact::NoUncertainty { why, loads, of })),
@@ -201,8 +208,7 @@ impl Solved<'_> {
         }
         found.extend(interpolation(&self.indicators));
         found.extend(statistics);
-        found.extend(filled(self.missing, self.points, self.fill, self.cleaned));
-        found.extend(cleaned(self.cleaned));
+        found.extend(cleaned(self.cleaned, self.missing, self.points, self.fill));
         found.extend(self.pair.map(of_pair).into_iter().flatten());
         found.sort_by_key(|f| f.weight);
         found
@@ -211,7 +217,7 @@ impl Solved<'_> {
 
 /// Whether an area has no uncertainty because its load was not solved to the tolerance.
 fn is_unsolved(why: &NoUncertainty) -> bool {
-    matches!(why, NoUncertainty::NotConverged | NoUncertainty::AtRounding)
+    matches!(why, NoUncertainty::NotConverged { .. })
 }
 
 /// Larger over smaller distance of points from which waves of one body are missing in the sum.
@@ -227,18 +233,18 @@ fn of_pair(pair: &PairOrigin) -> Vec<Finding> {
     }
     if placed.resampled.contains(&true) {
         let matters = placed.pixel_ratio() >= PIXELS_MATTER;
-        let pixels = placed.grids.map(|grid| grid.pixel());
-        found.push(Finding::check_if(matters, Fact::PixelsDiffer { names: names(), pixels }));
+        let pixels = Some(placed.grids.map(|grid| grid.pixel()));
+        found.push(Finding::check_if(matters, Fact::Laid { names: names(), pixels, shares: None }));
     }
     let shares = placed.shares();
     // Less than a point in a thousand is no part.
     if shares.iter().any(|share| *share < 0.999) {
-        found.push(Finding::note(Fact::CommonPart { names: names(), shares }));
+        let shares = Some(shares);
+        found.push(Finding::note(Fact::Laid { names: names(), pixels: None, shares }));
     }
     for ((body, origin), grid) in pair.names.iter().zip(&*pair.bodies).zip(placed.grids) {
         let Origin::File(file) = origin else { continue };
-        let own = filled(file.missing, grid.len(), &file.fill, &file.cleaned);
-        let own = own.into_iter().chain(cleaned(&file.cleaned));
+        let own = cleaned(&file.cleaned, file.missing, grid.len(), &file.fill);
         found.extend(own.map(|f| Finding { body: Some(body.clone()), ..f }));
     }
     found
@@ -284,19 +290,14 @@ pub fn seam(surface: &SurfaceComparison) -> Option<Seam> {
     Some(Seam { share, strip })
 }
 
-pub(crate) fn filled(missing: usize, all: usize, how: &str, cleaned: &[Record]) -> Option<Finding> {
-    if missing == 0 {
+/// What cleaning did to a map of `all` points, and how many were filled. Many may change a conclusion.
+pub(crate) fn cleaned(steps: &[Record], missing: usize, all: usize, how: &str) -> Option<Finding> {
+    if missing == 0 && steps.is_empty() {
         return None;
     }
-    let share = missing as f64 / all as f64;
-    let spikes = |r: &Record| matches!(r, Record::Outliers { count, .. } if *count > 0);
-    let spikes = cleaned.iter().any(spikes);
-    let fact = Fact::Filled { share, spikes, how: how.to_owned() };
-    Some(Finding::check_if(share > FILLED_MATTER, fact))
-}
-
-pub(crate) fn cleaned(records: &[Record]) -> Option<Finding> {
-    (!records.is_empty()).then(|| Finding::note(Fact::Cleaned(records.to_vec())))
+    let filled = missing as f64 / all.max(1) as f64;
+    let fact = Fact::Cleaned { steps: steps.to_vec(), filled, how: how.to_owned() };
+    Some(Finding::check_if(filled > FILLED_MATTER, fact))
 }
 
 /// That rows stand at heights of their own, if they do.
@@ -362,32 +363,19 @@ mod tests {
     }
 
     #[test]
-    fn a_clean_solve_has_no_findings() {
-        let solved = Solved { loads: vec![None; 3], points: 100, ..Solved::default() };
-        assert_eq!(facts(&solved), []);
-    }
-
-    #[test]
     fn the_worst_comes_first_and_counts_its_loads() {
-        let [bare, short, rounded] =
-            [NoUncertainty::NoContact, NoUncertainty::NotConverged, NoUncertainty::AtRounding];
+        let clean = Solved { loads: vec![None; 3], points: 100, ..Solved::default() };
+        assert_eq!(facts(&clean), []);
+        let short = NoUncertainty::NotConverged { at_rounding: false };
+        let rounded = NoUncertainty::NotConverged { at_rounding: true };
+        let bare = NoUncertainty::NoContact;
         let loads = vec![None, Some(bare), Some(short), Some(rounded)];
-        let solved =
-            Solved { loads, missing: 2, points: 100, fill: "nearest", ..Solved::default() };
+        let solved = Solved { loads, missing: 2, fill: "nearest", ..clean };
         let check = |why| (Weight::Check, Fact::NoUncertainty { why, loads: 1, of: 4 });
-        assert_eq!(
-            facts(&solved),
-            [
-                check(short),
-                check(rounded),
-                check(bare),
-                (
-                    Weight::Note,
-                    Fact::Filled { share: 0.02, spikes: false, how: "nearest".to_owned() }
-                ),
-            ]
-        );
-        let light = Solved { small: 2, ..Solved { missing: 0, ..solved.clone() } };
+        let filled = Fact::Cleaned { steps: vec![], filled: 0.02, how: "nearest".to_owned() };
+        let expected = [check(short), check(rounded), check(bare), (Weight::Note, filled)];
+        assert_eq!(facts(&solved), expected);
+        let light = Solved { small: 2, ..solved.clone() };
         assert!(facts(&light).contains(&(Weight::Check, Fact::BelowPoint { loads: 2, of: 4 })));
         // More than a twentieth of guessed points may change a conclusion.
         let many = Solved { missing: 6, ..solved };

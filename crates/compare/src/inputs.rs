@@ -1,8 +1,8 @@
 //! Everything a model may be made from.
 
 use contact_types::{
-    AmplitudeSpectrum, AsperityStatistics, ContactModulus, FractalParameters, Named,
-    RoughnessSpectrum, SpectralMoments, Wave,
+    AmplitudeSpectrum, AsperityStatistics, ContactModulus, FractalParameters, RoughnessSpectrum,
+    SpectralMoments, Wave,
 };
 use multiscale_models::{Persson, SelfAffineSpectrum, SphereLevel};
 use serde::Serialize;
@@ -27,8 +27,8 @@ pub struct Inputs {
     pub mean_slope: Option<f64>,
     /// Rms height of both surfaces together (m), if it was given likewise.
     pub rms_height: Option<f64>,
-    /// Where they come from.
-    pub source: MomentSource,
+    /// Whether they are finite differences of a map or of traces, and not numbers typed in.
+    pub is_measured: bool,
     /// Asperities, if they were given rather than derived from the moments.
     pub asperities: Option<AsperityStatistics>,
     /// Radial spectrum; only Persson's mean gap needs it.
@@ -53,21 +53,6 @@ pub struct Inputs {
     pub spheres: Vec<SphereLevel>,
 }
 
-/// Where moments come from.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize)]
-#[serde(rename_all = "snake_case")]
-pub enum MomentSource {
-    /// Finite differences of a map.
-    FiniteDifferences,
-    /// Numbers typed in.
-    Given,
-}
-
-impl Named for MomentSource {
-    const NAMES: &'static [(Self, &'static str)] =
-        &[(Self::FiniteDifferences, "finite-differences"), (Self::Given, "given")];
-}
-
 impl Inputs {
     /// Nothing but the modulus.
     pub fn new(modulus: ContactModulus) -> Self {
@@ -80,7 +65,7 @@ impl Inputs {
             mean_square_slope: None,
             mean_slope: None,
             rms_height: None,
-            source: MomentSource::Given,
+            is_measured: false,
             asperities: None,
             spectrum: None,
             self_affine: None,

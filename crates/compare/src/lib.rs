@@ -1,8 +1,4 @@
 #![doc = include_str!("../README.md")]
-//!
-//! # What is not here
-//! Nothing here opens a file, prints, draws or words anything: the crate `contact-report` makes
-//! documents out of these results.
 
 mod adhesion;
 mod ask;
@@ -43,8 +39,8 @@ mod theory;
 mod verdict;
 mod yielding;
 
-pub use adhesion::{Adhesion, NO_PULL_OFF, Rough, WorkOfAdhesion};
-pub use ask::{at_pressure, at_separation};
+pub use adhesion::{Adhesion, NO_PULL_OFF, WorkOfAdhesion};
+pub use ask::possible;
 pub use cleaning::{Cleaning, CleaningError};
 pub use conducted::{
     Conductance, Conducted, Conduction, Joint, Octave, Resistance, TheoryStiffness,
@@ -57,30 +53,28 @@ pub use contact_types::{
 };
 pub use distribution::{Distributions, GapDistribution, PressureHistogram, SpotDistribution};
 pub use fft_bem_solver::{
-    Iteration, Load, Method, ObserverResult, Precision, Solution, Solver, SolverError, Yielded,
+    End, Iteration, Load, Method, ObserverResult, Precision, Solution, Solver, SolverError, Yielded,
 };
 pub use finding::{Fact, Finding, Passed, Pressed, Seam, Unevenness, Weight, Yield, Yielding};
 pub use findings::{Solved, findings, is_below_a_point, measured, seam, sticking};
 pub use first_contact::FirstContact;
 pub use gas::{GapGas, Gas};
 pub use grid_fft::parallel::on_threads;
-pub use inputs::{Inputs, MomentSource};
+pub use inputs::Inputs;
 pub use materials::{
-    Listed, Material, MaterialUse, Property, UnknownMaterial, material, materials, source_of,
-    spreads,
+    Listed, Material, MaterialUse, Property, material, materials, source_of, spreads,
 };
 pub use needs::{INPUTS, Input, InputFact, InputSet, InputUnit, OfMap};
 pub use pressure_maps::{PressureMap, PressureMaps, pressure_class, pressure_top};
 pub use profile::{
-    ProfileComparison, ProfileModel, ProfileSurface, area_interval, profile_findings,
-    profile_inputs,
+    ProfileComparison, ProfileSurface, area_interval, profile_findings, profile_inputs,
 };
 pub use progress::{Listener, Progress, StudyError};
 pub use reason::{Applies, Reason, Verdict};
 pub use recipe::{Recipe, RecipeError, built_in_recipes};
 pub use registry::{NotRegistered, Registry, built_in, find};
 pub use result::{
-    Choice, ChoiceKind, Closer, Coarser, Comparison, DeterministicAnswer, DeterministicPoint,
+    ChoiceKind, Closer, Coarser, Comparison, DeterministicAnswer, DeterministicPoint,
     ModelComparison, ModelCurve, Refused, Spectral, SurfaceComparison,
 };
 pub use run_file::{RunFile, RunFileError, RunSurface};

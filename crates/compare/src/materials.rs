@@ -77,15 +77,6 @@ impl Material {
     }
 }
 
-/// A name that is not in the table.
-#[derive(Debug, Clone, PartialEq, Eq)]
-pub struct UnknownMaterial {
-    /// What was asked for.
-    pub name: String,
-    /// Names like it.
-    pub near: Vec<&'static str>,
-}
-
 /// A material of the table whose numbers were used.
 #[derive(Debug, Clone, PartialEq, Eq, Serialize, Deserialize)]
 #[serde(deny_unknown_fields)]
@@ -151,8 +142,8 @@ fn spread(listed: &Listed, property: Property) -> f64 {
 /// The material of this name, in any case.
 ///
 /// # Errors
-/// [`UnknownMaterial`] with names like it.
-pub fn material(name: &str) -> Result<&'static Material, UnknownMaterial> {
+/// Names like it, if there is none.
+pub fn material(name: &str) -> Result<&'static Material, Vec<&'static str>> {
     let asked = name.trim().to_ascii_lowercase().replace(['_', ' '], "-");
     let all = materials();
     if let Some(found) = all.iter().find(|m| m.name == asked) {
@@ -169,7 +160,7 @@ pub fn material(name: &str) -> Result<&'static Material, UnknownMaterial> {
         by_distance.sort_unstable();
         near = by_distance.into_iter().take(3).map(|(_, name)| name).collect();
     }
-    Err(UnknownMaterial { name: name.to_owned(), near })
+    Err(near)
 }
 
 /// Where a source is, as `olinbrass.com C26000`.
@@ -242,7 +233,7 @@ mod tests {
     #[test]
     fn names_are_found_and_near_ones_offered() {
         assert_eq!(material("Steel_304").map(|m| m.name), Ok("steel-304"));
-        let near = |name: &str| material(name).expect_err("no material").near;
+        let near = |name: &str| material(name).expect_err("no material");
         assert_eq!(near("steel"), ["steel-100cr6", "steel-304", "steel-316", "steel-1020"]);
         assert_eq!(near("stainless"), ["steel-304", "steel-316"]);
         assert_eq!(near("cooper")[0], "copper");

@@ -73,169 +73,91 @@ pub struct InputFact {
 }
 
 /// Every input that can be typed.
-pub const INPUTS: &[InputFact] = &[
-    fact(
-        Input::M0,
-        "m0",
-        InputUnit::Area,
-        "m0",
-        "Mean square height (profile moment), such as 0.2um^2",
-    ),
-    fact(Input::M2, "m2", InputUnit::Number, "m2", "Mean square slope of a profile, a pure number"),
-    fact(
-        Input::M4,
-        "m4",
-        InputUnit::PerArea,
-        "m4",
-        "Mean square second derivative of a profile, such as 1e9m^-2; of a lay or a pattern the mean of both axes",
-    ),
-    fact(
-        Input::AsperityDensity,
-        "asperity-density",
-        InputUnit::PerArea,
-        "density",
-        "Asperities per area, such as 3e10m^-2",
-    ),
-    fact(
-        Input::AsperityRadius,
-        "asperity-radius",
-        InputUnit::Length,
-        "radius",
-        "Radius of the asperities",
-    ),
-    fact(
-        Input::AsperityHeightStd,
-        "asperity-height-std",
-        InputUnit::Length,
-        "height deviation",
-        "Standard deviation of the asperity heights",
-    ),
-    fact(
-        Input::MeanOffset,
-        "mean-offset",
-        InputUnit::Length,
-        "mean offset",
-        "Mean asperity height above the mean plane of the surface [default: 0]",
-    ),
-    fact(
-        Input::Hurst,
-        "hurst",
-        InputUnit::Number,
-        "Hurst",
-        "Hurst exponent of a self-affine spectrum",
-    ),
-    fact(
-        Input::Rolloff,
-        "rolloff",
-        InputUnit::Length,
-        "roll-off",
-        "Longest wavelength of its power law",
-    ),
-    fact(Input::Cutoff, "cutoff", InputUnit::Length, "cut-off", "Shortest wavelength"),
-    fact(
-        Input::Longest,
-        "longest",
-        InputUnit::Length,
-        "longest",
-        "Longest wavelength, of a plateau above --rolloff [default: no plateau]",
-    ),
-    fact(
-        Input::Gamma,
-        "gamma",
-        InputUnit::Number,
-        "γ",
-        "Weight of partial contact in Persson's mean gap: 1 (Persson 2007) or 0.45 (Yang & Persson 2008)",
-    ),
-    fact(
-        Input::MaxAmplitudeRatio,
-        "max-amplitude-ratio",
-        InputUnit::Number,
-        "B_max",
-        "Largest amplitude over wavelength, B_max",
-    ),
-    fact(
-        Input::RecordLength,
-        "record-length",
-        InputUnit::Length,
-        "record length",
-        "Length of the profiles whose amplitudes are taken [default: longest wavelength]",
-    ),
-    fact(
-        Input::Dimension,
-        "dimension",
-        InputUnit::Number,
-        "D",
-        "Fractal dimension: of a profile, between 1 and 2 (majumdar-bhushan); of a surface, between 2 and 3 \
-         (yan-komvopoulos)",
-    ),
-    fact(Input::Roughness, "roughness", InputUnit::Length, "G", "Fractal roughness G"),
-    fact(
-        Input::Area,
-        "area",
-        InputUnit::Area,
-        "nominal area",
-        "Nominal area; with --load the area that carries it",
-    ),
-    fact(
-        Input::CriticalArea,
-        "critical-area",
-        InputUnit::Area,
-        "critical area",
-        "Fractal models: spots larger than this are elastic, smaller ones carry nothing",
-    ),
-    fact(
-        Input::Hardness,
-        "hardness",
-        InputUnit::Pressure,
-        "hardness",
-        "Hardness of the softer body, for elastic–plastic models [default: that of --material where the model \
-         needs one]",
-    ),
-    fact(
-        Input::SphereRadius,
-        "sphere-radius",
-        InputUnit::Lengths,
-        "sphere radii",
-        "Radii of the spheres of each level, coarse to fine, such as 1mm,10um",
-    ),
-    fact(
-        Input::SphereDensity,
-        "sphere-density",
-        InputUnit::PerAreas,
-        "sphere densities",
-        "Spheres per area of each level, coarse to fine, such as 1mm^-2,1e4mm^-2",
-    ),
-    fact(
-        Input::RmsHeight,
-        "rms-height",
-        InputUnit::Lengths,
-        "rms height",
-        "Rms height of the surface, or of each of two, such as 0.6um,0.4um",
-    ),
-    fact(
-        Input::MeanSlope,
-        "mean-slope",
-        InputUnit::Numbers,
-        "mean slope",
-        "Mean absolute slope of its profiles (not the rms one), or of each of two, such as 0.1,0.08",
-    ),
-    fact(
-        Input::Ra,
-        "ra",
-        InputUnit::Lengths,
-        "Ra",
-        "Mean absolute height Ra in place of --rms-height: of Gaussian heights σ = √(π/2) Ra",
-    ),
-];
+pub const INPUTS: &[InputFact] = &{
+    use Input::{
+        Area, AsperityDensity, AsperityHeightStd, AsperityRadius, CriticalArea, Cutoff, Dimension,
+        Gamma, Hardness, Hurst, Longest, M0, M2, M4, MaxAmplitudeRatio, MeanOffset, MeanSlope, Ra,
+        RecordLength, RmsHeight, Rolloff, Roughness, SphereDensity, SphereRadius,
+    };
+    use InputUnit as Unit;
+    [
+        fact(M0, "m0", Unit::Area, "m0")
+            .help("Mean square height (profile moment), such as 0.2um^2"),
+        fact(M2, "m2", Unit::Number, "m2").help("Mean square slope of a profile, a pure number"),
+        fact(M4, "m4", Unit::PerArea, "m4").help(
+            "Mean square second derivative of a profile, such as 1e9m^-2; of a lay or a \
+                 pattern the mean of both axes",
+        ),
+        fact(AsperityDensity, "asperity-density", Unit::PerArea, "density")
+            .help("Asperities per area, such as 3e10m^-2"),
+        fact(AsperityRadius, "asperity-radius", Unit::Length, "radius")
+            .help("Radius of the asperities"),
+        fact(AsperityHeightStd, "asperity-height-std", Unit::Length, "height deviation")
+            .help("Standard deviation of the asperity heights"),
+        fact(MeanOffset, "mean-offset", Unit::Length, "mean offset")
+            .help("Mean asperity height above the mean plane of the surface [default: 0]"),
+        fact(Hurst, "hurst", Unit::Number, "Hurst")
+            .help("Hurst exponent of a self-affine spectrum"),
+        fact(Rolloff, "rolloff", Unit::Length, "roll-off")
+            .help("Longest wavelength of its power law"),
+        fact(Cutoff, "cutoff", Unit::Length, "cut-off").help("Shortest wavelength"),
+        fact(Longest, "longest", Unit::Length, "longest")
+            .help("Longest wavelength, of a plateau above --rolloff [default: no plateau]"),
+        fact(Gamma, "gamma", Unit::Number, "γ").help(
+            "Weight of partial contact in Persson's mean gap: 1 (Persson 2007) or 0.45 \
+                 (Yang & Persson 2008)",
+        ),
+        fact(MaxAmplitudeRatio, "max-amplitude-ratio", Unit::Number, "B_max")
+            .help("Largest amplitude over wavelength, B_max"),
+        fact(RecordLength, "record-length", Unit::Length, "record length").help(
+            "Length of the profiles whose amplitudes are taken [default: longest \
+                 wavelength]",
+        ),
+        fact(Dimension, "dimension", Unit::Number, "D").help(
+            "Fractal dimension: of a profile, between 1 and 2 (majumdar-bhushan); of a \
+                 surface, between 2 and 3 (yan-komvopoulos)",
+        ),
+        fact(Roughness, "roughness", Unit::Length, "G").help("Fractal roughness G"),
+        fact(Area, "area", Unit::Area, "nominal area")
+            .help("Nominal area; with --load the area that carries it"),
+        fact(CriticalArea, "critical-area", Unit::Area, "critical area").help(
+            "Fractal models: spots larger than this are elastic, smaller ones carry \
+                 nothing",
+        ),
+        fact(Hardness, "hardness", Unit::Pressure, "hardness").help(
+            "Hardness of the softer body, for elastic–plastic models [default: that of \
+                 --material where the model needs one]",
+        ),
+        fact(SphereRadius, "sphere-radius", Unit::Lengths, "sphere radii")
+            .help("Radii of the spheres of each level, coarse to fine, such as 1mm,10um"),
+        fact(SphereDensity, "sphere-density", Unit::PerAreas, "sphere densities")
+            .help("Spheres per area of each level, coarse to fine, such as 1mm^-2,1e4mm^-2"),
+        fact(RmsHeight, "rms-height", Unit::Lengths, "rms height")
+            .help("Rms height of the surface, or of each of two, such as 0.6um,0.4um"),
+        fact(MeanSlope, "mean-slope", Unit::Numbers, "mean slope").help(
+            "Mean absolute slope of its profiles (not the rms one), or of each of two, \
+                 such as 0.1,0.08",
+        ),
+        fact(Ra, "ra", Unit::Lengths, "Ra").help(
+            "Mean absolute height Ra in place of --rms-height: of Gaussian heights σ = \
+                 √(π/2) Ra",
+        ),
+    ]
+};
 
 const fn fact(
     input: Input,
     name: &'static str,
     unit: InputUnit,
     phrase: &'static str,
-    help: &'static str,
 ) -> InputFact {
-    InputFact { input, name, unit, phrase, help }
+    InputFact { input, name, unit, phrase, help: "" }
+}
+
+impl InputFact {
+    const fn help(self, help: &'static str) -> Self {
+        Self { help, ..self }
+    }
 }
 
 impl Input {
@@ -247,11 +169,6 @@ impl Input {
     /// The name of its option, `asperity-density`.
     pub fn name(self) -> &'static str {
         self.fact().name
-    }
-
-    /// What it is.
-    pub(crate) fn phrase(self) -> &'static str {
-        self.fact().phrase
     }
 }
 
@@ -289,7 +206,7 @@ impl InputSet {
 
 /// "m0, m2, m4; or …".
 pub(crate) fn in_words(sets: &[InputSet]) -> String {
-    let each = sets.iter().map(|set| set.shown(|i| i.phrase().to_owned(), ", "));
+    let each = sets.iter().map(|set| set.shown(|i| i.fact().phrase.to_owned(), ", "));
     each.collect::<Vec<_>>().join("; or ")
 }
 

@@ -1,6 +1,4 @@
-//! The pressure of every load of a curve, in one byte a dot.
-//!
-//! Of the fields of a curve only that of the headline is kept whole; these show the others.
+//! The pressure of every load of a curve, in one byte a dot: of the fields only that of the headline is kept whole.
 
 use contact_accuracy::round_to_digits;
 use contact_types::Grid;

@@ -29,14 +29,8 @@ pub enum Progress<'a> {
     Iterated {
         /// Index of the load, from 0, by rising pressure.
         index: usize,
-        /// Iterations done on this load.
-        number: usize,
-        /// FFT convolutions spent on it.
-        transforms: f64,
-        /// Estimated relative rms pressure error; infinite while there is no estimate.
-        residual: f64,
-        /// The residual at which the iteration ends.
-        tolerance: f64,
+        /// What the solver says of it.
+        now: Iteration<'a>,
     },
     /// A load is solved.
     Solved {
@@ -51,19 +45,6 @@ pub enum Progress<'a> {
     },
     /// The models are being asked.
     Models,
-}
-
-impl Progress<'static> {
-    /// What the solver says of one of its iterations.
-    pub(crate) fn of_iteration(index: usize, now: &Iteration<'_>) -> Self {
-        Self::Iterated {
-            index,
-            number: now.number,
-            transforms: now.transforms,
-            residual: now.residual,
-            tolerance: now.tolerance,
-        }
-    }
 }
 
 /// A listener that is told of the iterations at one load, and whether it has asked to stop.
@@ -81,7 +62,7 @@ impl<'a, 'b> LoadListener<'a, 'b> {
 
     /// Tells of an iteration; what was stopped stays stopped.
     pub(crate) fn iteration(&mut self, now: &Iteration<'_>) -> ControlFlow<()> {
-        let wish = (self.listener)(Progress::of_iteration(self.index, now));
+        let wish = (self.listener)(Progress::Iterated { index: self.index, now: *now });
         self.is_stopped |= wish.is_break();
         if self.is_stopped { ControlFlow::Break(()) } else { ControlFlow::Continue(()) }
     }
@@ -104,21 +85,13 @@ pub enum StudyError {
     #[error(transparent)]
     Material(#[from] SurfaceError),
     /// A pressure that is no load.
-    #[error(
-        "nominal pressure {value:e} Pa cannot be applied: it must be finite and greater than 0"
-    )]
-    BadPressure {
-        /// The value (Pa).
-        value: f64,
-    },
+    #[error("nominal pressure {0:e} Pa cannot be applied: it must be finite and greater than 0")]
+    BadPressure(f64),
     /// The headline is not among the loads.
     #[error(
-        "the headline pressure {value:e} Pa is not among the pressures of the study; add it to them"
+        "the headline pressure {0:e} Pa is not among the pressures of the study; add it to them"
     )]
-    HeadlineNotComputed {
-        /// The value (Pa).
-        value: f64,
-    },
+    HeadlineNotComputed(f64),
     /// A name that is no model of the study.
     #[error("the study has no model '{name}'; it has {known}")]
     UnknownModel {
@@ -127,12 +100,9 @@ pub enum StudyError {
         /// Those it has.
         known: String,
     },
-    /// The list of models is empty.
-    #[error("the list of models is empty; name at least one of {known}")]
-    NoModel {
-        /// Those there are.
-        known: String,
-    },
+    /// The list of models is empty; these there are.
+    #[error("the list of models is empty; name at least one of {0}")]
+    NoModel(String),
     /// Statistics refuse the surface.
     #[error("{surface}: {source}")]
     Statistics {
@@ -151,26 +121,17 @@ pub enum StudyError {
     },
     /// The accuracy asked for is none.
     #[error(transparent)]
-    Accuracy {
-        /// Why.
-        source: BadRequest,
-    },
+    Accuracy(#[from] BadRequest),
     /// A hardness that no pressure is held to.
     #[error(
-        "hardness {value:e} Pa: a hardness is a finite pressure above 0; leave it out for elastic bodies"
+        "hardness {0:e} Pa: a hardness is a finite pressure above 0; leave it out for elastic bodies"
     )]
-    BadHardness {
-        /// The value (Pa).
-        value: f64,
-    },
+    BadHardness(f64),
     /// A weight of partial contact that Persson's theory has not.
     #[error(
-        "gamma {value}: the weight of partial contact in Persson's mean gap is from 0.01 to 1; published are 1, 0.45 and 0.42"
+        "gamma {0}: the weight of partial contact in Persson's mean gap is from 0.01 to 1; published are 1, 0.45 and 0.42"
     )]
-    BadGamma {
-        /// The value.
-        value: f64,
-    },
+    BadGamma(f64),
     /// A resistivity, a conductivity or a gas that is none.
     #[error(transparent)]
     Conduction(#[from] ModelError),

@@ -30,32 +30,21 @@ pub enum Reason {
         /// What a fractal fit gave, if that is what is missing \[-\].
         dimension: Option<f64>,
     },
-    /// Summits no longer act alone.
-    Crowded {
-        /// The first mean pressure at which the area exceeds 5 % (Pa).
-        from: f64,
-    },
-    /// The input depends on how long the rows of the map are.
-    RecordLength {
-        /// Where the input sits (m); `None` if no wave stands out.
-        wavelength: Option<f64>,
-        /// Length of the rows (m).
-        length: f64,
-    },
-    /// The input depends on the range that a fractal was fitted over.
-    FitRange {
-        /// Dimension of the fit \[-\].
-        dimension: f64,
-        /// Shortest wavelength of the fit (m).
-        short: f64,
-        /// Longest wavelength of the fit (m).
+    /// The input depends on the band that was measured: a dimension on the range that it was fitted over, B_max on how long the
+    /// rows of the map are.
+    Band {
+        /// Dimension of the fit \[-\]; `None` of B_max.
+        dimension: Option<f64>,
+        /// Shortest wavelength of the fit, or that of B_max (m); `None` if no wave stands out.
+        short: Option<f64>,
+        /// Longest wavelength of the fit, or length of the rows (m).
         long: f64,
     },
-    /// The model says itself that an assumption is strained, or that contact is full.
-    Caveat {
-        /// What it says.
-        caveat: Caveat,
-        /// The first mean pressure at which it does (Pa).
+    /// An assumption is strained, or contact is full.
+    Strained {
+        /// What the model says itself; `None` where summits no longer act alone.
+        caveat: Option<Caveat>,
+        /// The first mean pressure at which it is (Pa); of summits that at which the area exceeds 5 %.
         from: f64,
     },
     /// The bodies yield, and the theory is of elastic ones.
@@ -80,7 +69,7 @@ impl Reason {
     /// True if it depends on the load, and not on the surface alone.
     pub(crate) fn is_by_load(&self) -> bool {
         match self {
-            Self::Crowded { .. } | Self::Caveat { .. } | Self::NoAnswer { .. } => true,
+            Self::Strained { .. } | Self::NoAnswer { .. } => true,
             Self::Elastic { everywhere, .. } => !everywhere,
             _ => false,
         }

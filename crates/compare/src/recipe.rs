@@ -5,14 +5,11 @@ use serde::{Deserialize, Serialize};
 use surface_stats::StatsError;
 use surface_stats::synthesis::{Scale, SelfAffine};
 
-/// The recipes of the built-in surfaces.
-const BUILT_IN: &str = include_str!("../data/surfaces.toml");
-
 /// A random self-affine surface: everything its heights depend on. SI units.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 #[serde(deny_unknown_fields)]
 pub struct Recipe {
-    /// Short name, unique in its file.
+    /// Short name.
     pub name: String,
     /// What real surface it stands for.
     #[serde(default)]
@@ -41,12 +38,7 @@ pub struct Recipe {
 }
 
 impl Recipe {
-    /// Makes the heights.
-    ///
-    /// # Errors
-    /// [`RecipeError::Scale`] unless exactly one of rms height and rms gradient is given;
-    /// [`RecipeError::Impossible`] if a value is out of its range.
-    pub fn heights(&self) -> Result<HeightMap, RecipeError> {
+    pub(crate) fn heights(&self) -> Result<HeightMap, RecipeError> {
         let name = || self.name.clone();
         let scale = match (self.rms_height, self.rms_gradient) {
             (Some(height), None) => Scale::RmsHeight(height),
@@ -67,20 +59,19 @@ impl Recipe {
 }
 
 /// The surfaces a study takes when none is given: three finishes of steel.
-///
-/// # Errors
-/// None for the recipes this program was built with; a test reads them.
-pub fn built_in_recipes() -> Result<Vec<Recipe>, RecipeError> {
-    parse_recipes(BUILT_IN)
+pub fn built_in_recipes() -> Vec<Recipe> {
+    #[derive(Deserialize)]
+    struct RecipeFile {
+        surface: Vec<Recipe>,
+    }
+    let file: Result<RecipeFile, _> = toml::from_str(include_str!("../data/surfaces.toml"));
+    file.expect("a test reads the committed recipes").surface
 }
 
-/// What is wrong with a file of recipes.
+/// What is wrong with a recipe.
 #[derive(Debug, Clone, PartialEq, thiserror::Error)]
 #[non_exhaustive]
 pub enum RecipeError {
-    /// It is not TOML, or a key is missing, unknown or of the wrong type.
-    #[error("the recipes cannot be read: {0}")]
-    Syntax(#[from] toml::de::Error),
     /// Both or neither of the two ways to scale a surface are given.
     #[error(
         "recipe {name:?}: give exactly one of rms_height (m) and rms_gradient, found {found} of \
@@ -100,79 +91,27 @@ pub enum RecipeError {
         /// Which value and why.
         source: StatsError,
     },
-    /// Two recipes share a name.
-    #[error("two recipes are called {name:?}; names must be unique")]
-    Duplicate {
-        /// The name.
-        name: String,
-    },
-}
-
-#[derive(Deserialize)]
-#[serde(deny_unknown_fields)]
-struct RecipeFile {
-    surface: Vec<Recipe>,
-}
-
-/// Reads recipes: an array of tables `[[surface]]` with the fields of [`Recipe`].
-///
-/// # Errors
-/// [`RecipeError`]; the message names the recipe or the line.
-pub(crate) fn parse_recipes(text: &str) -> Result<Vec<Recipe>, RecipeError> {
-    let file: RecipeFile = toml::from_str(text)?;
-    for (index, recipe) in file.surface.iter().enumerate() {
-        let found =
-            usize::from(recipe.rms_height.is_some()) + usize::from(recipe.rms_gradient.is_some());
-        if found != 1 {
-            return Err(RecipeError::Scale { name: recipe.name.clone(), found });
-        }
-        if file.surface[..index].iter().any(|other| other.name == recipe.name) {
-            return Err(RecipeError::Duplicate { name: recipe.name.clone() });
-        }
-    }
-    Ok(file.surface)
 }
 
 #[cfg(test)]
 mod tests {
     use super::*;
 
-    const GROUND: &str = r#"
-        [[surface]]
-        name = "ground"
-        shape = [64, 48]
-        pixel = [1e-6, 2e-6]
-        hurst = 0.8
-        rolloff = 2e-5
-        cutoff = 4e-6
-        rms_height = 4e-7
-        seed = 7
-        quantise = 1e-8
-    "#;
-
     #[test]
-    fn built_in_recipes_can_be_made() {
-        for mut recipe in built_in_recipes().unwrap() {
-            recipe.shape = [96, 80];
-            assert_eq!(recipe.heights().unwrap().grid().shape(), [96, 80]);
-            recipe.hurst = -1.0;
-            assert!(matches!(recipe.heights(), Err(RecipeError::Impossible { .. })));
+    fn built_in_recipes_can_be_made_and_what_is_ambiguous_or_impossible_not() {
+        let all = built_in_recipes();
+        for (i, recipe) in all.iter().enumerate() {
+            assert!(!all[..i].iter().any(|other| other.name == recipe.name), "{}", recipe.name);
+            let small = Recipe { shape: [96, 80], ..recipe.clone() };
+            assert_eq!(small.heights().unwrap().grid().shape(), [96, 80]);
+            let refused = Recipe { hurst: -1.0, ..small.clone() }.heights();
+            assert!(matches!(refused, Err(RecipeError::Impossible { .. })));
+            for (found, given) in [(0, None), (2, Some(0.1))] {
+                let (rms_height, rms_gradient) = (given, given);
+                let refused = Recipe { rms_height, rms_gradient, ..small.clone() }.heights();
+                let name = recipe.name.clone();
+                assert_eq!(refused, Err(RecipeError::Scale { name, found }));
+            }
         }
-    }
-
-    #[test]
-    fn reads_a_recipe_and_refuses_what_is_ambiguous() {
-        let recipes = parse_recipes(GROUND).unwrap();
-        assert_eq!(recipes[0].shape, [64, 48]);
-        assert_eq!(recipes[0].quantise, Some(1e-8));
-
-        let both = GROUND.replace("seed = 7", "seed = 7\nrms_gradient = 0.1");
-        assert!(matches!(parse_recipes(&both), Err(RecipeError::Scale { found: 2, .. })));
-        let neither = GROUND.replace("rms_height = 4e-7", "");
-        assert!(matches!(parse_recipes(&neither), Err(RecipeError::Scale { found: 0, .. })));
-        let twice = GROUND.repeat(2);
-        assert!(matches!(parse_recipes(&twice), Err(RecipeError::Duplicate { .. })));
-        let unknown = GROUND.replace("hurst", "hrust");
-        assert!(matches!(parse_recipes(&unknown), Err(RecipeError::Syntax(_))));
     }
 }

@@ -5,8 +5,6 @@ use crate::theory::{Card, Theory};
 use std::sync::{Arc, LazyLock};
 
 /// Every theory that a study may ask, in the order of tables and figures.
-///
-/// The names of the built-in ones cannot be taken again: a report would not say which is meant.
 #[derive(Clone)]
 pub struct Registry {
     theories: Vec<Arc<dyn Theory>>,
@@ -24,11 +22,8 @@ impl std::fmt::Debug for Registry {
 #[non_exhaustive]
 pub enum NotRegistered {
     /// Another theory has its name.
-    #[error("there is a model '{name}' already; give the new one another name")]
-    NameTaken {
-        /// The name.
-        name: String,
-    },
+    #[error("there is a model '{0}' already; give the new one another name")]
+    NameTaken(String),
     /// Another theory has its label, so that figures could not tell them apart.
     #[error("the model '{other}' has the label '{label}' already; give the new one another label")]
     LabelTaken {
@@ -39,13 +34,10 @@ pub enum NotRegistered {
     },
     /// The name cannot be typed as an option or be a column of a table.
     #[error(
-        "'{name}' cannot be the name of a model: use lower-case letters, digits and hyphens, for \
+        "'{0}' cannot be the name of a model: use lower-case letters, digits and hyphens, for \
          example 'my-model'"
     )]
-    BadName {
-        /// The name.
-        name: String,
-    },
+    BadName(String),
 }
 
 static BUILT_IN: LazyLock<Registry> = LazyLock::new(|| Registry { theories: theories::all() });
@@ -74,10 +66,10 @@ impl Registry {
         let (name, label) = (theory.card().name.to_string(), theory.card().label.to_string());
         let may_be = |c: char| c.is_ascii_lowercase() || c.is_ascii_digit() || c == '-';
         if name.is_empty() || !name.chars().all(may_be) {
-            return Err(NotRegistered::BadName { name });
+            return Err(NotRegistered::BadName(name));
         }
         if self.find(&name).is_some() {
-            return Err(NotRegistered::NameTaken { name });
+            return Err(NotRegistered::NameTaken(name));
         }
         if let Some(other) = self.iter().find(|t| t.card().label == label) {
             let other = other.card().name.to_string();
@@ -104,18 +96,13 @@ impl Registry {
     }
 }
 
-impl Default for Registry {
-    fn default() -> Self {
-        Self::built_in()
-    }
-}
-
 #[cfg(test)]
 mod tests {
     use super::*;
     use crate::inputs::Inputs;
+    use crate::tabulated::{CurvePoint, Tabulated};
     use crate::theory::BuildError;
-    use contact_types::{Citation, ContactModel, ContactModulus};
+    use contact_types::{Citation, ContactModulus};
 
     /// Every row makes its model, which answers and cites its paper; names are unique.
     #[test]
@@ -145,25 +132,14 @@ mod tests {
         }
     }
 
-    struct NamedTheory(Card);
-
-    impl Theory for NamedTheory {
-        fn card(&self) -> &Card {
-            &self.0
-        }
-
-        fn build(&self, _: &Inputs) -> Result<Box<dyn ContactModel>, BuildError> {
-            Err(BuildError::missing("it", "everything"))
-        }
-    }
-
     #[test]
     fn names_and_labels_are_unique() {
         let card = |name: &'static str, title: &'static str| {
             let source = ["me", "title", "journal", ""].map(std::borrow::Cow::from);
             let [authors, title_, journal, doi] = source;
             let citation = Citation { authors, year: 2026, title: title_, journal, doi };
-            NamedTheory(Card::new(name, title, citation))
+            let point = CurvePoint { mean_pressure: 1.0, area_fraction: 0.5, mean_gap: None };
+            Tabulated::new(Card::new(name, title, citation), vec![point]).unwrap()
         };
         let own = Registry::built_in().with(card("mine", "Mine")).unwrap();
         assert_eq!(own.iter().last().unwrap().card().label, "Mine");

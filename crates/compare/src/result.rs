@@ -10,9 +10,9 @@ use crate::reason::Verdict;
 use crate::sections::Sections;
 use crate::theory::{BuildError, Card};
 use crate::{EdgesName, Origin, Settings, Spikes, Spots};
-use contact_accuracy::{Answered, Budget, Leaks, Map, Numbers, Reached};
+use contact_accuracy::{Budget, Leaks, Map, Numbers, Reached};
 use contact_types::{ContactModel, ContactState, HeightMap, ModelError, SpectralMoments};
-use fft_bem_solver::{End, Residuals, Solution, Yielded};
+use fft_bem_solver::{Diagnostics, Solution};
 use serde::Serialize;
 use surface_stats::SurfaceStatistics;
 
@@ -71,9 +71,9 @@ pub struct SurfaceComparison {
     /// Seconds spent on every second point, and on twice the points, for the uncertainties.
     pub beside_seconds: [f64; 2],
     /// The headline load on coarser grids; empty unless asked for, see
-    /// [`Comparison::solve_coarser`].
+    /// [`Comparison::look_around`].
     pub coarser: Vec<Coarser>,
-    /// A closer look at the headline, see [`Comparison::look_closer`]; `None` unless asked for.
+    /// A closer look at the headline, see [`Comparison::look_around`]; `None` unless asked for.
     pub closer: Option<Closer>,
     /// What the contact conducts, if resistivities or conductivities were given.
     pub conduction: Option<Conduction>,
@@ -146,74 +146,29 @@ pub struct DeterministicAnswer {
     pub coarser: Vec<Numbers>,
     /// The same load on twice the points, where the answer depends on what lies between them.
     pub finer: Option<Numbers>,
-    /// Rigorous bound of the relative error in the energy norm, where it was asked for.
-    pub energy_bound: Option<f64>,
     /// Mean gap (m).
     pub mean_gap: Option<f64>,
     /// Approach since first touch (m).
     pub approach: f64,
-    /// Highest pressure of a point (Pa).
-    pub max_pressure: f64,
-    /// Points that carry pressure.
-    pub contact_pixels: usize,
-    /// Contact-line edges per point.
-    pub contact_perimeter: f64,
-    /// Iterations.
-    pub iterations: usize,
-    /// FFT convolutions.
-    pub transforms: f64,
-    /// Wall-clock time (s).
-    pub seconds: f64,
-    /// What is left of the residuals.
-    pub residuals: Residuals,
-    /// What has yielded, if a hardness was given.
-    pub yielded: Option<Yielded>,
-    /// Energy bound (J/m²).
-    pub duality_gap: f64,
-    /// Name of the method that found it.
-    pub method: String,
+    /// How it was found, and what the field is like; its seconds are those of all grids.
+    pub diagnostics: Diagnostics,
     /// True if the tolerance was reached.
     pub converged: bool,
-    /// True if rounding kept the iteration from reaching it.
-    pub stopped_at_rounding: bool,
 }
 
 impl DeterministicAnswer {
-    /// From what the ladder answered.
-    pub(crate) fn of(answered: &Answered) -> Self {
-        let Answered { solution, budget, coarser, finer, .. } = answered;
-        let solved = Self::of_solution(solution, budget, true);
-        Self { coarser: coarser.clone(), finer: *finer, ..solved }
-    }
-
-    /// From an iterate that missed the tolerance, on a map of which `map` tells.
-    pub(crate) fn of_iterate(solution: &Solution, map: &Map) -> Self {
-        Self::of_solution(solution, &Budget::of_iterate(solution, map), false)
-    }
-
-    fn of_solution(solution: &Solution, budget: &Budget, converged: bool) -> Self {
-        let d = &solution.diagnostics;
+    /// Without the numbers of other grids.
+    pub(crate) fn of(solution: &Solution, budget: &Budget, converged: bool) -> Self {
         Self {
             touching_fraction: solution.touching_fraction(),
             area_fraction: solution.state.area_fraction,
             budget: *budget,
             coarser: Vec::new(),
             finer: None,
-            energy_bound: d.energy_bound,
             mean_gap: solution.state.mean_gap,
             approach: solution.approach,
-            max_pressure: d.max_pressure,
-            contact_pixels: d.contact_pixels,
-            contact_perimeter: d.contact_perimeter,
-            iterations: d.iterations,
-            transforms: d.transforms,
-            seconds: d.seconds,
-            residuals: d.residuals,
-            yielded: d.yielded,
-            duality_gap: d.duality_gap,
-            method: d.method.to_string(),
+            diagnostics: solution.diagnostics.clone(),
             converged,
-            stopped_at_rounding: d.end == End::Rounding,
         }
     }
 }
@@ -222,20 +177,10 @@ impl DeterministicAnswer {
 #[derive(Debug, Clone, PartialEq, Serialize)]
 #[non_exhaustive]
 pub struct Closer {
-    /// Other choices, each with the relative change of the area it makes.
-    pub choices: Vec<Choice>,
+    /// Other choices in preparing the map, each with the area with it over that without, less 1.
+    pub choices: Vec<(ChoiceKind, f64)>,
     /// Wall-clock time of all of it (s).
     pub seconds: f64,
-}
-
-/// Another choice in preparing the map.
-#[derive(Debug, Clone, PartialEq, Serialize)]
-#[non_exhaustive]
-pub struct Choice {
-    /// What it is.
-    pub kind: ChoiceKind,
-    /// Area with it over area without, less 1.
-    pub effect: f64,
 }
 
 /// A choice that was tried.
@@ -289,6 +234,9 @@ pub struct ModelComparison {
     pub card: Card,
     /// Its answers at the loads, or why it has none on this surface.
     pub outcome: Result<ModelCurve, BuildError>,
+    /// Of profiles, 95 % interval of the area fraction at each load over traces like these; `None` where the model does
+    /// not answer, is not made of moments, or the traces are too short to tell.
+    pub intervals: Vec<Option<[f64; 2]>>,
     /// Whether its theory covers this surface.
     pub verdict: Verdict,
 }
@@ -345,6 +293,12 @@ impl ModelCurve {
 }
 
 impl SurfaceComparison {
+    /// What the models were given, with the radial spectrum, which not every study asks for.
+    pub(crate) fn inputs_with_spectrum(&self) -> Inputs {
+        let own = || surface_stats::spectrum::radial(&self.surface).ok();
+        Inputs { spectrum: self.inputs.spectrum.clone().or_else(own), ..self.inputs.clone() }
+    }
+
     /// Nominal area that the loads press on (m²): the one given, or that of the map.
     pub fn nominal_area(&self) -> f64 {
         self.load_area.unwrap_or(self.surface.grid().area())

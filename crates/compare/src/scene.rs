@@ -56,7 +56,7 @@ pub struct Scene {
 
 impl Scene {
     /// What is said before any number: units, yield, slopes.
-    pub fn findings(&self) -> Vec<Finding> {
+    pub(crate) fn findings(&self) -> Vec<Finding> {
         let found = [self.unit(), self.rounding(), self.beyond_yield(), self.steep()];
         let warned = self.tilted.map(Finding::warned).into_iter().chain(self.rows_jump());
         found.into_iter().flatten().chain(warned).collect()
@@ -68,7 +68,7 @@ impl Scene {
         let gradient = beyond(self.gradient, NO_SURFACE);
         let rms_height = beyond(self.rms_height, NO_HEIGHT);
         let radius = beyond(self.radius, NO_RADIUS);
-        let fact = Fact::Unit { gradient, rms_height, radius };
+        let fact = Fact::Unit { gradient, rms_height, radius, hardness: None };
         let is_odd = [gradient, rms_height, radius].iter().any(Option::is_some);
         is_odd.then(|| Finding::check(fact))
     }

@@ -198,12 +198,6 @@ impl Named for EdgesName {
         &[(Self::Periodic, "periodic"), (Self::Mirrored, "mirrored")];
 }
 
-impl std::fmt::Display for EdgesName {
-    fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
-        f.pad(self.name())
-    }
-}
-
 impl EdgesName {
     /// The map as the solver gets it, which repeats it: mirror images repeat without a jump. The means of an answer are those
     /// of the map, for every quarter has the same.
@@ -241,7 +235,7 @@ impl Along {
         match self {
             Self::X => &[Axis::X],
             Self::Y => &[Axis::Y],
-            Self::Both => &Axis::BOTH,
+            Self::Both => &[Axis::X, Axis::Y],
         }
     }
 }
@@ -294,15 +288,12 @@ pub fn default_pressures(modulus: f64, rms_gradient: f64) -> Vec<f64> {
     }
     let first = (4e-4 * scale).log10().floor() as i32;
     let last = (0.4 * scale).log10().ceil() as i32;
+    // Rounded for the decimal that a reader would type.
+    let decimal = |mantissa: f64, decade: i32| format!("{mantissa}e{decade}").parse::<f64>().ok();
     (first..=last)
-        .flat_map(|decade| R5.iter().map(move |&mantissa| scaled(mantissa, decade)))
+        .flat_map(|decade| R5.iter().filter_map(move |&mantissa| decimal(mantissa, decade)))
         .filter(|p| (4e-4 * scale..0.4 * scale).contains(p))
         .collect()
-}
-
-/// `mantissa 10^decade`, correctly rounded for the decimal that a reader would type.
-fn scaled(mantissa: f64, decade: i32) -> f64 {
-    format!("{mantissa}e{decade}").parse().expect("a decimal literal parses")
 }
 
 #[cfg(test)]

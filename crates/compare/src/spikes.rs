@@ -1,6 +1,6 @@
 //! Spikes: single points far from their neighbours, and how much of the load they carry.
 
-use crate::PairOrigin;
+use crate::{Origin, PairOrigin};
 use contact_types::HeightMap;
 use serde::Serialize;
 use surface_stats::clean::{OutlierRule, Record, find_outliers};
@@ -46,7 +46,7 @@ impl Spikes {
             Record::Outliers { rule, count, .. } if rule.threshold <= SPIKE_THRESHOLD => *count,
             _ => 0,
         };
-        let bodies = pair.into_iter().flat_map(PairOrigin::cleaned);
+        let bodies = pair.into_iter().flat_map(|pair| &*pair.bodies).flat_map(Origin::cleaned);
         Self { taken: cleaned.iter().chain(bodies).map(taken).sum(), ..Self::of(map) }
     }
 

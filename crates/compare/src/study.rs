@@ -2,8 +2,9 @@
 
 use crate::ask::curve_of;
 use crate::conducted::Conduction;
-use crate::curve::{Curve, ToCurve};
+use crate::curve::{Curve, solved};
 use crate::describe::{describe, model_inputs, spectral};
+use crate::findings::rows_jump;
 use crate::inputs::Inputs;
 use crate::materials::spreads;
 use crate::progress::{Listener, Progress, StudyError};
@@ -15,13 +16,14 @@ use crate::theory::Theory;
 use crate::verdict::{Judged, verdict};
 use crate::yielding::{excess, gradient_of_loads};
 use crate::{
-    Adhesion, EdgesName, OfMap, Registry, Rough, Settings, Spikes, Surface, default_pressures,
+    Adhesion, EdgesName, OfMap, Registry, Settings, Spikes, Surface, WorkOfAdhesion,
+    default_pressures,
 };
 use contact_accuracy::{
-    AccuracyRequest, Aim, ClimbError, Ladder, LadderError, Map, Setup, Task, climb, round_to_digits,
+    AccuracyRequest, Aim, Ladder, LadderError, Map, Setup, Task, climb, round_to_digits,
 };
 use contact_types::{Clock, ContactModulus, ContactState, ModelError};
-use fft_bem_solver::{Iteration, Load, Maps, SolverBuilder, SolverError};
+use fft_bem_solver::{Load, Maps, SolverBuilder, SolverError};
 use grid_fft::parallel::{join, on_threads};
 use std::ops::ControlFlow;
 use surface_stats::Spectra;
@@ -88,12 +90,10 @@ fn all(
 fn check_combinations(settings: &Settings) -> Result<(), StudyError> {
     settings.joint().check()?;
     if let Some(value) = settings.gamma.filter(|g| !(0.01..=1.0).contains(g)) {
-        return Err(StudyError::BadGamma { value });
+        return Err(StudyError::BadGamma(value));
     }
     match settings.hardness {
-        Some(value) if !(value > 0.0 && value.is_finite()) => {
-            Err(StudyError::BadHardness { value })
-        }
+        Some(value) if !(value > 0.0 && value.is_finite()) => Err(StudyError::BadHardness(value)),
         _ => Ok(()),
     }
 }
@@ -101,9 +101,9 @@ fn check_combinations(settings: &Settings) -> Result<(), StudyError> {
 pub(crate) fn check_pressures(settings: &Settings) -> Result<(), StudyError> {
     let given = settings.pressures.iter().flatten().chain(&settings.headline);
     match given.copied().find(|p| !(p.is_finite() && *p > 0.0)) {
-        Some(value) => Err(StudyError::BadPressure { value }),
+        Some(value) => Err(StudyError::BadPressure(value)),
         None if settings.pressures.as_ref().is_some_and(Vec::is_empty) => {
-            Err(StudyError::BadPressure { value: 0.0 })
+            Err(StudyError::BadPressure(0.0))
         }
         None => Ok(()),
     }
@@ -118,7 +118,7 @@ pub(crate) fn check_models(settings: &Settings, registry: &Registry) -> Result<(
     let is_known = |name: &str| registry.of_studies().any(|t| t.card().name == name);
     match names.iter().find(|name| !is_known(name)) {
         Some(name) => Err(StudyError::UnknownModel { name: name.clone(), known: known() }),
-        None if names.is_empty() => Err(StudyError::NoModel { known: known() }),
+        None if names.is_empty() => Err(StudyError::NoModel(known())),
         None => Ok(()),
     }
 }
@@ -150,156 +150,128 @@ fn compare(
 
     let gradient = inputs.rms_gradient();
     let pressures = loads(settings, modulus, gradient);
-    let mut tell = |p: Progress<'_>| match progress(p) {
-        ControlFlow::Continue(()) => Ok(()),
-        ControlFlow::Break(()) => Err(StudyError::Stopped),
-    };
-    tell(Progress::Surface { name: &name, index, count, loads: pressures.len() })?;
+    let wanted = headline(settings, &pressures)?;
+    let loads = pressures.len();
+    tell(progress, Progress::Surface { name: &name, index, count, loads })?;
 
-    let section = Some(telling_row(&map));
     let setup = |builder: SolverBuilder| Setup {
         mirrored: settings.edges == EdgesName::Mirrored,
         ..Setup::new(builder, modulus)
     };
-    let rungs = |setup| Ladder::new(map.clone(), setup).map_err(|e| refused_ladder(e, &name));
     let whole = Setup {
         jump: settings.gas.map(|gas| gas.jump()),
         leak: settings.leak.map_or_else(Vec::new, |leak| leak.along.axes().to_vec()),
-        ..setup(settings.solver().maps(Maps::PressureAndGap).section(section))
+        stiffness: settings.conducts(),
+        section: Some(telling_row(&map)),
+        ..setup(settings.solver().maps(Maps::PressureAndGap))
     };
-    let materials = spreads(&settings.materials);
-    let new_curve = |known| Curve::new(known, settings.headline, settings.edges, materials);
     let aim = match (settings.accuracy, settings.fast) {
-        (Some(accuracy), _) => {
-            let request =
-                AccuracyRequest::new(accuracy).map_err(|source| StudyError::Accuracy { source })?;
-            Some(Aim::Within(request))
-        }
-        (None, true) => Some(Aim::Fast),
-        (None, false) => None,
+        (Some(accuracy), _) => Aim::Within(AccuracyRequest::new(accuracy)?),
+        (None, true) => Aim::Fast,
+        (None, false) => Aim::AsGiven,
     };
-    let (curve, plan) = match aim {
-        None => {
-            let mut ladder = rungs(whole)?;
-            let mut curve = new_curve(*ladder.known());
-            for (i, &p) in pressures.iter().enumerate() {
-                solve(&mut ladder, (i, p), settings.conducts(), &mut curve, &mut tell)?;
-                tell(curve.news(i))?;
-            }
-            curve.settle();
-            (curve, None)
-        }
-        Some(aim) => {
-            let loads: Vec<Load> = pressures.iter().map(|&p| Load::MeanPressure(p)).collect();
-            let mut task = Task::new(&map, whole, &loads, aim);
-            (task.stiffness, task.section) = (settings.conducts(), section);
-            let mut curve = new_curve(Map::of(&map));
-            let mut sink = ToCurve {
-                curve: &mut curve,
-                given: map.grid(),
-                pressures: &pressures,
-                tell: &mut tell,
-            };
-            let plan = climb(&task, &mut sink).map_err(|e| refused_climb(e, &name))?;
-            (curve, Some(plan))
-        }
-    };
-    let (known, beside_seconds) = (curve.map, curve.beside_seconds);
-    let Curve { points: deterministic, headline, pressure, leaks, spots, distributions, .. } =
-        curve;
-    let Curve { first, pressures: pressure_maps, sections, solved, .. } = curve;
-    let mut elastic_points = Vec::new();
-    if settings.hardness.is_some() {
-        let mut ladder = rungs(setup(settings.elastic_solver().maps(Maps::Pressure)))?;
-        let mut beside = new_curve(known);
-        for (i, point) in deterministic.iter().enumerate() {
-            // Where nothing has yielded, the answer is the elastic one.
-            let yielded = point.answer.as_ref().and_then(|a| a.yielded);
-            if yielded.is_some_and(|y| y.area_fraction <= 0.0) {
-                beside.points.push(point.clone());
-                continue;
-            }
-            solve(&mut ladder, (i, point.mean_pressure), false, &mut beside, &mut tell)?;
-        }
-        beside.settle();
-        elastic_points = beside.points;
-    }
-    if let Some(value) = settings.headline
-        && !named(deterministic[headline].mean_pressure, value)
-    {
-        return Err(StudyError::HeadlineNotComputed { value });
-    }
-
-    tell(Progress::Models)?;
-    let judged =
-        Judged { excess: excess(&deterministic, &elastic_points), ..Judged::of(&statistics) };
-    let loads = (&deterministic[..], &elastic_points[..]);
-    let models = settings
-        .asked_models(registry)
-        .map(|theory| ask(theory, (&inputs, seconds), loads, &judged))
-        .collect();
-    let mut found = SurfaceComparison {
+    let loads: Vec<Load> = pressures.iter().map(|&p| Load::MeanPressure(p)).collect();
+    let task = Task { map: &map, setup: whole, loads: &loads, aim };
+    let found = SurfaceComparison {
         spikes,
         name,
         origin,
-        surface: map,
+        surface: map.clone(),
         edges: settings.edges,
         statistics,
         inputs,
         spectral,
         setup_seconds,
-        deterministic,
-        elastic: elastic_points,
-        map: known,
-        beside_seconds,
+        deterministic: Vec::new(),
+        elastic: Vec::new(),
+        map: Map::of(&map),
+        beside_seconds: [0.0; 2],
         coarser: Vec::new(),
         closer: None,
         conduction: None,
-        leaks,
+        leaks: Vec::new(),
         adhesion: None,
-        plan,
-        solved,
-        headline,
+        plan: None,
+        solved: None,
+        headline: 0,
         load_area: settings.load_area,
-        pressure,
-        first_contact: first,
-        pressure_maps,
-        sections,
-        spots,
-        distributions,
-        models,
+        pressure: Vec::new(),
+        first_contact: None,
+        pressure_maps: None,
+        sections: None,
+        spots: None,
+        distributions: Vec::new(),
+        models: Vec::new(),
     };
+    let materials = spreads(&settings.materials);
+    let (pressures, score) = (&pressures[..], f64::INFINITY);
+    let mut curve = Curve { found, pressures, materials, wanted, score, progress };
+    let plan = climb(&task, &mut curve);
+    let Curve { mut found, progress, .. } = curve;
+    let refused = |e| refused_ladder(e, &found.name);
+    found.plan = Some(plan.map_err(refused)?).filter(|_| aim != Aim::AsGiven);
+    if settings.hardness.is_some() {
+        let elastic = setup(settings.elastic_solver().maps(Maps::Pressure));
+        let mut ladder = Ladder::new(map, elastic).map_err(|e| refused_ladder(e, &found.name))?;
+        found.elastic = elastic_beside(&found, &mut ladder, materials, progress)?;
+    }
+
+    tell(progress, Progress::Models)?;
+    let statistics = &found.statistics;
+    let judged = Judged {
+        gradient: statistics.rms_gradient,
+        rows_jump: rows_jump(statistics),
+        anisotropy: statistics.anisotropy,
+        heights: statistics.skewness.zip(statistics.kurtosis),
+        fractal_range: statistics.fractal_range,
+        excess: excess(&found.deterministic, &found.elastic),
+    };
+    let ask = |theory| ask(theory, &found, seconds, &judged);
+    found.models = settings.asked_models(registry).map(ask).collect();
     found.conduction = Conduction::of(&found, settings);
-    found.adhesion = sticking(&found, settings);
+    found.adhesion = settings.adhesion.map(|given| sticking(given, &found));
     Ok(found)
 }
 
-/// Whether the bodies stick at the loads that were solved, if a work of adhesion was given.
-fn sticking(found: &SurfaceComparison, settings: &Settings) -> Option<Adhesion> {
-    let given = settings.adhesion?;
-    let moments = found.inputs.moments;
-    let rough = Rough {
-        modulus: found.inputs.modulus.pascals(),
-        gradient: found.inputs.rms_gradient(),
-        m4: moments.map_or(0.0, |m| m.m4),
-        asperities: found.inputs.asperities(),
-        shortest: found.statistics.cutoff,
+fn tell(progress: &mut Listener<'_>, news: Progress<'_>) -> Result<(), StudyError> {
+    match progress(news) {
+        ControlFlow::Continue(()) => Ok(()),
+        ControlFlow::Break(()) => Err(StudyError::Stopped),
+    }
+}
+
+/// The solutions of elastic bodies beside those of bodies that yield. Where nothing has yielded they are the same.
+fn elastic_beside(
+    found: &SurfaceComparison,
+    ladder: &mut Ladder,
+    materials: [f64; 2],
+    progress: &mut Listener<'_>,
+) -> Result<Vec<DeterministicPoint>, StudyError> {
+    let mut beside = Vec::new();
+    for (index, point) in found.deterministic.iter().enumerate() {
+        let yielded = point.answer.as_ref().and_then(|a| a.diagnostics.yielded);
+        if yielded.is_some_and(|y| y.area_fraction <= 0.0) {
+            beside.push(point.clone());
+            continue;
+        }
+        let load = Load::MeanPressure(point.mean_pressure);
+        let result = ladder.solve(load, |now| progress(Progress::Iterated { index, now: *now }));
+        if matches!(result, Err(SolverError::Stopped(_))) {
+            return Err(StudyError::Stopped);
+        }
+        beside.push(solved(point.mean_pressure, result, materials, &found.map).0);
+    }
+    Ok(beside)
+}
+
+/// Whether the bodies stick at the loads that were solved.
+fn sticking(given: WorkOfAdhesion, found: &SurfaceComparison) -> Adhesion {
+    let converged = |p: &DeterministicPoint| {
+        let answer = p.answer.as_ref().filter(|a| a.converged)?;
+        Some([p.mean_pressure, answer.area_fraction])
     };
-    let contacts: Vec<[f64; 2]> = found
-        .deterministic
-        .iter()
-        .filter_map(|p| {
-            let answer = p.answer.as_ref().filter(|a| a.converged)?;
-            Some([p.mean_pressure, answer.area_fraction])
-        })
-        .collect();
-    let own = found
-        .inputs
-        .spectrum
-        .is_none()
-        .then(|| surface_stats::spectrum::radial(&found.surface).ok());
-    let spectrum = found.inputs.spectrum.as_ref().or(own.as_ref().and_then(Option::as_ref));
-    Some(Adhesion::of(given, &rough, spectrum, &contacts))
+    let contacts: Vec<[f64; 2]> = found.deterministic.iter().filter_map(converged).collect();
+    Adhesion::of(given, &found.inputs_with_spectrum(), found.statistics.cutoff, &contacts)
 }
 
 fn refused_ladder(error: LadderError, name: &str) -> StudyError {
@@ -307,13 +279,7 @@ fn refused_ladder(error: LadderError, name: &str) -> StudyError {
     match error {
         LadderError::Statistics(source) => StudyError::Statistics { surface, source },
         LadderError::Solver(source) => StudyError::Solver { surface, source: Box::new(source) },
-    }
-}
-
-fn refused_climb(error: ClimbError, name: &str) -> StudyError {
-    match error {
-        ClimbError::Ladder(error) => refused_ladder(error, name),
-        ClimbError::Stopped => StudyError::Stopped,
+        LadderError::Stopped => StudyError::Stopped,
     }
 }
 
@@ -328,50 +294,45 @@ pub fn loads(settings: &Settings, modulus: ContactModulus, rms_gradient: f64) ->
     loads
 }
 
+/// The load whose ratio to this one is least.
+pub(crate) fn nearest(loads: &[f64], to: f64) -> usize {
+    let distance = |i: &usize| (loads[*i] / to).ln().abs();
+    (0..loads.len()).min_by(|a, b| distance(a).total_cmp(&distance(b))).unwrap_or(0)
+}
+
+/// The load of the headline, if one was asked for.
+pub(crate) fn headline(settings: &Settings, loads: &[f64]) -> Result<Option<usize>, StudyError> {
+    let Some(value) = settings.headline else { return Ok(None) };
+    let place = nearest(loads, value);
+    if named(loads[place], value) {
+        Ok(Some(place))
+    } else {
+        Err(StudyError::HeadlineNotComputed(value))
+    }
+}
+
 /// Equal but for the rounding of a decimal.
 fn same(a: f64, b: f64) -> bool {
     (a - b).abs() <= 1e-12 * a.abs().max(b.abs())
 }
 
 /// True if `value` names this load: equal, or what it is to three digits, as it is printed.
-pub(crate) fn named(load: f64, value: f64) -> bool {
+fn named(load: f64, value: f64) -> bool {
     same(load, value)
         || same(round_to_digits(load, 3), value)
         || same(round_to_digits(load, 4), value)
 }
 
-/// Solves for a load and puts it on the curve, while what the one before it left there is looked at; with the
-/// stiffness of its contact set, if it `conducts`.
-fn solve(
-    ladder: &mut Ladder,
-    (index, pressure): (usize, f64),
-    conducts: bool,
-    curve: &mut Curve,
-    tell: &mut (dyn FnMut(Progress<'_>) -> Result<(), StudyError> + Send),
-) -> Result<(), StudyError> {
-    let watch = |now: &Iteration<'_>| match tell(Progress::of_iteration(index, now)) {
-        Ok(()) => ControlFlow::Continue(()),
-        Err(_) => ControlFlow::Break(()),
-    };
-    // In this order one thread alone holds the fields of one load.
-    let solve = || ladder.solve(Load::MeanPressure(pressure), conducts, watch);
-    let ((), result) = join(|| curve.settle(), solve);
-    if matches!(result, Err(SolverError::Stopped(_))) {
-        return Err(StudyError::Stopped);
-    }
-    curve.take(pressure, result);
-    Ok(())
-}
-
-/// Asks a model at every load, with its time. It is judged by the solution for the bodies it is about:
-/// `deterministic`, or `elastic`, that of elastic bodies beside one of bodies that yield, if there is one.
+/// Asks a model at every load, with its time. It is judged by the solution for the bodies it is about, which yield or are
+/// elastic. `seconds` were spent on moments, amplitudes and spectrum.
 fn ask(
     theory: &dyn Theory,
-    (inputs, [moments, amplitudes, spectrum]): (&Inputs, [f64; 3]),
-    (deterministic, elastic): (&[DeterministicPoint], &[DeterministicPoint]),
+    found: &SurfaceComparison,
+    [moments, amplitudes, spectrum]: [f64; 3],
     judged: &Judged,
 ) -> ModelComparison {
     let card = theory.card().clone();
+    let SurfaceComparison { deterministic, elastic, inputs, .. } = found;
     let loads = if card.yields || elastic.is_empty() { deterministic } else { elastic };
     // A theory of elastic bodies is asked as one, also if it could take a hardness.
     let hardness = inputs.hardness.filter(|_| card.yields);
@@ -388,8 +349,8 @@ fn ask(
         let errors = curve.points.iter().zip(loads).map(|(m, d)| error(m, d)).collect();
         ModelCurve { preparation, errors, ..curve }
     });
-    let verdict = verdict(&card, inputs, &outcome, loads, judged);
-    ModelComparison { card, outcome, verdict }
+    let verdict = verdict(&card, inputs, &outcome, &pressures, judged);
+    ModelComparison { card, outcome, intervals: Vec::new(), verdict }
 }
 
 /// Signed relative error of an area.

@@ -21,10 +21,11 @@ pub struct Surface {
 }
 
 impl Recipe {
-    /// Makes the surface: its [heights](Self::heights), with its name and the recipe.
+    /// Makes the surface.
     ///
     /// # Errors
-    /// Those of [`heights`](Self::heights).
+    /// [`RecipeError::Scale`] unless exactly one of rms height and rms gradient is given;
+    /// [`RecipeError::Impossible`] if a value is out of its range.
     pub fn make(&self) -> Result<Surface, RecipeError> {
         let heights = self.heights()?;
         Ok(Surface { name: self.name.clone(), origin: Origin::Recipe(self.clone()), heights })
@@ -204,13 +205,6 @@ impl FileOrigin {
     }
 }
 
-impl PairOrigin {
-    /// What cleaning did to each body, step by step.
-    pub(crate) fn cleaned(&self) -> impl Iterator<Item = &Record> {
-        self.bodies.iter().flat_map(Origin::cleaned)
-    }
-}
-
 impl Origin {
     /// What cleaning did, step by step; nothing where no file was read, or two were.
     pub fn cleaned(&self) -> &[Record] {
@@ -250,7 +244,7 @@ impl Origin {
     }
 
     /// The form that is taken off: [`Level::Auto`] follows what was said of the edges, where something was.
-    pub fn level(&self, asked: Level) -> Level {
+    fn level(&self, asked: Level) -> Level {
         match self {
             Self::Given(GivenOrigin { repeats: Some(repeats), .. }) if asked == Level::Auto => {
                 if *repeats {

@@ -24,7 +24,8 @@ pub struct CurvePoint {
 #[derive(Debug, Clone)]
 pub struct Tabulated {
     card: Card,
-    surface: Option<String>,
+    /// Name of the surface that it is for: on others of the study it does not apply. `None` for all.
+    pub surface: Option<String>,
     points: Arc<[CurvePoint]>,
 }
 
@@ -89,12 +90,6 @@ impl Tabulated {
         }
         Ok(Self { card, surface: None, points: points.into() })
     }
-
-    /// The same for the surface of this name only: on others of the study it does not apply.
-    #[must_use]
-    pub fn of_surface(self, name: impl Into<String>) -> Self {
-        Self { surface: Some(name.into()), ..self }
-    }
 }
 
 impl Theory for Tabulated {
@@ -109,16 +104,11 @@ impl Theory for Tabulated {
             let needs = format!("a curve of this surface; it was computed for '{own}'");
             return Err(BuildError::missing(self.card.title.clone(), needs));
         }
-        Ok(Box::new(TabulatedModel { card: self.card.clone(), points: Arc::clone(&self.points) }))
+        Ok(Box::new(self.clone()))
     }
 }
 
-struct TabulatedModel {
-    card: Card,
-    points: Arc<[CurvePoint]>,
-}
-
-impl ContactModel for TabulatedModel {
+impl ContactModel for Tabulated {
     fn citation(&self) -> Citation {
         self.card.citation.clone()
     }
@@ -207,7 +197,8 @@ mod tests {
 
     #[test]
     fn a_curve_of_another_surface_does_not_apply() {
-        let curve = Tabulated::new(card(), vec![point(1.0, 0.1)]).unwrap().of_surface("ground");
+        let mut curve = Tabulated::new(card(), vec![point(1.0, 0.1)]).unwrap();
+        curve.surface = Some("ground".into());
         let mut inputs = Inputs::new(ContactModulus::from_pascals(1e9).unwrap());
         inputs.surface = Some("honed".into());
         assert!(matches!(curve.build(&inputs), Err(BuildError::Missing { .. })));

@@ -6,11 +6,7 @@ use contact_types::{Citation, ContactModel, ModelError, SeparationModel};
 use serde::{Deserialize, Serialize};
 use std::borrow::Cow;
 
-/// A theory of rough contact that can stand in a study: one row of the [`Registry`].
-///
-/// It says nothing of colours, pages or files: those follow from its name.
-///
-/// [`Registry`]: crate::Registry
+/// A theory of rough contact that can stand in a study: one row of the [`Registry`](crate::Registry).
 pub trait Theory: Send + Sync {
     /// What it is.
     fn card(&self) -> &Card;

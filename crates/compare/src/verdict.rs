@@ -1,16 +1,16 @@
 //! Does a theory cover this surface? Yes, with caution, or no, each with the measured reason.
 
 use crate::finding::Fact;
-use crate::findings::rows_jump;
 use crate::inputs::Inputs;
 use crate::reason::{Applies, Reason, Verdict};
-use crate::result::{DeterministicPoint, ModelCurve};
+use crate::result::ModelCurve;
 use crate::scene::{is_steep, steep};
 use crate::theory::{Assumes, BuildError, Card};
 use contact_types::Caveat;
-use surface_stats::{SurfaceStatistics, Warning};
+use surface_stats::Warning;
 
 /// What a verdict looks at of a surface.
+#[derive(Default)]
 pub(crate) struct Judged {
     /// Rms gradient \[-\].
     pub(crate) gradient: f64,
@@ -18,29 +18,12 @@ pub(crate) struct Judged {
     pub(crate) rows_jump: Option<Warning>,
     /// Largest over smallest mean square slope \[-\], if it is known.
     pub(crate) anisotropy: Option<f64>,
-    /// Skewness \[-\].
-    pub(crate) skewness: Option<f64>,
-    /// Kurtosis \[-\].
-    pub(crate) kurtosis: Option<f64>,
+    /// Skewness and kurtosis \[-\].
+    pub(crate) heights: Option<(f64, f64)>,
     /// Wavelengths of the fractal fit (m).
     pub(crate) fractal_range: Option<[f64; 2]>,
     /// What yield adds to the elastic area, if a hardness is given and it does.
     pub(crate) excess: Option<Reason>,
-}
-
-impl Judged {
-    /// Of a map.
-    pub(crate) fn of(statistics: &SurfaceStatistics) -> Self {
-        Self {
-            gradient: statistics.rms_gradient,
-            rows_jump: rows_jump(statistics),
-            anisotropy: statistics.anisotropy,
-            skewness: statistics.skewness,
-            kurtosis: statistics.kurtosis,
-            fractal_range: statistics.fractal_range,
-            excess: None,
-        }
-    }
 }
 
 /// Judges the domain, not the error.
@@ -48,7 +31,7 @@ pub(crate) fn verdict(
     card: &Card,
     inputs: &Inputs,
     outcome: &Result<ModelCurve, BuildError>,
-    loads: &[DeterministicPoint],
+    pressures: &[f64],
     statistics: &Judged,
 ) -> Verdict {
     let curve = match outcome {
@@ -62,7 +45,7 @@ pub(crate) fn verdict(
             return Verdict { answer: Applies::No, reasons, at_every_load: true };
         }
     };
-    let reasons = strains(card, inputs, curve, loads, statistics);
+    let reasons = strains(card, inputs, curve, pressures, statistics);
     let answer = if reasons.is_empty() { Applies::Yes } else { Applies::Caution };
     let at_every_load = reasons.is_empty() || reasons.iter().any(|r| !r.is_by_load());
     Verdict { answer, reasons, at_every_load }
@@ -73,7 +56,7 @@ fn strains(
     card: &Card,
     inputs: &Inputs,
     curve: &ModelCurve,
-    loads: &[DeterministicPoint],
+    pressures: &[f64],
     statistics: &Judged,
 ) -> Vec<Reason> {
     let mut reasons = Vec::new();
@@ -88,7 +71,7 @@ fn strains(
         } else if let Some(ratio) = statistics.anisotropy.filter(|r| *r > 2.0) {
             warned(Warning::Anisotropic { ratio });
         }
-        if let (Some(skewness), Some(kurtosis)) = (statistics.skewness, statistics.kurtosis)
+        if let Some((skewness, kurtosis)) = statistics.heights
             && (skewness.abs() > 0.2 || (kurtosis - 3.0).abs() > 0.3)
         {
             warned(Warning::NotGaussian { skewness, kurtosis });
@@ -100,32 +83,34 @@ fn strains(
             let crowded = curve
                 .points
                 .iter()
-                .zip(loads)
+                .zip(pressures)
                 .find(|(m, _)| m.as_ref().is_ok_and(|s| s.area_fraction > 0.05));
-            reasons.extend(crowded.map(|(_, load)| Reason::Crowded { from: load.mean_pressure }));
+            let from = crowded.map(|(_, pressure)| *pressure);
+            reasons.extend(from.map(|from| Reason::Strained { caveat: None, from }));
         }
         Assumes::Amplitudes => {
             if let Some(amplitudes) = &inputs.amplitudes {
                 let steepest = amplitudes.waves().iter().max_by(|a, b| {
                     (a.amplitude * a.frequency).total_cmp(&(b.amplitude * b.frequency))
                 });
-                reasons.push(Reason::RecordLength {
-                    wavelength: steepest.map(|w| 1.0 / w.frequency),
-                    length: amplitudes.record_length(),
+                reasons.push(Reason::Band {
+                    dimension: None,
+                    short: steepest.map(|w| 1.0 / w.frequency),
+                    long: amplitudes.record_length(),
                 });
             }
         }
         Assumes::Fractal => {
-            if let (Some(dimension), Some([short, long])) =
+            if let (dimension @ Some(_), Some([short, long])) =
                 (inputs.dimension, statistics.fractal_range)
             {
-                reasons.push(Reason::FitRange { dimension, short, long });
+                reasons.push(Reason::Band { dimension, short: Some(short), long });
             }
         }
         Assumes::Gaussian | Assumes::Unstated => {}
     }
     reasons.extend(statistics.excess.clone().filter(|_| !card.yields));
-    reasons.extend(caveat(curve, loads));
+    reasons.extend(caveat(curve, pressures));
     let failed = curve.points.iter().filter(|p| p.is_err()).count();
     if failed > 0 {
         reasons.push(Reason::NoAnswer { loads: failed, of: curve.points.len() });
@@ -135,15 +120,15 @@ fn strains(
 
 /// The model's own caveat that is not about area, which is judged above. An area too small for a
 /// double is no strain of the theory.
-fn caveat(curve: &ModelCurve, loads: &[DeterministicPoint]) -> Option<Reason> {
-    curve.points.iter().zip(loads).find_map(|(point, load)| {
+fn caveat(curve: &ModelCurve, pressures: &[f64]) -> Option<Reason> {
+    curve.points.iter().zip(pressures).find_map(|(point, &from)| {
         let caveat = point.as_ref().ok()?.caveat.as_ref()?;
         let strains = match caveat {
             Caveat::BeyondModel { quantity, .. } => quantity != "area fraction",
             Caveat::Saturated { .. } => true,
             _ => false,
         };
-        strains.then(|| Reason::Caveat { caveat: caveat.clone(), from: load.mean_pressure })
+        strains.then(|| Reason::Strained { caveat: Some(caveat.clone()), from })
     })
 }
 
@@ -152,53 +137,38 @@ mod tests {
     use super::*;
     use contact_types::ContactState;
 
-    /// A curve of one load whose answer has this caveat.
-    fn curve(caveat: Caveat) -> (ModelCurve, [DeterministicPoint; 1]) {
-        let state = ContactState {
-            mean_pressure: 2e6,
-            area_fraction: 0.01,
-            separation: None,
-            mean_gap: None,
-            caveat: Some(caveat),
-        };
-        let load = DeterministicPoint { mean_pressure: 2e6, answer: None, trouble: None };
-        let curve = ModelCurve {
-            points: vec![Ok(state)],
-            preparation: 0.0,
-            seconds: 0.0,
-            errors: vec![None],
-            area_intervals: Vec::new(),
-        };
-        (curve, [load])
-    }
-
+    /// Full contact and a slope beyond the model are strains; an area that underflows is none, and one beyond the model is
+    /// judged by the loads alone.
     #[test]
-    fn an_area_that_underflows_is_no_strain_and_full_contact_is() {
-        let (quiet, loads) = curve(Caveat::Underflow { quantity: "area fraction".into() });
-        assert_eq!(caveat(&quiet, &loads), None);
-        let (full, loads) = curve(Caveat::Saturated { quantity: "area fraction".into() });
-        let Some(Reason::Caveat { caveat: Caveat::Saturated { .. }, from }) = caveat(&full, &loads)
-        else {
-            panic!("full contact is a strain")
-        };
-        assert_eq!(from.to_bits(), 2e6f64.to_bits());
-    }
-
-    #[test]
-    fn an_area_beyond_the_model_is_judged_by_the_loads_alone() {
+    fn a_caveat_that_is_not_about_area_is_a_strain() {
         let beyond = |quantity: &'static str| Caveat::BeyondModel {
             quantity: quantity.into(),
             value: 0.3,
             limit: 0.1,
             reason: "".into(),
         };
-        let (area, loads) = curve(beyond("area fraction"));
-        assert_eq!(caveat(&area, &loads), None);
-        let (slope, loads) = curve(beyond("slope"));
-        let said = caveat(&slope, &loads);
-        let Some(Reason::Caveat { caveat: Caveat::BeyondModel { quantity, .. }, .. }) = said else {
-            panic!("a slope beyond the model is a strain")
-        };
-        assert_eq!(quantity, "slope");
+        for (given, is_strain) in [
+            (Caveat::Underflow { quantity: "area fraction".into() }, false),
+            (Caveat::Saturated { quantity: "area fraction".into() }, true),
+            (beyond("area fraction"), false),
+            (beyond("slope"), true),
+        ] {
+            let state = ContactState {
+                mean_pressure: 2e6,
+                area_fraction: 0.01,
+                separation: None,
+                mean_gap: None,
+                caveat: Some(given.clone()),
+            };
+            let curve = ModelCurve {
+                points: vec![Ok(state)],
+                preparation: 0.0,
+                seconds: 0.0,
+                errors: vec![None],
+                area_intervals: Vec::new(),
+            };
+            let expected = is_strain.then_some(Reason::Strained { caveat: Some(given), from: 2e6 });
+            assert_eq!(caveat(&curve, &[2e6]), expected);
+        }
     }
 }

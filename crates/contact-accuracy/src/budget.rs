@@ -2,7 +2,7 @@
 
 use crate::coarser::Numbers;
 use crate::estimate::{Estimate, NoUncertainty};
-use crate::sampling::{Sampling, height_scatter};
+use crate::sampling::{height_scatter, sampling};
 use crate::uncertainty::{Beside, Uncertain};
 use contact_types::HeightMap;
 use fft_bem_solver::{Boundary, End, Load, SetStiffness, Solution};
@@ -33,23 +33,13 @@ impl Map {
     }
 }
 
-/// What was prescribed, so that it has no uncertainty.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
-#[cfg_attr(feature = "serde", derive(serde::Serialize))]
-pub enum Prescribed {
-    /// The mean pressure.
-    Load,
-    /// The mean gap.
-    Gap,
-}
-
 /// The numbers of one solution with their uncertainties.
 #[derive(Debug, Clone, Copy, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize))]
 #[non_exhaustive]
 pub struct Budget {
-    /// Whether the load or the gap was prescribed.
-    pub given: Prescribed,
+    /// Whether the mean gap was prescribed, and not the load: what was prescribed has no uncertainty.
+    pub gap_is_given: bool,
     /// Load over nominal area (Pa).
     pub mean_pressure: Estimate,
     /// Area fraction, with the perimeter correction (-). Where the contact yields it is at least load over
@@ -77,36 +67,34 @@ impl Budget {
     ) -> Self {
         let found = &solution.diagnostics;
         let load = solution.state.mean_pressure;
-        let uncertain = Uncertain::of(solution, map.rms_height);
+        let uncertain = Uncertain::of(solution, map.rms_height, *beside);
         let own = Numbers::of(solution, set, jump);
         // No pressure exceeds the hardness: on any grid the area is at least P/H.
         let least = found.yielded.map_or(0.0, |yielded| (load / yielded.hardness).min(1.0));
-        let mut area = uncertain.area(own.area, least, beside);
+        let mut area = uncertain.area(own.area, least);
         if found.contact_pixels == 0 {
             area.uncertainty = Err(NoUncertainty::NoContact);
         }
-        let mut mean_gap = own.mean_gap.map(|gap| uncertain.gap(gap, &area, beside));
-        let mut gas = own.gas.map(|gas| uncertain.gas(gas, mean_gap.as_ref(), &area, beside));
+        let mut mean_gap = own.mean_gap.map(|gap| uncertain.gap(gap, &area));
+        let mut gas = own.gas.map(|gas| uncertain.gas(gas, mean_gap.as_ref(), &area));
         let residual = set.map_or(0.0, |set| set.residual);
-        let mut stiffness = own.stiffness.map(|k| uncertain.stiffness(k, residual, &area, beside));
+        let mut stiffness = own.stiffness.map(|k| uncertain.stiffness(k, residual, &area));
         // An isolated contact is no sample of a surface that goes on; of one that yields it was not studied.
         let yields = found.yielded.is_some_and(|yielded| yielded.area_fraction > 0.0);
         let goes_on = found.boundary == Boundary::Periodic && !yields;
-        if let Some(found) = goes_on.then(|| Sampling::of(solution, map.height_scatter)).flatten() {
-            area.sampling = Some(found.area * area.value);
-            if let Some(gap) = &mut mean_gap {
-                gap.sampling = Some(found.gap * gap.value);
-            }
-            if let Some(k) = &mut stiffness {
-                k.sampling = Some(found.stiffness * k.value);
-            }
+        if let Some([of_area, of_gap, of_stiffness]) =
+            goes_on.then(|| sampling(solution, map.height_scatter)).flatten()
+        {
+            area.sampling = Some(of_area * area.value);
             // Where the gap is wide beside the temperature jumps the gas scatters as it does, elsewhere less.
-            if let Some(gas) = &mut gas {
-                gas.sampling = Some(found.gap * gas.value);
+            let others =
+                [(&mut mean_gap, of_gap), (&mut gas, of_gap), (&mut stiffness, of_stiffness)];
+            for (number, relative) in others {
+                number.iter_mut().for_each(|n| n.sampling = Some(relative * n.value));
             }
         }
         Self {
-            given: Prescribed::Load,
+            gap_is_given: false,
             mean_pressure: Estimate::exact(load),
             area,
             mean_gap,
@@ -126,8 +114,8 @@ impl Budget {
         beside: &Beside<'_>,
     ) -> Self {
         let (Load::MeanGap(_), Some(gap)) = (load, self.mean_gap) else { return self };
-        let uncertain = Uncertain::of(solution, map.rms_height);
-        let mut pressure = uncertain.pressure(self.mean_pressure.value, &self.area, beside);
+        let uncertain = Uncertain::of(solution, map.rms_height, *beside);
+        let mut pressure = uncertain.pressure(self.mean_pressure.value, &self.area);
         // By one sampling variability of the gap the load moves by as much as the gap falls per e-fold load: at
         // least by the elastic energy over the load, while most is out of contact.
         let fall = solution.diagnostics.elastic_energy / self.mean_pressure.value;
@@ -144,7 +132,7 @@ impl Budget {
         self.area.least = [0.0; 2]; // it moves with the load
         self.mean_pressure = pressure;
         self.mean_gap = Some(Estimate::exact(gap.value));
-        self.given = Prescribed::Gap;
+        self.gap_is_given = true;
         self
     }
 
@@ -167,50 +155,31 @@ impl Budget {
 
     /// Of an iterate that missed its tolerance: the numbers, and why they have no uncertainty.
     pub fn of_iterate(solution: &Solution, map: &Map) -> Self {
-        let why = match solution.diagnostics.end {
-            End::Rounding => NoUncertainty::AtRounding,
-            _ => NoUncertainty::NotConverged,
-        };
+        let at_rounding = solution.diagnostics.end == End::Rounding;
+        let why = NoUncertainty::NotConverged { at_rounding };
         Self::of(solution, None, None, map, &Beside { coarser: Err(why), finer: None })
     }
 
-    /// Mean real pressure, load over area, and its intervals; `None` if nothing touches.
-    pub fn real_pressure(&self) -> Option<RealPressure<'_>> {
-        (self.area.value > 0.0).then_some(RealPressure { budget: self })
+    /// Mean real pressure, load over area (Pa): its intervals are those of the area, inverted. `None` if nothing touches.
+    pub fn real_pressure(&self) -> Option<RealPressure> {
+        let load = self.mean_pressure.value;
+        let inverted = |[low, high]: [f64; 2]| [high, low].map(|area| load / area);
+        (self.area.value > 0.0).then(|| RealPressure {
+            value: load / self.area.value,
+            interval: self.area.interval().ok().map(inverted),
+            prediction: self.area.prediction().map(inverted),
+        })
     }
 }
 
-/// Mean real pressure, load over area: its interval is that of the area, inverted.
+/// Mean real pressure, load over area (Pa).
 #[derive(Debug, Clone, Copy)]
-pub struct RealPressure<'a> {
-    budget: &'a Budget,
-}
-
-impl RealPressure<'_> {
-    /// The number (Pa).
-    pub fn value(self) -> f64 {
-        self.budget.mean_pressure.value / self.budget.area.value
-    }
-
-    /// `[low, high]` as the number of this map (Pa); infinite if the area may be 0.
-    ///
-    /// # Errors
-    /// Why there is none.
-    pub fn interval(self) -> Result<[f64; 2], NoUncertainty> {
-        self.budget.area.interval().map(|area| self.inverted(area))
-    }
-
-    /// `[low, high]` as a number of the surface (Pa).
-    pub fn prediction(self) -> Option<[f64; 2]> {
-        self.budget.area.prediction().map(|area| self.inverted(area))
-    }
-
-    /// The interval that is stated with the number, as [`Estimate::stated`].
-    pub fn stated(self) -> Option<[f64; 2]> {
-        self.budget.area.stated().map(|area| self.inverted(area))
-    }
-
-    fn inverted(self, [low, high]: [f64; 2]) -> [f64; 2] {
-        [high, low].map(|area| self.budget.mean_pressure.value / area)
-    }
+#[non_exhaustive]
+pub struct RealPressure {
+    /// The number.
+    pub value: f64,
+    /// `[low, high]` as the number of this map, if it has an uncertainty; infinite if the area may be 0.
+    pub interval: Option<[f64; 2]>,
+    /// `[low, high]` as a number of the surface, if the map can tell.
+    pub prediction: Option<[f64; 2]>,
 }

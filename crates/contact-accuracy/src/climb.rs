@@ -4,45 +4,47 @@
 use crate::budget::Map;
 use crate::coarser::{ThinnedMaps, thinned};
 use crate::indicator::LIMIT;
-use crate::ladder::{Answered, Finer, Ladder, LadderError, MOST, Setup};
+use crate::ladder::{Answered, Ladder, LadderError, MOST, Setup};
 use crate::regrid;
 use crate::request::AccuracyRequest;
 use contact_types::{Clock, Grid, HeightMap};
 use fft_bem_solver::{Boundary, Iteration, Load, Precision, SolverError};
 use std::ops::ControlFlow;
+use surface_stats::StatsError;
 
 /// How well the area is to be known.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub enum Aim {
+    /// On the map as it is.
+    AsGiven,
     /// As it is at once: every second point of the map.
     Fast,
     /// On the first rung whose uncertainty is within this at every load.
     Within(AccuracyRequest),
 }
 
+impl Aim {
+    /// Whether a relative half width, or the lack of one, will do.
+    fn is_met(self, width: &Result<f64, String>) -> bool {
+        match self {
+            Self::AsGiven | Self::Fast => true,
+            Self::Within(request) => width.as_ref().is_ok_and(|w| *w <= request.relative()),
+        }
+    }
+}
+
 /// What is to be solved.
 #[derive(Debug, Clone)]
-#[non_exhaustive]
 pub struct Task<'a> {
     /// Heights as given.
     pub map: &'a HeightMap,
-    /// How to solve; an accuracy chooses tolerance and precision itself.
+    /// How to solve; an accuracy chooses tolerance and precision itself. On another rung the section is along the row at
+    /// its place.
     pub setup: Setup,
     /// Mean pressures, rising, or mean gaps, falling.
     pub loads: &'a [Load],
     /// How well.
     pub aim: Aim,
-    /// Whether the stiffness is asked for.
-    pub stiffness: bool,
-    /// Row of the map along which the solutions carry pressure and gap, if one; on another rung the row at its place.
-    pub section: Option<usize>,
-}
-
-impl<'a> Task<'a> {
-    /// Without stiffness and section.
-    pub fn new(map: &'a HeightMap, setup: Setup, loads: &'a [Load], aim: Aim) -> Self {
-        Self { map, setup, loads, aim, stiffness: false, section: None }
-    }
 }
 
 /// Where the solutions go.
@@ -57,17 +59,6 @@ pub trait Sink: Send {
 
     /// A load, by its index among the loads. `Break` ends everything.
     fn take(&mut self, index: usize, result: Result<Answered, SolverError>) -> ControlFlow<()>;
-}
-
-/// Why nothing was solved to the end.
-#[derive(Debug, Clone, thiserror::Error)]
-pub enum ClimbError {
-    /// A rung could not be made.
-    #[error(transparent)]
-    Ladder(#[from] LadderError),
-    /// The sink broke off.
-    #[error("stopped")]
-    Stopped,
 }
 
 /// What the next rung would give.
@@ -107,8 +98,6 @@ pub struct Unmet {
 pub struct Reached {
     /// What was asked for; `None` for the fast answer.
     pub request: Option<AccuracyRequest>,
-    /// True if every load is within the request.
-    pub met: bool,
     /// The grid of the given map.
     pub given: Grid,
     /// The grid solved on.
@@ -123,7 +112,7 @@ pub struct Reached {
     pub seconds: f64,
     /// The next rung; `None` if there is none.
     pub next: Option<Next>,
-    /// Why the request is not met, if it is not.
+    /// Why the request is not met at every load, if it is not.
     pub unmet: Option<Unmet>,
 }
 
@@ -139,27 +128,27 @@ impl Reached {
 /// given points, and given up again where they tell less than the map as it is.
 ///
 /// # Errors
-/// [`ClimbError`]. A load that is not solved or a request that is not met is a result.
-pub fn climb(task: &Task<'_>, sink: &mut dyn Sink) -> Result<Reached, ClimbError> {
+/// [`LadderError`]. A load that is not solved or a request that is not met is a result.
+pub fn climb(task: &Task<'_>, sink: &mut dyn Sink) -> Result<Reached, LadderError> {
     let start = Clock::now();
     let grid = task.map.grid();
     let possible = |factor: f64| match factor {
         0.5 => ThinnedMaps::is_possible(grid) && ThinnedMaps::is_possible(half(grid)),
         _ => grid.len() <= MOST && grid.shape().iter().all(|n| *n >= 4),
     };
-    if possible(0.5) {
+    if task.aim != Aim::AsGiven && possible(0.5) {
         let low = attempt(task, 0.5, sink)?;
-        if task.aim == Aim::Fast || low.misses() == 0 {
+        if low.missed == 0 {
             return Ok(low.reached(task, Some(1.0), start));
         }
     }
     let given = attempt(task, 1.0, sink)?;
     let next = (possible(2.0) && !given.loads.iter().any(|l| l.between_points)).then_some(2.0);
-    if given.misses() == 0 || task.aim == Aim::Fast || next.is_none() {
+    if given.missed == 0 || next.is_none() {
         return Ok(given.reached(task, next, start));
     }
     let high = attempt(task, 2.0, sink)?;
-    if high.misses() == 0 || high.widest() < given.widest() {
+    if high.missed == 0 || high.widest() < given.widest() {
         return Ok(high.reached(task, None, start));
     }
     Ok(attempt(task, 1.0, sink)?.reached(task, None, start))
@@ -177,6 +166,8 @@ struct Attempt {
     precision: Precision,
     tolerance: f64,
     loads: Vec<RungLoad>,
+    /// How many of them miss the request.
+    missed: usize,
     seconds: f64,
 }
 
@@ -185,78 +176,66 @@ struct RungLoad {
     load: Load,
     /// Relative half width of the area, or why there is none.
     width: Result<f64, String>,
-    meets: bool,
     between_points: bool,
 }
 
 /// Every load on one rung; of every second point until one misses the request.
-fn attempt(task: &Task<'_>, factor: f64, sink: &mut dyn Sink) -> Result<Attempt, ClimbError> {
+fn attempt(task: &Task<'_>, factor: f64, sink: &mut dyn Sink) -> Result<Attempt, LadderError> {
     let begun = Clock::now();
-    let statistics = |source| ClimbError::Ladder(LadderError::Statistics(source));
-    let repeats = Map::of(task.map).repeats && task.setup.boundary == Boundary::Periodic;
+    let Task { map: given, setup, loads, aim } = task;
+    let repeats = || surface_stats::repeats(given) && setup.boundary == Boundary::Periodic;
     let map = match factor {
-        0.5 => thinned(task.map, [0, 0]).map_err(|e| statistics(e.into()))?,
-        2.0 => {
-            regrid(task.map, task.map.grid().shape().map(|n| 2 * n), repeats).map_err(statistics)?
-        }
-        _ => task.map.clone(),
+        0.5 => thinned(given, [0, 0]).map_err(StatsError::from)?,
+        2.0 => regrid(given, given.grid().shape().map(|n| 2 * n), repeats())?,
+        _ => (*given).clone(),
     };
     let grid = map.grid();
-    let section = task.section.map(|row| ((factor * row as f64) as usize).min(grid.shape()[0] - 1));
-    let mut builder = task.setup.builder.clone().section(section);
-    if let Aim::Within(request) = task.aim {
+    let row = |row: usize| ((factor * row as f64) as usize).min(grid.shape()[0] - 1);
+    let mut builder = setup.builder.clone();
+    if let Aim::Within(request) = aim {
         builder = builder.tolerance(request.tolerance()).precision(request.precision());
     }
     let (precision, tolerance) = (builder.has_precision(), builder.has_tolerance());
-    let is_given = grid == task.map.grid();
-    let finer = if is_given { task.setup.finer } else { Finer::Never };
-    let setup = Setup { builder, finer, ..task.setup.clone() };
-    let mut ladder = Ladder::new(map, setup)?;
-    sink.begin(ladder.map(), ladder.known());
-    let mut loads = Vec::new();
-    for (index, &load) in task.loads.iter().enumerate() {
-        let result = ladder.solve(load, task.stiffness, |now| sink.iterated(index, now));
+    let finer = setup.finer && grid == given.grid();
+    let mut ladder = Ladder::new(
+        map,
+        Setup { builder, finer, section: setup.section.map(row), ..setup.clone() },
+    )?;
+    sink.begin(ladder.map(), &ladder.known);
+    let (mut rung, mut missed) = (Vec::new(), 0);
+    for (index, &load) in loads.iter().enumerate() {
+        let result = ladder.solve(load, |now| sink.iterated(index, now));
         if matches!(result, Err(SolverError::Stopped(_))) {
-            return Err(ClimbError::Stopped);
+            return Err(LadderError::Stopped);
         }
-        let outcome = RungLoad::of(load, &result, task.aim);
-        let leaves = factor < 1.0 && !outcome.meets;
-        loads.push(outcome);
-        if leaves {
+        let found = RungLoad::of(load, &result);
+        let misses = !aim.is_met(&found.width);
+        rung.push(found);
+        missed += usize::from(misses);
+        if factor < 1.0 && misses {
             break;
         }
         if sink.take(index, result).is_break() {
-            return Err(ClimbError::Stopped);
+            return Err(LadderError::Stopped);
         }
     }
-    Ok(Attempt { grid, precision, tolerance, loads, seconds: begun.elapsed().as_secs_f64() })
+    let seconds = begun.elapsed().as_secs_f64();
+    Ok(Attempt { grid, precision, tolerance, loads: rung, missed, seconds })
 }
 
 impl RungLoad {
-    fn of(load: Load, result: &Result<Answered, SolverError>, aim: Aim) -> Self {
+    fn of(load: Load, result: &Result<Answered, SolverError>) -> Self {
         let area = result.as_ref().map_err(ToString::to_string).map(|found| found.budget.area);
         let width = area.and_then(|area| {
             let half = area.half_width().map_err(|why| why.to_string())?;
             Ok(if half > 0.0 { half / area.value } else { 0.0 })
         });
-        let within = |width: f64| match aim {
-            Aim::Fast => true,
-            Aim::Within(request) => width <= request.relative(),
-        };
-        let meets = match &width {
-            Ok(width) => within(*width),
-            Err(_) => aim == Aim::Fast,
-        };
         let indicator = result.as_ref().ok().and_then(|found| found.budget.indicator);
-        Self { load, width, meets, between_points: indicator.is_some_and(|i| i > LIMIT) }
+        Self { load, width, between_points: indicator.is_some_and(|i| i > LIMIT) }
     }
 }
 
 impl Attempt {
-    fn misses(&self) -> usize {
-        self.loads.iter().filter(|load| !load.meets).count()
-    }
-
     /// Widest relative half width; infinite if a load has none.
     fn widest(&self) -> f64 {
         let width = |load: &RungLoad| load.width.as_ref().map_or(f64::INFINITY, |w| *w);
@@ -266,7 +245,7 @@ impl Attempt {
     /// As the result, with the rung above of so many points per side over those of the map.
     fn reached(self, task: &Task<'_>, above: Option<f64>, start: Clock) -> Reached {
         let request = match task.aim {
-            Aim::Fast => None,
+            Aim::AsGiven | Aim::Fast => None,
             Aim::Within(request) => Some(request),
         };
         let half_width = Some(self.widest()).filter(|w| w.is_finite());
@@ -275,18 +254,16 @@ impl Attempt {
             let points = (shape[0] * shape[1]) as f64 / self.grid.len() as f64;
             Next { shape, half_width: half_width.map(|w| 0.5 * w), seconds: points * self.seconds }
         });
-        let missed = self.misses();
-        let first = self.loads.iter().find(|load| !load.meets);
-        let unmet = first.map(|load| Unmet {
-            first: load.load,
-            missed,
+        let first = self.loads.into_iter().find(|load| !task.aim.is_met(&load.width));
+        let unmet = first.map(|RungLoad { load: first, width: here, between_points }| Unmet {
+            first,
+            missed: self.missed,
             of: task.loads.len(),
-            here: load.width.clone(),
-            between_points: load.between_points,
+            here,
+            between_points,
         });
         Reached {
             request,
-            met: missed == 0,
             given: task.map.grid(),
             grid: self.grid,
             precision: self.precision,

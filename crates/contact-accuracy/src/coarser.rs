@@ -98,6 +98,7 @@ pub(crate) fn both(map: &HeightMap, is_mirrored: bool) -> Result<Vec<HeightMap>,
 #[derive(Debug)]
 pub(crate) struct ThinnedMaps {
     solvers: Vec<Solver>,
+    stiffness: bool,
     jump: Option<f64>,
     leak: Vec<Axis>,
 }
@@ -109,18 +110,18 @@ impl ThinnedMaps {
         grid.shape().iter().all(|n| enough(*n)) && grid.len() > 1
     }
 
-    /// Of [`both`] thinned maps, to be solved as `builder` says, with a gas of this temperature jump (m) in the gap, if there is
-    /// one, and the leak along these axes.
+    /// Of [`both`] thinned maps, to be solved as `builder` says, for the stiffness, a gas of this temperature jump (m) in the gap,
+    /// if there is one, and the leak along these axes.
     pub(crate) fn of(
         maps: Vec<HeightMap>,
         builder: &SolverBuilder,
         modulus: ContactModulus,
-        jump: Option<f64>,
+        (stiffness, jump): (bool, Option<f64>),
         leak: &[Axis],
     ) -> Result<Self, SolverError> {
         let solver = |map: &HeightMap| builder.clone().build(map.grid(), modulus);
         let solvers = maps.iter().map(solver).collect::<Result<_, SolverError>>()?;
-        let mut made = Self { solvers, jump, leak: leak.to_vec() };
+        let mut made = Self { solvers, stiffness, jump, leak: leak.to_vec() };
         made.take(maps).map(|()| made)
     }
 
@@ -133,10 +134,9 @@ impl ThinnedMaps {
     pub(crate) fn solve<A: ObserverResult>(
         &mut self,
         load: Load,
-        stiffness: bool,
         mut observer: impl FnMut(&Iteration<'_>) -> A + Send,
     ) -> Result<Vec<Numbers>, SolverError> {
-        let (jump, leak) = (self.jump, &self.leak);
+        let (stiffness, jump, leak) = (self.stiffness, self.jump, &self.leak);
         let one = |solver: &mut Solver| {
             let solution = solver.solve_again_observed(load, &mut observer)?;
             let set = stiffness.then(|| solver.contact_stiffness()).transpose()?;

@@ -30,12 +30,19 @@ pub enum NoUncertainty {
         /// What it must not exceed.
         limit: f64,
     },
-    /// The iterations ran out.
-    #[error("the solver did not converge")]
-    NotConverged,
-    /// Rounding kept the iteration from its tolerance.
-    #[error("rounding stopped the solver before its tolerance")]
-    AtRounding,
+    /// The iteration did not reach its tolerance.
+    #[error(
+        "{}",
+        if *at_rounding {
+            "rounding stopped the solver before its tolerance"
+        } else {
+            "the solver did not converge"
+        }
+    )]
+    NotConverged {
+        /// Whether rounding kept it from there, and not the number of iterations.
+        at_rounding: bool,
+    },
     /// Nothing touches.
     #[error("nothing touches")]
     NoContact,

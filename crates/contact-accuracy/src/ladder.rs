@@ -23,16 +23,6 @@ const MOST_UNASKED: usize = 1 << 20;
 /// Most points of one that an accuracy is asked for: 64 million on the finer grid.
 pub(crate) const MOST: usize = 1 << 24;
 
-/// When a load is also solved on twice the points along each side.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
-pub enum Finer {
-    /// Never.
-    Never,
-    /// Where the indicator exceeds its limit or the uncertainty 20 %, on maps of up to 1024² points.
-    #[default]
-    WhenNeeded,
-}
-
 /// How to solve.
 #[derive(Debug, Clone)]
 pub struct Setup {
@@ -44,8 +34,13 @@ pub struct Setup {
     pub mirrored: bool,
     /// Contact modulus.
     pub modulus: ContactModulus,
-    /// When a load is solved on twice the points.
-    pub finer: Finer,
+    /// Whether a load is also solved on twice the points along each side: where the indicator exceeds its limit or the
+    /// uncertainty 20 %, on maps of up to 1024² points.
+    pub finer: bool,
+    /// Whether the stiffness of the contact set is asked for.
+    pub stiffness: bool,
+    /// Row of the map along which a solution carries pressure and gap, if one.
+    pub section: Option<usize>,
     /// Length of the temperature jumps of a gas in the gap (m), if its conductance is asked for. With this or the next,
     /// pressure and gap are kept.
     pub jump: Option<f64>,
@@ -54,10 +49,19 @@ pub struct Setup {
 }
 
 impl Setup {
-    /// Of a map that repeats; twice the points where needed, nothing of the gap besides its mean.
+    /// Of a map that repeats; twice the points where needed, no stiffness, nothing of the gap besides its mean.
     pub fn new(builder: SolverBuilder, modulus: ContactModulus) -> Self {
-        let (boundary, finer) = (Boundary::Periodic, Finer::WhenNeeded);
-        Self { builder, boundary, mirrored: false, modulus, finer, jump: None, leak: Vec::new() }
+        Self {
+            builder,
+            boundary: Boundary::Periodic,
+            mirrored: false,
+            modulus,
+            finer: true,
+            stiffness: false,
+            section: None,
+            jump: None,
+            leak: Vec::new(),
+        }
     }
 
     /// What the rungs beside the map keep of a solution.
@@ -70,7 +74,8 @@ impl Setup {
 #[derive(Debug)]
 pub struct Ladder {
     setup: Setup,
-    known: Map,
+    /// What the map says before anything is solved.
+    pub known: Map,
     /// The map as it was given.
     given: HeightMap,
     /// With its mirror images, if those were asked for.
@@ -122,21 +127,17 @@ impl Ladder {
             builder = builder.maps(setup.maps());
         }
         let surface = whole.as_ref().unwrap_or(&map);
-        let solver = builder.clone().build(surface.grid(), setup.modulus)?;
+        let solver = builder.clone().section(setup.section).build(surface.grid(), setup.modulus)?;
         let grid = map.grid();
         let coarser = if ThinnedMaps::is_possible(grid) {
-            let builder = builder.maps(setup.maps()).certified(false).section(None);
+            let builder = builder.maps(setup.maps()).certified(false);
             let maps = both(&map, setup.mirrored)?;
-            Ok(ThinnedMaps::of(maps, &builder, setup.modulus, setup.jump, &setup.leak)?)
+            let of_gap = (setup.stiffness, setup.jump);
+            Ok(ThinnedMaps::of(maps, &builder, setup.modulus, of_gap, &setup.leak)?)
         } else {
             Err(NoUncertainty::TooFewPoints { shape: grid.shape() })
         };
         Ok(Self { setup, known, given: map, whole, solver, coarser, finer: None })
-    }
-
-    /// What the map says before anything is solved.
-    pub fn known(&self) -> &Map {
-        &self.known
     }
 
     /// The map as it was given.
@@ -158,7 +159,7 @@ impl Ladder {
         Ok(())
     }
 
-    /// Solves for a load from where the last one ended, with the stiffness of the contact set if that is asked for.
+    /// Solves for a load from where the last one ended.
     ///
     /// # Errors
     /// [`SolverError`] of the map itself, its iterate on the map as it was given; [`SolverError::Stopped`] also
@@ -166,12 +167,11 @@ impl Ladder {
     pub fn solve<A: ObserverResult>(
         &mut self,
         load: Load,
-        stiffness: bool,
         mut observer: impl FnMut(&Iteration<'_>) -> A + Send,
     ) -> Result<Answered, SolverError> {
         let clock = Clock::now();
         let coarser = match &mut self.coarser {
-            Ok(coarser) => match coarser.solve(load, stiffness, &mut observer) {
+            Ok(coarser) => match coarser.solve(load, &mut observer) {
                 Ok(numbers) => Ok(numbers),
                 Err(SolverError::Stopped(last)) => return Err(SolverError::Stopped(last)),
                 Err(_) => Err(NoUncertainty::Undefined),
@@ -183,7 +183,7 @@ impl Ladder {
         let grid = self.given.grid();
         let mut solution =
             on_given(self.solver.solve_observed(surface, load, &mut observer), grid)?;
-        let set = stiffness.then(|| self.solver.contact_stiffness()).transpose()?;
+        let set = self.setup.stiffness.then(|| self.solver.contact_stiffness()).transpose()?;
         let (set, jump) = (set.as_ref(), self.setup.jump);
         let beside = Beside { coarser: coarser.as_deref().map_err(|why| *why), finer: None };
         let budget = |beside: &Beside<'_>, known: &Map| {
@@ -195,7 +195,7 @@ impl Ladder {
         let clock = Clock::now();
         let mut finer = None;
         if self.needs_finer(&found) {
-            finer = self.on_finer(load, stiffness, observer);
+            finer = self.on_finer(load, observer);
             let beside = Beside { finer: finer.as_ref(), ..beside };
             found = Budget { indicator: found.indicator, ..budget(&beside, &self.known) };
         }
@@ -209,11 +209,11 @@ impl Ladder {
     }
 
     fn needs_finer(&self, budget: &Budget) -> bool {
-        let most = if self.setup.finer == Finer::Never { 0 } else { MOST_UNASKED };
         let sensitive = budget.indicator.is_some_and(|indicator| indicator > LIMIT);
         let wide = budget.area.half_width().is_ok_and(|half| half > WIDE * budget.area.value);
         let [ny, nx] = self.given.grid().shape();
-        (sensitive || wide) && ny.min(nx) >= 4 && self.given.grid().len() <= most
+        let may = self.setup.finer && ny.min(nx) >= 4 && ny * nx <= MOST_UNASKED;
+        may && (sensitive || wide)
     }
 
     /// The numbers of the map on twice the points along each side: by its Fourier components if it repeats, by its
@@ -221,7 +221,6 @@ impl Ladder {
     fn on_finer<A: ObserverResult>(
         &mut self,
         load: Load,
-        stiffness: bool,
         observer: impl FnMut(&Iteration<'_>) -> A + Send,
     ) -> Option<Numbers> {
         if self.finer.is_none() {
@@ -234,18 +233,18 @@ impl Ladder {
             let Setup { builder, boundary, modulus, .. } = &self.setup;
             let builder =
                 builder.clone().boundary(*boundary).maps(self.setup.maps()).certified(false);
-            let mut solver = builder.section(None).build(map.grid(), *modulus).ok()?;
+            let mut solver = builder.build(map.grid(), *modulus).ok()?;
             solver.take_surface(map).ok()?;
             self.finer = Some(solver);
         }
         let solver = self.finer.as_mut()?;
         let solution = solver.solve_again_observed(load, observer).ok()?;
-        let set = stiffness.then(|| solver.contact_stiffness()).transpose().ok()?;
+        let set = self.setup.stiffness.then(|| solver.contact_stiffness()).transpose().ok()?;
         Some(Numbers::of(&solution, set.as_ref(), self.setup.jump))
     }
 }
 
-/// Why a map has no rungs.
+/// Why a map has no rungs, or was not solved to the end.
 #[derive(Debug, Clone, thiserror::Error)]
 pub enum LadderError {
     /// Its mirror images are too many points.
@@ -254,19 +253,16 @@ pub enum LadderError {
     /// The solver refuses the settings.
     #[error(transparent)]
     Solver(#[from] SolverError),
+    /// The [`Sink`](crate::Sink) broke off.
+    #[error("stopped")]
+    Stopped,
 }
 
 /// The part of an answer that belongs to the map on `given`, if that is a quarter of what was solved; the answer
 /// itself otherwise. Fields are those of the map. Area, contact line, gap, load and residuals are per pixel, means
 /// over the map and its images; the edges of the map are no contact lines, for each pixel there faces its own
 /// image.
-///
-/// # Errors
-/// The one given, its iterate cut likewise.
-pub fn on_given(
-    result: Result<Solution, SolverError>,
-    given: Grid,
-) -> Result<Solution, SolverError> {
+fn on_given(result: Result<Solution, SolverError>, given: Grid) -> Result<Solution, SolverError> {
     let quarter = |mut solution: Solution| {
         if solution.grid.len() != 4 * given.len() {
             return solution;

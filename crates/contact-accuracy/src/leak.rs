@@ -100,7 +100,8 @@ pub(crate) fn permeability(solution: &Solution, axes: &[Axis]) -> [Option<f64>; 
     }
     let open = open(solution);
     let gap = Gap::new(solution.grid, &open);
-    Axis::BOTH.map(|axis| axes.contains(&axis).then(|| gap.permeability(axis).ok()).flatten())
+    [Axis::X, Axis::Y]
+        .map(|axis| axes.contains(&axis).then(|| gap.permeability(axis).ok()).flatten())
 }
 
 impl Leaks {

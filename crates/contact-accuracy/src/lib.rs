@@ -19,8 +19,8 @@ mod sampling;
 mod table;
 mod uncertainty;
 
-pub use budget::{Budget, Map, Prescribed, RealPressure};
-pub use climb::{Aim, ClimbError, Next, Reached, Sink, Task, Unmet, climb};
+pub use budget::{Budget, Map, RealPressure};
+pub use climb::{Aim, Next, Reached, Sink, Task, Unmet, climb};
 pub use coarser::{Numbers, regrid, thinned};
 pub use contact_types::{Axis, ContactModulus, Grid, HeightMap};
 pub use edge_share::EdgeShare;
@@ -31,7 +31,7 @@ pub use fft_bem_solver::{
 };
 pub use gap_flow::{Bottleneck, Flow, NotSolved};
 pub use indicator::{LIMIT as INDICATOR_LIMIT, indicator};
-pub use ladder::{Answered, Finer, Ladder, LadderError, Setup, on_given};
+pub use ladder::{Answered, Ladder, LadderError, Setup};
 pub use leak::{Leak, Leaks};
 pub use request::{AccuracyRequest, BadRequest};
 pub use surface_stats::StatsError;

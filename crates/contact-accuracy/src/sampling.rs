@@ -23,35 +23,22 @@ const GAP: [f64; 2] = [3.1, 1.7];
 /// Of the stiffness over `l` and `b`.
 const STIFFNESS: [f64; 2] = [1.8, 3.7];
 
-/// Relative 95 % half widths of area, mean gap and stiffness over maps of the same surface.
-#[derive(Debug, Clone, Copy, PartialEq)]
-pub(crate) struct Sampling {
-    pub(crate) area: f64,
-    pub(crate) gap: f64,
-    pub(crate) stiffness: f64,
+/// Relative 95 % half widths of area, mean gap and stiffness over maps of the same surface, of a solution on a map whose
+/// rms height has this relative standard error; `None` if the pressure is not there, nothing touches, or a block has no
+/// point.
+pub(crate) fn sampling(solution: &Solution, height: f64) -> Option<[f64; 3]> {
+    let touches = solution.pressure.iter().any(|p| *p > 0.0);
+    let l = scatter(&solution.pressure, solution.grid).filter(|_| touches)?;
+    let b = scatter(&solution.coarse_gap, solution.coarse_grid())?;
+    let half = |factors: [f64; 2], x: f64, y: f64| {
+        let r = (factors[0] * x).hypot(factors[1] * y);
+        r + 0.5 * r * r
+    };
+    Some([half(AREA, l, height), half(GAP, b, height), half(STIFFNESS, l, b)])
 }
 
-impl Sampling {
-    /// Of a solution on a map whose rms height has this relative standard error; `None` if the pressure is not
-    /// there, nothing touches, or a block has no point.
-    pub(crate) fn of(solution: &Solution, height: f64) -> Option<Self> {
-        let touches = solution.pressure.iter().any(|p| *p > 0.0);
-        let l = scatter(&solution.pressure, solution.grid).filter(|_| touches)?;
-        let b = scatter(&solution.coarse_gap, solution.coarse_grid())?;
-        let half = |[x, y]: [f64; 2]| {
-            let r = x.hypot(y);
-            r + 0.5 * r * r
-        };
-        Some(Self {
-            area: half([AREA[0] * l, AREA[1] * height]),
-            gap: half([GAP[0] * b, GAP[1] * height]),
-            stiffness: half([STIFFNESS[0] * l, STIFFNESS[1] * b]),
-        })
-    }
-}
-
-/// Sums of a field over the blocks, and its points there.
-fn blocks(field: &[f64], grid: Grid) -> Option<Vec<[f64; 2]>> {
+/// Relative standard error of the mean of a field by its blocks; 0 where it is nowhere above 0.
+fn scatter(field: &[f64], grid: Grid) -> Option<f64> {
     let [ny, nx] = grid.shape();
     if field.len() != grid.len() || ny.min(nx) < BLOCKS {
         return None;
@@ -65,12 +52,7 @@ fn blocks(field: &[f64], grid: Grid) -> Option<Vec<[f64; 2]>> {
             *points += (to - from) as f64;
         }
     }
-    Some(sums)
-}
-
-/// Relative standard error of the mean of a field by its blocks; 0 where it is nowhere above 0.
-fn scatter(field: &[f64], grid: Grid) -> Option<f64> {
-    let means: Vec<f64> = blocks(field, grid)?.iter().map(|[sum, points]| sum / points).collect();
+    let means: Vec<f64> = sums.iter().map(|[sum, points]| sum / points).collect();
     let n = means.len() as f64;
     let mean = means.iter().sum::<f64>() / n;
     let square = means.iter().map(|m| (m - mean).powi(2)).sum::<f64>() / (n - 1.0);

@@ -1,18 +1,12 @@
-//! What tables of many runs need: middle values, quantiles, round numbers.
-
-/// The value that `part` of the sorted values are below, linear between them; `None` of nothing.
-pub(crate) fn quantile(sorted: &[f64], part: f64) -> Option<f64> {
-    let place = part * sorted.len().checked_sub(1)? as f64;
-    let below = place.floor() as usize;
-    let next = sorted.get(below + 1).unwrap_or(&sorted[below]);
-    Some(sorted[below] + place.fract() * (next - sorted[below]))
-}
+//! What tables of many runs need: middle values and round numbers.
 
 /// The middle value, or the mean of the two; `None` of nothing.
 pub fn median(values: impl Iterator<Item = f64>) -> Option<f64> {
-    let mut values: Vec<f64> = values.collect();
-    values.sort_by(f64::total_cmp);
-    quantile(&values, 0.5)
+    let mut sorted: Vec<f64> = values.collect();
+    sorted.sort_by(f64::total_cmp);
+    let last = sorted.len().checked_sub(1)?;
+    let [below, above] = [sorted[last / 2], sorted[last.div_ceil(2)]];
+    Some(below + 0.5 * (above - below))
 }
 
 /// The nearest number of `digits` significant decimal digits; what is not finite stays.

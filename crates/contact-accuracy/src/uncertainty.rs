@@ -52,17 +52,19 @@ pub(crate) struct Beside<'a> {
 }
 
 /// Uncertainties of the numbers of one solution.
-pub(crate) struct Uncertain {
+pub(crate) struct Uncertain<'a> {
+    beside: Beside<'a>,
     line: f64,
     counting: f64,
     iteration: Result<[f64; 2], NoUncertainty>,
 }
 
-impl Uncertain {
-    pub(crate) fn of(solution: &Solution, rms_height: f64) -> Self {
+impl<'a> Uncertain<'a> {
+    pub(crate) fn of(solution: &Solution, rms_height: f64, beside: Beside<'a>) -> Self {
         let found = &solution.diagnostics;
         let edges = found.contact_perimeter;
         Self {
+            beside,
             line: LINE * PERIMETER_CORRECTION * edges,
             counting: 2.0 * (INSIDE * edges / solution.grid.len() as f64).sqrt(),
             iteration: iteration(found, rms_height),
@@ -70,92 +72,76 @@ impl Uncertain {
     }
 
     /// Of the area `value`, held between `least` and 1.
-    pub(crate) fn area(&self, value: f64, least: f64, beside: &Beside<'_>) -> Estimate {
-        let parts = |iteration| {
-            let moved = beside.moved(value, |n| Some(n.area))?;
-            Ok(Parts { contact_line: self.line, counting: self.counting, iteration, ..moved })
-        };
-        let uncertainty = self.iteration.and_then(|[area, _]| parts(area * value));
-        let (sampling, materials, least) = (None, 0.0, [least; 2]);
-        Estimate { value, uncertainty, sampling, materials, least, most: 1.0 }
-    }
-
-    /// Of the mean gap, with that of the area.
-    pub(crate) fn gap(&self, value: f64, area: &Estimate, beside: &Beside<'_>) -> Estimate {
-        let uncertainty = self.iteration.and_then(|[_, iteration]| {
-            let moved = beside.moved(value, |n| n.mean_gap)?;
-            let open = (1.0 - area.value).max(f64::MIN_POSITIVE);
-            let contact_line = (GAP * area.half_width()? / open).min(1.0) * value;
-            Ok(Parts { contact_line, iteration, ..moved })
-        });
-        Estimate::above_zero(value.max(0.0), uncertainty) // rounding may leave it just below
-    }
-
-    /// Of the gas in the gap, with that of the gap: where the gap is wide beside the temperature jumps it is as its inverse.
-    pub(crate) fn gas(
-        &self,
-        value: f64,
-        gap: Option<&Estimate>,
-        area: &Estimate,
-        beside: &Beside<'_>,
-    ) -> Estimate {
-        let uncertainty = self.iteration.and_then(|_| {
-            let moved = beside.moved(value, |n| n.gas)?;
-            let open = (1.0 - area.value).max(f64::MIN_POSITIVE);
-            let contact_line = (GAP * area.half_width()? / open).min(1.0) * value;
-            let of_gap = gap.filter(|gap| gap.value > 0.0);
-            let iteration =
-                of_gap.and_then(|gap| Some(gap.uncertainty.ok()?.iteration / gap.value));
-            Ok(Parts { contact_line, iteration: iteration.unwrap_or(0.0) * value, ..moved })
-        });
-        Estimate::above_zero(value, uncertainty)
-    }
-
-    /// Of the stiffness of the contact set, known to `residual` (-), with that of the area.
-    pub(crate) fn stiffness(
-        &self,
-        value: f64,
-        residual: f64,
-        area: &Estimate,
-        beside: &Beside<'_>,
-    ) -> Estimate {
+    pub(crate) fn area(&self, value: f64, least: f64) -> Estimate {
         let uncertainty = self.iteration.and_then(|[iteration, _]| {
-            let moved = beside.moved(value, |n| n.stiffness)?;
-            let least = area.value.min(1.0 - area.value).max(f64::MIN_POSITIVE);
-            let contact_line = STIFFNESS * area.half_width()? / least * value;
-            // The set is that of an iterate: the stiffness moves no more than its area does.
-            Ok(Parts { contact_line, iteration: (iteration + residual) * value, ..moved })
+            let moved = self.moved(value, |n| Some(n.area))?;
+            let (contact_line, counting) = (self.line, self.counting);
+            Ok(Parts { contact_line, counting, iteration: iteration * value, ..moved })
         });
-        Estimate::above_zero(value, uncertainty)
+        Estimate { least: [least; 2], most: 1.0, ..Estimate::above_zero(value, uncertainty) }
     }
 
-    /// Of the mean pressure at a given gap, which follows the area.
-    pub(crate) fn pressure(&self, value: f64, area: &Estimate, beside: &Beside<'_>) -> Estimate {
-        let uncertainty = self.iteration.and_then(|[iteration, _]| {
-            let moved = beside.moved(value, |n| Some(n.mean_pressure))?;
-            let least = area.value.min(1.0 - area.value).max(f64::MIN_POSITIVE);
-            let contact_line = (GAP * area.half_width()? / least).min(1.0) * value;
-            Ok(Parts { contact_line, iteration: iteration * value, ..moved })
-        });
-        Estimate::above_zero(value, uncertainty)
-    }
-}
-
-impl Beside<'_> {
     /// What the other rungs move of `value`, times F.
     fn moved(
         &self,
         value: f64,
         of: impl Fn(&Numbers) -> Option<f64>,
     ) -> Result<Parts, NoUncertainty> {
-        let coarser = self.coarser?;
+        let Beside { coarser, finer } = self.beside;
+        let coarser = coarser?;
         let others: Option<Vec<f64>> = coarser.iter().map(&of).collect();
         let others = others.ok_or(NoUncertainty::Undefined)?;
         let squares = others.iter().map(|other| (other - value).powi(2)).sum::<f64>();
         let moved = (squares / others.len().max(1) as f64).sqrt();
-        let finer = self.finer.map(|n| of(n).ok_or(NoUncertainty::Undefined)).transpose()?;
+        let finer = finer.map(|n| of(n).ok_or(NoUncertainty::Undefined)).transpose()?;
         let finer = finer.map_or(0.0, |other| MOVED * (other - value).abs());
         Ok(Parts { coarser: MOVED * moved, finer, ..Parts::default() })
+    }
+
+    /// Of another number, with that of the area: the contact line brings `line` times the uncertainty of the area over `part`,
+    /// relative and at most `most`; stopping the `iteration` brings what is said of its errors of area and gap.
+    fn other(
+        &self,
+        value: f64,
+        (area, [line, part, most]): (&Estimate, [f64; 3]),
+        number: impl Fn(&Numbers) -> Option<f64>,
+        iteration: impl Fn([f64; 2]) -> f64,
+    ) -> Estimate {
+        let uncertainty = self.iteration.and_then(|left| {
+            let moved = self.moved(value, number)?;
+            let relative = line * area.half_width()? / part.max(f64::MIN_POSITIVE);
+            let contact_line = relative.min(most) * value;
+            Ok(Parts { contact_line, iteration: iteration(left), ..moved })
+        });
+        Estimate::above_zero(value, uncertainty)
+    }
+
+    /// Of the mean gap, with that of the area.
+    pub(crate) fn gap(&self, value: f64, area: &Estimate) -> Estimate {
+        let line = (area, [GAP, 1.0 - area.value, 1.0]);
+        let found = self.other(value, line, |n| n.mean_gap, |[_, gap]| gap);
+        Estimate { value: value.max(0.0), ..found } // rounding may leave it just below
+    }
+
+    /// Of the gas in the gap, with that of the gap: where the gap is wide beside the temperature jumps it is as its inverse.
+    pub(crate) fn gas(&self, value: f64, gap: Option<&Estimate>, area: &Estimate) -> Estimate {
+        let of_gap = gap.filter(|gap| gap.value > 0.0);
+        let of_gap = of_gap.and_then(|gap| Some(gap.uncertainty.ok()?.iteration / gap.value));
+        let line = (area, [GAP, 1.0 - area.value, 1.0]);
+        self.other(value, line, |n| n.gas, |_| of_gap.unwrap_or(0.0) * value)
+    }
+
+    /// Of the stiffness of the contact set, known to `residual` (-), with that of the area.
+    pub(crate) fn stiffness(&self, value: f64, residual: f64, area: &Estimate) -> Estimate {
+        let line = (area, [STIFFNESS, area.value.min(1.0 - area.value), f64::INFINITY]);
+        // The set is that of an iterate: the stiffness moves no more than its area does.
+        self.other(value, line, |n| n.stiffness, |[of_area, _]| (of_area + residual) * value)
+    }
+
+    /// Of the mean pressure at a given gap, which follows the area.
+    pub(crate) fn pressure(&self, value: f64, area: &Estimate) -> Estimate {
+        let line = (area, [GAP, area.value.min(1.0 - area.value), 1.0]);
+        self.other(value, line, |n| Some(n.mean_pressure), |[of_area, _]| of_area * value)
     }
 }
 

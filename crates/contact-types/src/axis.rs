@@ -19,16 +19,3 @@ pub enum Axis {
 impl Named for Axis {
     const NAMES: &'static [(Self, &'static str)] = &[(Self::X, "x"), (Self::Y, "y")];
 }
-
-impl Axis {
-    /// Both.
-    pub const BOTH: [Self; 2] = [Self::X, Self::Y];
-
-    /// Its place in `[y, x]` pairs.
-    pub fn index(self) -> usize {
-        match self {
-            Self::Y => 0,
-            Self::X => 1,
-        }
-    }
-}

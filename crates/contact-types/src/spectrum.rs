@@ -48,11 +48,6 @@ impl RoughnessSpectrum {
         }
         moments
     }
-
-    /// `sum S q` (m): E*/4 of it is the elastic energy of full contact per area.
-    pub fn first_moment(&self) -> f64 {
-        self.shells.iter().map(|shell| shell.variance * shell.wavenumber).sum()
-    }
 }
 
 /// One sinusoid of a profile.

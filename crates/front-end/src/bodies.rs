@@ -174,8 +174,8 @@ fn value(listed: &Listed) -> f64 {
 }
 
 fn known(name: &str) -> Result<&'static Material, Failure> {
-    material(name).map_err(|unknown| {
-        let near = unknown.near.join(", ");
+    material(name).map_err(|near| {
+        let near = near.join(", ");
         Failure::refused(
             "material",
             format!("{name} is not in the table of materials; near it: {near}"),

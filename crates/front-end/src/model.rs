@@ -6,8 +6,8 @@ use crate::traces::Traces;
 use contact_accuracy::round_to_digits;
 use contact_compare::survey::{ErrorRange, gaussian_errors};
 use contact_compare::{
-    BuildError, Card, Conducted, Finding, Input, Inputs, Joint, Level, MomentSource, OfMap, Origin,
-    Pressed, Scene, Theory, built_in, conducted_by,
+    BuildError, Card, Conducted, Finding, Input, Inputs, Joint, Level, OfMap, Origin, Pressed,
+    Scene, Theory, built_in, conducted_by,
 };
 use contact_types::{
     AmplitudeSpectrum, Caveat, ContactModel, ContactModulus, ContactState, HeightMap, ModelError,
@@ -83,7 +83,7 @@ impl Said {
         given: (&Inputs, &Joint),
     ) -> Self {
         let (card, inputs) = (theory.card(), given.0);
-        let typed = inputs.moments.filter(|_| inputs.source == MomentSource::Given);
+        let typed = inputs.moments.filter(|_| !inputs.is_measured);
         let survey = typed.and_then(|moments| {
             let load = state.mean_pressure / (inputs.modulus.pascals() * moments.rms_gradient());
             gaussian_errors(&card.name, moments.bandwidth(), load)
@@ -127,14 +127,14 @@ pub fn results(
         Some(ModelLoad::Separation(_)) => match theory.build_separation(inputs) {
             None => return Err(Unasked::NoSeparation { model: card.name.to_string() }),
             Some(Ok(model)) => Box::new(move |q| {
-                let state = contact_compare::at_separation(title, model.as_ref(), q.value())?;
+                let state = contact_compare::possible(title, model.at_separation(q.value())?)?;
                 Ok(Said::of(model.as_ref(), state, theory, given))
             }),
             Some(Err(error)) => refuse_all(error)?,
         },
         _ => match theory.build(inputs) {
             Ok(model) => Box::new(move |q| {
-                let state = contact_compare::at_pressure(title, model.as_ref(), q.value())?;
+                let state = contact_compare::possible(title, model.at_pressure(q.value())?)?;
                 Ok(Said::of(model.as_ref(), state, theory, given))
             }),
             Err(error) => refuse_all(error)?,
@@ -199,7 +199,7 @@ pub fn measured(
     // Every model has the moments that a study gives it; only Persson's mean gap needs more.
     let rms = HeightStatistics::of(&map).rms_height;
     let differences = DirectionalMoments::of(&map, edges).map_err(refused)?;
-    inputs.source = MomentSource::FiniteDifferences;
+    inputs.is_measured = true;
     inputs.moments = Some(differences.isotropic(rms * rms));
     if card.of_map == OfMap::Fractal {
         let options = StatsOptions { level: form, edges, missing, ..StatsOptions::default() };
@@ -428,7 +428,7 @@ fn given(card: &Card, inputs: &Inputs) -> Value {
         "moments": moments,
         "rms_height": inputs.rms_height,
         "mean_slope": inputs.mean_slope,
-        "source": inputs.m2().map(|_| inputs.source.name()),
+        "source": inputs.m2().map(|_| if inputs.is_measured { "finite-differences" } else { "given" }),
         "asperities": inputs.asperities,
         "max_amplitude_ratio":
             inputs.max_amplitude_ratio.or(amplitudes.map(AmplitudeSpectrum::max_amplitude_ratio)),

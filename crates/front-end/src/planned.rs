@@ -4,7 +4,7 @@ use crate::failure::Failure;
 use crate::loads::rising;
 use crate::watch::Watch;
 use crate::work::SolvedLoads;
-use contact_accuracy::{Aim, Answered, ClimbError, Map, Setup, Sink, Task, climb};
+use contact_accuracy::{Aim, Answered, LadderError, Map, Setup, Sink, Task, climb};
 use contact_compare::{Joint, Reached};
 use contact_report::plan_reason;
 use contact_types::{ContactModulus, HeightMap};
@@ -32,14 +32,14 @@ impl PlannedSolve<'_> {
     ) -> Result<Option<Reached>, Failure> {
         let order = rising(loads);
         let risen: Vec<Load> = order.iter().map(|&i| loads[i]).collect();
-        let mut task = Task::new(self.surface, self.setup.clone(), &risen, self.aim);
-        task.stiffness = self.part.is_some();
+        let task =
+            Task { map: self.surface, setup: self.setup.clone(), loads: &risen, aim: self.aim };
         let (part, materials, known) = (self.part, self.materials, None);
         let mut to = ToWork { loads, order: &order, work, watch, part, materials, known };
         match climb(&task, &mut to) {
             Ok(reached) => Ok(Some(reached)),
-            Err(ClimbError::Stopped) => Ok(None),
-            Err(ClimbError::Ladder(e)) => Err(Failure::from_error(&e)),
+            Err(LadderError::Stopped) => Ok(None),
+            Err(e) => Err(Failure::from_error(&e)),
         }
     }
 }

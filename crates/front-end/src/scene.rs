@@ -1,6 +1,6 @@
 //! What is asked of elasticity, and whether the bodies stick, of one map.
 
-use contact_compare::{Adhesion, Level, Rough, Scene, WorkOfAdhesion};
+use contact_compare::{Adhesion, Inputs, Level, Scene, WorkOfAdhesion};
 use contact_types::{AsperityStatistics, ContactModulus, HeightMap, SpectralMoments};
 use surface_stats::clean::row_offsets;
 use surface_stats::profile::{Trace, moments};
@@ -55,13 +55,10 @@ pub(crate) fn adhesion(
 ) -> Result<Adhesion, StatsError> {
     let moments = moments_of(map)?;
     let as_it_is = StatsOptions { level: Level::None, ..StatsOptions::default() };
-    let rough = Rough {
-        modulus: modulus.pascals(),
-        gradient: moments.rms_gradient(),
-        m4: moments.m4,
-        asperities: AsperityStatistics::from_moments(moments).ok(),
-        shortest: SpectralScales::of(map, &as_it_is)?.cutoff,
+    let inputs = Inputs {
+        moments: Some(moments),
+        spectrum: surface_stats::spectrum::radial(map).ok(),
+        ..Inputs::new(modulus)
     };
-    let spectrum = surface_stats::spectrum::radial(map).ok();
-    Ok(Adhesion::of(given, &rough, spectrum.as_ref(), contacts))
+    Ok(Adhesion::of(given, &inputs, SpectralScales::of(map, &as_it_is)?.cutoff, contacts))
 }

@@ -193,11 +193,11 @@ impl SolveRequest {
             mirrored: self.edges == EdgesName::Mirrored,
             jump: self.conduction.gas.map(|gas| gas.jump()),
             leak: self.leak.map_or_else(Vec::new, |leak| leak.along.axes().to_vec()),
+            stiffness: self.stiffness || self.conduction.is_asked(),
             ..Setup::new(builder, self.modulus)
         };
-        let of_set = self.stiffness || self.conduction.is_asked();
         let joint = self.joint(grid.area());
-        let part = of_set.then_some((&joint, self.modulus));
+        let part = setup.stiffness.then_some((&joint, self.modulus));
         let mut plan = None;
         let mut is_stopped = false;
         let materials = contact_compare::spreads(&self.materials);
@@ -222,13 +222,13 @@ impl SolveRequest {
             for index in rising(&self.loads) {
                 let load = self.loads[index];
                 watch.working_on(load);
-                let result = ladder.solve(load, of_set, |now| watch.iterated(index, load, now));
+                let result = ladder.solve(load, |now| watch.iterated(index, load, now));
                 let result = result.map(|found| found.with_materials(materials));
                 if matches!(result, Err(SolverError::Stopped(_))) {
                     is_stopped = true;
                     break;
                 }
-                work.take(index, load, result, ladder.known(), part, watch);
+                work.take(index, load, result, &ladder.known, part, watch);
                 watch.done(load);
             }
             *kept = Some(ladder);

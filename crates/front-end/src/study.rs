@@ -13,10 +13,8 @@ pub fn look_around(
     comparison: &mut Comparison,
     listener: &mut Listener<'_>,
 ) -> Result<(), Failure> {
-    let incomplete = |name, e: StudyError| Failure::incomplete(name, e.to_string());
-    comparison.solve_coarser(listener).map_err(|e| incomplete("coarser_grids", e))?;
-    comparison.remove_octaves(listener).map_err(|e| incomplete("octaves", e))?;
-    comparison.look_closer(listener).map_err(|e| incomplete("closer_look", e))
+    let incomplete = |(stage, why): (&str, StudyError)| Failure::incomplete(stage, why.to_string());
+    comparison.look_around(listener).map_err(incomplete)
 }
 
 fn not_converged(comparison: &Comparison) -> Option<Failure> {

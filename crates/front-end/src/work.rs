@@ -79,7 +79,7 @@ impl SolvedLoads {
     /// What presses at each load that converged, by rising load.
     pub(crate) fn pressed(&self) -> Vec<Pressed> {
         let pressed = |(solution, budget): (&Solution, &Budget)| {
-            let mean = budget.real_pressure()?.value();
+            let mean = budget.real_pressure()?.value;
             Some(Pressed::of(solution.state.mean_pressure, mean, solution.diagnostics.max_pressure))
         };
         let mut all: Vec<Pressed> = self.converged().filter_map(pressed).collect();
@@ -137,10 +137,12 @@ impl SolvedLoads {
         }
         point.without_uncertainty = match error {
             None => budget.and_then(|b: &Budget| b.area.half_width().err()),
-            Some(SolverError::Rounding(_)) => Some(NoUncertainty::AtRounding),
             // Nothing was solved, which is said of itself.
             Some(SolverError::AboveHardness { .. }) => None,
-            Some(_) => Some(NoUncertainty::NotConverged),
+            Some(error) => {
+                let at_rounding = matches!(error, SolverError::Rounding(_));
+                Some(NoUncertainty::NotConverged { at_rounding })
+            }
         };
         if let Ok(solution) = &result {
             let share = self.spikes.share(self.given.len(), &solution.pressure);

@@ -254,7 +254,8 @@ impl Closed {
         let asked: Vec<f64> = pressures.as_array().iter().copied().collect();
         let (areas, gaps): (Vec<f64>, Vec<f64>) = py.detach(|| {
             let one = |&p: &f64| {
-                let state = contact_compare::at_pressure(&self.title, self.model.as_ref(), p);
+                let state = self.model.at_pressure(p);
+                let state = state.and_then(|s| contact_compare::possible(&self.title, s));
                 state.map_or((f64::NAN, f64::NAN), |state| {
                     (state.area_fraction, state.mean_gap.unwrap_or(f64::NAN))
                 })

@@ -105,9 +105,8 @@ mod _rough_contact {
             let names: Vec<&str> = contact_compare::materials().iter().map(|m| m.name).collect();
             return Ok(serde_json::json!(names).to_string());
         };
-        let found = contact_compare::material(name).map_err(|unknown| {
-            let message =
-                format!("{name} is not in the table; near it: {}", unknown.near.join(", "));
+        let found = contact_compare::material(name).map_err(|near| {
+            let message = format!("{name} is not in the table; near it: {}", near.join(", "));
             crate::failure::raise(&contact_front_end::Failure::refused("material", message))
         })?;
         Ok(contact_report::material_json(found, contact_compare::Property::all()).to_string())

@@ -199,11 +199,11 @@ pub(crate) fn study(
             match news {
                 Progress::Surface { .. } => reporter.tell(of("surface", 0)),
                 Progress::Models => reporter.tell(of("models", 0)),
-                Progress::Iterated { index, number: iteration, residual, tolerance, .. } => {
+                Progress::Iterated { index, now } => {
                     reporter.tell_at_times(|| News {
-                        iteration,
-                        residual,
-                        tolerance,
+                        iteration: now.number,
+                        residual: now.residual,
+                        tolerance: now.tolerance,
                         ..of("iteration", index)
                     });
                 }

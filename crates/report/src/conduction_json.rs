@@ -1,7 +1,7 @@
 //! What a contact conducts, for other programs. SI units.
 
 use crate::messages::conduction::{conductance, kinds};
-use contact_compare::{Conducted, Estimate, GapGas, SurfaceComparison};
+use contact_compare::{Conducted, GapGas, SurfaceComparison};
 use serde_json::{Map, Value, json};
 
 /// What a joint conducts, as keys of a point: `electrical_conductance` (S/m²),
@@ -19,33 +19,31 @@ pub fn keys(found: &Conducted) -> Map<String, Value> {
     ];
     for (name, conductance) in all {
         let Some(h) = conductance else { continue };
-        let of = |ends: Ends<'_>| h.estimate.as_ref().and_then(ends);
-        number(&mut keys, &format!("{name}_conductance"), h.value, of);
+        let ends =
+            [h.estimate.and_then(|e| e.interval().ok()), h.estimate.and_then(|e| e.prediction())];
+        number(&mut keys, &format!("{name}_conductance"), h.value, ends);
     }
     let both = found.resistances().into_iter().zip(found.one_spot);
     for (name, (resistance, spot)) in ["electrical", "thermal"].into_iter().zip(both) {
         let Some(r) = resistance else { continue };
-        number(&mut keys, &format!("{name}_resistance"), r.value(), |ends| r.ends(ends));
+        number(&mut keys, &format!("{name}_resistance"), r.value, [r.interval, r.prediction]);
         keys.insert(format!("{name}_resistance_one_spot"), json!(spot));
     }
     keys
 }
 
-/// The ends of an interval of an estimate.
-type Ends<'a> = &'a dyn Fn(&Estimate) -> Option<[f64; 2]>;
-
-/// A number and its intervals.
+/// A number and its intervals, of this map and of the surface.
 fn number(
     keys: &mut Map<String, Value>,
     name: &str,
     value: f64,
-    interval: impl Fn(Ends<'_>) -> Option<[f64; 2]>,
+    [interval, prediction]: [Option<[f64; 2]>; 2],
 ) {
     let finite = |x: f64| if x.is_finite() { json!(x) } else { Value::Null };
-    let ends = |of: Ends<'_>| interval(of).map_or(Value::Null, |ends| json!(ends.map(finite)));
+    let ends = |ends: Option<[f64; 2]>| json!(ends.map(|ends| ends.map(finite)));
     keys.insert(name.into(), finite(value));
-    keys.insert(format!("{name}_interval"), ends(&|e| e.interval().ok()));
-    keys.insert(format!("{name}_prediction_interval"), ends(&Estimate::prediction));
+    keys.insert(format!("{name}_interval"), ends(interval));
+    keys.insert(format!("{name}_prediction_interval"), ends(prediction));
 }
 
 /// A gas with what is taken of it: conductivity (W/m/K), mean free path (m), length of the temperature jumps M (m).

@@ -3,7 +3,7 @@
 use crate::lines::LoadLines;
 use crate::messages::conduction::{conductance, kinds};
 use contact_compare::{
-    Comparison, ModelComparison, ProfileComparison, ProfileModel, Settings, SurfaceComparison,
+    Comparison, ModelComparison, ProfileComparison, Settings, SurfaceComparison,
 };
 use contact_types::{ContactState, Named};
 use std::io::{self, Write};
@@ -64,7 +64,7 @@ fn cells(
     add("mean_gap_low [m]", gap.map(|r| r[0]));
     add("mean_gap_high [m]", gap.map(|r| r[1]));
     if settings.hardness.is_some() {
-        let yielded = answer.and_then(|a| a.yielded);
+        let yielded = answer.and_then(|a| a.diagnostics.yielded);
         let elastic = surface.elastic.get(i).and_then(|p| Some(p.answer.as_ref()?.area_fraction));
         add("area_fraction_at_hardness [-]", yielded.map(|y| y.area_fraction));
         add("load_share_at_hardness [-]", yielded.map(|y| y.load_share));
@@ -114,7 +114,7 @@ fn cells(
 /// Whatever the writer reports.
 pub fn write_profiles(studies: &[ProfileComparison], out: &mut impl Write) -> io::Result<()> {
     let models = studies.first().map_or(&[][..], |study| &study.models);
-    let columns = |model: &ProfileModel| {
+    let columns = |model: &ModelComparison| {
         let name = model.card.name.replace('-', "_");
         format!(
             ",area_fraction_{name} [-],area_fraction_low_{name} [-],area_fraction_high_{name} [-],\

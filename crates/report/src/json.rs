@@ -7,7 +7,7 @@ use crate::messages::plan as plan_messages;
 use crate::provenance::Provenance;
 use contact_accuracy::{AccuracyRequest, Reached};
 use contact_compare::{
-    Comparison, DeterministicPoint, Finding, ModelComparison, ModelCurve, SurfaceComparison,
+    Comparison, DeterministicPoint, End, Finding, ModelComparison, ModelCurve, SurfaceComparison,
 };
 use contact_types::{ContactState, ModelError, Named};
 use serde_json::{Value, json};
@@ -67,7 +67,8 @@ pub fn surface(s: &SurfaceComparison, comparison: &Comparison) -> Value {
         .plan
         .as_ref()
         .map_or((settings.precision, settings.tolerance), |p| (p.precision, p.tolerance));
-    let method = s.deterministic.iter().find_map(|p| Some(p.answer.as_ref()?.method.clone()));
+    let method =
+        s.deterministic.iter().find_map(|p| Some(p.answer.as_ref()?.diagnostics.method.name()));
     json!({
         "name": s.name,
         "origin": s.origin.without_folders(),
@@ -78,7 +79,7 @@ pub fn surface(s: &SurfaceComparison, comparison: &Comparison) -> Value {
         "statistics": statistics(&s.statistics),
         "inputs": {
             "moments": s.inputs.moments,
-            "source": s.inputs.source.name(),
+            "source": "finite-differences",
             "gamma": s.inputs.has_gap().then(|| s.inputs.gamma()),
         },
         "headline_pressure": s.headline_pressure(),
@@ -91,9 +92,9 @@ pub fn surface(s: &SurfaceComparison, comparison: &Comparison) -> Value {
         })),
         "distributions": s.distributions.get(s.headline),
         "finer": finer(s),
-        "choices": s.closer.as_ref().map(|c| c.choices.iter().map(|c| json!({
-            "choice": c.kind.name(),
-            "area_effect": c.effect,
+        "choices": s.closer.as_ref().map(|c| c.choices.iter().map(|(kind, effect)| json!({
+            "choice": kind.name(),
+            "area_effect": effect,
         })).collect::<Vec<_>>()),
         "coarser": s.coarser.iter().map(|c| json!({
             "mean_pressure": s.headline_pressure(),
@@ -154,6 +155,7 @@ fn point(p: &DeterministicPoint) -> Value {
             "trouble": p.trouble,
         });
     };
+    let d = &a.diagnostics;
     let mut point = json!({
         "mean_pressure": p.mean_pressure,
         "touching_fraction": a.touching_fraction,
@@ -162,26 +164,26 @@ fn point(p: &DeterministicPoint) -> Value {
         "no_interval_because": a.budget.area.half_width().err().map(|r| r.to_string()),
         "mean_gap": a.mean_gap,
         "approach": a.approach,
-        "max_pressure": a.max_pressure,
+        "max_pressure": d.max_pressure,
         "converged": a.converged,
-        "stopped_at_rounding": a.stopped_at_rounding,
+        "stopped_at_rounding": d.end == End::Rounding,
         "trouble": p.trouble,
-        "iterations": a.iterations,
-        "transforms": a.transforms,
-        "seconds": a.seconds,
+        "iterations": d.iterations,
+        "transforms": d.transforms,
+        "seconds": d.seconds,
         "residuals": {
-            "preconditioned": a.residuals.preconditioned,
-            "complementarity": a.residuals.complementarity,
-            "penetration": a.residuals.penetration,
+            "preconditioned": d.residuals.preconditioned,
+            "complementarity": d.residuals.complementarity,
+            "penetration": d.residuals.penetration,
         },
-        "duality_gap": a.duality_gap,
-        "energy_bound": a.energy_bound,
-        "contact_pixels": a.contact_pixels,
-        "contact_perimeter": a.contact_perimeter,
+        "duality_gap": d.duality_gap,
+        "energy_bound": d.energy_bound,
+        "contact_pixels": d.contact_pixels,
+        "contact_perimeter": d.contact_perimeter,
     });
     if let Value::Object(keys) = &mut point {
         keys.extend(crate::point_json::budget_keys(Some(&a.budget)));
-        keys.extend(crate::point_json::yield_keys(a.yielded, a.touching_fraction));
+        keys.extend(crate::point_json::yield_keys(d.yielded, a.touching_fraction));
     }
     point
 }
@@ -245,7 +247,7 @@ pub(crate) fn answer(
 pub fn accuracy(reached: &Reached) -> Value {
     json!({
         "requested": reached.request.map(AccuracyRequest::relative),
-        "met": reached.met,
+        "met": reached.unmet.is_none(),
         "given": reached.given.shape(),
         "grid": reached.grid.shape(),
         "factor": reached.factor(),

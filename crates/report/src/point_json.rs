@@ -1,6 +1,6 @@
 //! Budget, and what has yielded, as keys of a point in JSON: the same for `solve --json` and `results.json`.
 
-use contact_accuracy::{Budget, Estimate, RealPressure};
+use contact_accuracy::{Budget, Estimate};
 use contact_compare::Yielded;
 use serde_json::{Map, Value, json};
 
@@ -26,11 +26,9 @@ pub fn budget_keys(budget: Option<&Budget>) -> Map<String, Value> {
     keys.insert("area_interval_reason".into(), json!(reason));
     let real = budget.and_then(Budget::real_pressure);
     // An area that may be 0 leaves the pressure without an upper end, which JSON writes as null.
-    let comparison = real.and_then(|r| r.interval().ok());
-    let prediction = real.and_then(RealPressure::prediction);
-    keys.insert("real_pressure".into(), json!(real.map(RealPressure::value)));
-    keys.insert("real_pressure_interval".into(), json!(comparison));
-    keys.insert("real_pressure_prediction_interval".into(), json!(prediction));
+    keys.insert("real_pressure".into(), json!(real.map(|r| r.value)));
+    keys.insert("real_pressure_interval".into(), json!(real.and_then(|r| r.interval)));
+    keys.insert("real_pressure_prediction_interval".into(), json!(real.and_then(|r| r.prediction)));
     keys.insert("stiffness".into(), json!(stiffness.map(|s| s.value)));
     let indicator = budget.and_then(|b| b.indicator);
     let budget = json!({

@@ -3,7 +3,7 @@
 use crate::json::{answer, cleaning, findings, warned};
 use crate::messages::reason_of;
 use crate::provenance::Provenance;
-use contact_compare::{ProfileComparison, ProfileModel, Unevenness};
+use contact_compare::{ModelComparison, ProfileComparison, Unevenness};
 use serde_json::{Value, json};
 use surface_stats::profile::{ParameterMean, ProfileStatistics, Setting, SettingSource};
 
@@ -89,7 +89,7 @@ pub fn profile_statistics(s: &ProfileStatistics) -> Value {
     })
 }
 
-fn model(m: &ProfileModel, pressures: &[f64]) -> Value {
+fn model(m: &ModelComparison, pressures: &[f64]) -> Value {
     let points: Vec<Value> = m.outcome.as_ref().map_or_else(
         |_| Vec::new(),
         |curve| {

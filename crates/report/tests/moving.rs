@@ -61,7 +61,11 @@ fn the_moving_map_is_the_contact_of_every_load() {
     for (load, point) in surface.deterministic.iter().enumerate() {
         let off = lost.iter().filter(|l| l[0] == load).count();
         let touching = first.iter().filter(|g| u64::from(**g) <= load as u64 * step).count() - off;
-        assert_eq!(touching, point.answer.as_ref().unwrap().contact_pixels, "load {load}");
+        assert_eq!(
+            touching,
+            point.answer.as_ref().unwrap().diagnostics.contact_pixels,
+            "load {load}"
+        );
         assert!(facts["titles"][load].as_str().unwrap().contains(&format!(" {touching} of ")));
     }
     let headline = surface.headline as u64 * step;

@@ -50,8 +50,9 @@ fn registry() -> Registry {
     let half = Card::new("half", "Half <b>& half</b>", citation("Own & Author"));
     let point = |mean_pressure| CurvePoint { mean_pressure, area_fraction: 0.25, mean_gap: None };
     let elsewhere = Card::new("elsewhere", "Elsewhere", citation("Another"));
-    let curve = Tabulated::new(elsewhere, vec![point(1e5), point(1e9)]).unwrap();
-    Registry::built_in().with(HalfTouches(half)).unwrap().with(curve.of_surface("waves")).unwrap()
+    let mut curve = Tabulated::new(elsewhere, vec![point(1e5), point(1e9)]).unwrap();
+    curve.surface = Some("waves".into());
+    Registry::built_in().with(HalfTouches(half)).unwrap().with(curve).unwrap()
 }
 
 fn surface() -> Surface {

@@ -268,7 +268,7 @@ fn the_report_is_deterministic() {
         for surface in &mut comparison.surfaces {
             surface.setup_seconds = 1.0;
             for answer in surface.deterministic.iter_mut().filter_map(|p| p.answer.as_mut()) {
-                answer.seconds = 1.0;
+                answer.diagnostics.seconds = 1.0;
             }
             for curve in surface.models.iter_mut().filter_map(|m| m.outcome.as_mut().ok()) {
                 (curve.preparation, curve.seconds) = (1e-3, 1e-6);
@@ -288,7 +288,7 @@ fn the_report_is_deterministic() {
 /// says so.
 #[test]
 fn a_map_that_depends_on_interpolation_is_solved_on_twice_the_points() {
-    let mut recipe = built_in_recipes().unwrap().remove(0);
+    let mut recipe = built_in_recipes().remove(0);
     (recipe.shape, recipe.cutoff, recipe.quantise) = ([96, 80], 2e-6, None);
     (recipe.rms_height, recipe.rms_gradient, recipe.hurst) = (None, Some(0.1), 0.3);
     let comparison = run(vec![recipe.make().unwrap()], Settings::default());
@@ -313,7 +313,7 @@ fn a_map_that_depends_on_interpolation_is_solved_on_twice_the_points() {
 fn the_budget_has_every_source_and_choices_are_listed() {
     let surface = &one().surfaces[0];
     let answer = surface.headline_answer().unwrap();
-    let eta = answer.energy_bound.unwrap();
+    let eta = answer.diagnostics.energy_bound.unwrap();
     assert!(eta > 0.0 && eta < 1e-3, "{eta}");
     let stiffness = answer.budget.stiffness.unwrap();
     let [low, high] = stiffness.interval().unwrap();

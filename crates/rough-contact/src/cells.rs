@@ -3,7 +3,7 @@
 use crate::conduction;
 use crate::loads::{rising, shown};
 use crate::text;
-use rough_contact::contact_accuracy::{NoUncertainty, Prescribed, RealPressure};
+use rough_contact::contact_accuracy::NoUncertainty;
 use rough_contact::fft_bem_solver::{Load, Yielded};
 use rough_contact::front_end::Point;
 use std::fmt::Write as _;
@@ -14,10 +14,10 @@ pub(crate) fn cells(point: &Point, has_spot: bool) -> Vec<String> {
         return vec![shown(point.load), "refused".to_owned()];
     };
     let (state, d) = (&solution.state, &solution.diagnostics);
-    let mean = budget.real_pressure().map(RealPressure::value);
+    let mean = budget.real_pressure().map(|r| r.value);
     let area = &budget.area;
     let mut cells = vec![text::pressure(state.mean_pressure)];
-    if budget.given == Prescribed::Gap {
+    if budget.gap_is_given {
         let load = budget.mean_pressure;
         cells.push(text::relative(load.value, load.interval().ok(), text::pressure));
     }

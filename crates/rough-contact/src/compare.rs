@@ -250,7 +250,7 @@ impl Compare {
             let message = "--against is for a second body on a surface FILE, and none is given";
             return Err(Failure::refused("usage", message));
         }
-        let recipes = compare::built_in_recipes().map_err(|e| Failure::from_error(&e))?;
+        let recipes = compare::built_in_recipes();
         let made = recipes.iter().map(compare::Recipe::make).collect::<Result<_, _>>();
         made.map(Given::Maps).map_err(|e| Failure::from_error(&e))
     }
@@ -282,8 +282,8 @@ fn study(
                 let area = area_fraction.map_or_else(|| "no answer".to_owned(), text::percent);
                 progress.step(&format!("{current}: {}, {area}", text::pressure(mean_pressure)));
             }
-            compare::Progress::Iterated { number, residual, .. } => {
-                progress.iterating(|| text::iterating(&current, number, residual));
+            compare::Progress::Iterated { now, .. } => {
+                progress.iterating(|| text::iterating(&current, now.number, now.residual));
             }
             compare::Progress::Models => {
                 progress.step(&format!("{current}: models"));
@@ -295,8 +295,8 @@ fn study(
     let mut comparison = comparison.map_err(|e| Failure::from_error(&e))?;
     progress.working_on("coarser grids");
     let mut watch = |news: compare::Progress<'_>| {
-        if let compare::Progress::Iterated { number, residual, .. } = news {
-            progress.iterating(|| text::iterating("a closer look", number, residual));
+        if let compare::Progress::Iterated { now, .. } = news {
+            progress.iterating(|| text::iterating("a closer look", now.number, now.residual));
         }
         ControlFlow::Continue(())
     };
@@ -377,8 +377,11 @@ fn models(reference: &report::Reference<'_>) -> Columns {
             model.verdict.answer.word().to_owned(),
         ]);
     }
-    let solved: Vec<f64> =
-        reference.points.iter().filter_map(|p| Some(p.answer.as_ref()?.seconds)).collect();
+    let solved: Vec<f64> = reference
+        .points
+        .iter()
+        .filter_map(|p| Some(p.answer.as_ref()?.diagnostics.seconds))
+        .collect();
     if !solved.is_empty() {
         let mean = solved.iter().sum::<f64>() / solved.len() as f64;
         columns.row(["Deterministic".into(), dash(), dash(), text::seconds(mean), dash()]);

@@ -15,7 +15,7 @@ pub fn statistics(map: &HeightMap) -> Result<SurfaceStatistics, StatsError> {
     SurfaceStatistics::of(map, &StatsOptions::default())
 }
 
-/// The contact of a map, without its tilt, with a flat: area, gap and stiffness with their uncertainties.
+/// The contact of a map, without its tilt, with a flat: area and gap with their uncertainties.
 ///
 /// # Errors
 /// [`LadderError`].
@@ -24,7 +24,7 @@ pub fn solve(
     modulus: ContactModulus,
     load: Load,
 ) -> Result<Answered, LadderError> {
-    Ok(ladder(map, modulus)?.solve(load, false, |_| ())?)
+    Ok(ladder(map, modulus)?.solve(load, |_| ())?)
 }
 
 /// The same for many loads: [`Ladder::solve`] tells each iteration and may be stopped.

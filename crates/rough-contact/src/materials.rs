@@ -25,8 +25,8 @@ impl Materials {
             return Ok(Reply::new(table(&all), json(&all)));
         }
         let find = |name: &String| {
-            material(name).map_err(|unknown| {
-                let near = unknown.near.join(", ");
+            material(name).map_err(|near| {
+                let near = near.join(", ");
                 Failure::refused("material", format!("{name} is not in the table; near it: {near}"))
             })
         };

@@ -367,9 +367,9 @@ impl SurfaceStatistics {
         let side = (self.shape[0] as f64 * self.pixel[0]).min(self.record_length);
         match self.rolloff {
             Some(rolloff) if side < 4.0 * rolloff => {
-                warnings.push(Warning::FewWaves { count: side / rolloff });
+                warnings.push(Warning::FewWaves { count: Some(side / rolloff) });
             }
-            None if self.hurst.is_some() => warnings.push(Warning::NoRolloff),
+            None if self.hurst.is_some() => warnings.push(Warning::FewWaves { count: None }),
             _ => {}
         }
         warnings.extend(Warning::of_hurst(self.hurst));

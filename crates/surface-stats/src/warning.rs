@@ -82,13 +82,11 @@ pub enum Warning {
         /// Rms jump across the edges over the rms difference of neighbours inside (-).
         ratio: f64,
     },
-    /// No roll-off inside the map or the traces: the longest waves are not sampled, and rms height grows with
-    /// the length measured.
-    NoRolloff,
-    /// Few of the longest waves fit in the map.
+    /// Few of the longest waves fit in the map; without a roll-off inside the map or the traces they are not sampled, and
+    /// rms height grows with the length measured.
     FewWaves {
-        /// Roll-off wavelengths along the shorter side (-).
-        count: f64,
+        /// Roll-off wavelengths along the shorter side (-); `None` without one.
+        count: Option<f64>,
     },
     /// The fitted Hurst exponent is not between 0 and 1: not a self-affine surface.
     NotSelfAffine {
@@ -138,7 +136,7 @@ impl Warning {
             Self::Noisy { .. } => "noisy",
             Self::FlatTops { .. } => "flat-tops",
             Self::EdgeJump { .. } => "edge-jump",
-            Self::NoRolloff => "no-rolloff",
+            Self::FewWaves { count: None } => "no-rolloff",
             Self::FewWaves { .. } => "few-waves",
             Self::NotSelfAffine { .. } => "not-self-affine",
         }
@@ -234,12 +232,12 @@ impl Warning {
                 format!("{} beside {}.", counted(plateaus, "flat top"), counted(summits, "summit")),
                 "Height steps hide summits; the count depends on the step.",
             ),
-            Self::NoRolloff => worded(
+            Self::FewWaves { count: None } => worded(
                 "No roll-off within what was measured.",
                 "The longest waves are not sampled: rms height and everything made of it grow with \
                  the measured length, beyond what the ± says. m₂ and m₄ hardly do.",
             ),
-            Self::FewWaves { count } => worded(
+            Self::FewWaves { count: Some(count) } => worded(
                 format!("Only {} of the longest waves fit the map.", ratio(count)),
                 "Another map of the same surface will give other numbers: the ± here does not cover \
                  that.",

@@ -40,11 +40,9 @@ pub(crate) fn answer(
                     loads = of;
                     out.tell("progress", json!({ "stage": "loads", "count": of }));
                 }
-                Progress::Iterated { index, number, residual, tolerance, .. }
-                    if told.elapsed() >= EVERY =>
-                {
+                Progress::Iterated { index, now } if told.elapsed() >= EVERY => {
                     told = Instant::now();
-                    out.tell("progress", iterated(index, number, residual, tolerance));
+                    out.tell("progress", iterated(index, now.number, now.residual, now.tolerance));
                 }
                 Progress::Solved { index, mean_pressure, area_fraction, maps } => {
                     let mut news = solved(index, loads, mean_pressure, area_fraction);
@@ -61,11 +59,11 @@ pub(crate) fn answer(
     };
     out.tell("progress", json!({ "stage": "accuracy" }));
     contact_front_end::look_around(&mut found, &mut |news| {
-        if let Progress::Iterated { number, residual, tolerance, .. } = news
+        if let Progress::Iterated { now, .. } = news
             && told.elapsed() >= EVERY
         {
             told = Instant::now();
-            out.tell("progress", iterated(loads, number, residual, tolerance));
+            out.tell("progress", iterated(loads, now.number, now.residual, now.tolerance));
         }
         if out.is_cut() { ControlFlow::Break(()) } else { ControlFlow::Continue(()) }
     })?;

@@ -13,12 +13,12 @@ use surface_io::FORMATS;
 const PART: usize = 128;
 
 pub(crate) fn answer(place: Host) -> Result<Value, Trouble> {
-    let recipes = built_in_recipes().map_err(|e| Failure::from_error(&e))?;
+    let recipes = built_in_recipes();
     let mut examples = Vec::with_capacity(recipes.len());
     for recipe in recipes {
         let mut part = recipe.clone();
         part.shape = recipe.shape.map(|n| n.min(PART));
-        let map = part.heights().map_err(|e| Failure::from_error(&e))?;
+        let map = part.make().map_err(|e| Failure::from_error(&e))?.heights;
         let picture = contact_report::thumbnail(map.heights(), map.grid(), PART)
             .data_address()
             .map_err(|e| Failure::from_error(&e))?;

@@ -33,8 +33,7 @@ pub(crate) fn of(request: &Request, file: &[u8]) -> Result<Surface, Trouble> {
         return of_measurement(request, file, measurement(request, file)?);
     };
     let unknown = || Failure::refused("setting", format!("no built-in surface is called {name:?}"));
-    let all = built_in_recipes().map_err(|e| Failure::from_error(&e))?;
-    let recipe = all.into_iter().find(|r| r.name == *name).ok_or_else(unknown)?;
+    let recipe = built_in_recipes().into_iter().find(|r| r.name == *name).ok_or_else(unknown)?;
     recipe.make().map_err(|e| Failure::from_error(&e).into())
 }
 

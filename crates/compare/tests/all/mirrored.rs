@@ -5,7 +5,7 @@
     reason = "tests: a panic is the report, and the errors are worth seeing"
 )]
 
-use contact_accuracy::{Ladder, Setup, on_given};
+use contact_accuracy::{Ladder, Setup};
 use contact_types::{ContactModulus, Grid, HeightMap};
 use fft_bem_solver::{Load, Solution, Solver};
 use std::f64::consts::PI;
@@ -19,9 +19,11 @@ fn solve(map: &HeightMap, load: Load, tolerance: f64) -> Solution {
     builder.build(map.grid(), modulus).unwrap().solve(map, load).unwrap()
 }
 
-/// Among its mirror images.
-fn solve_mirrored(map: &HeightMap, load: Load, tolerance: f64) -> Solution {
-    on_given(Ok(solve(&mirrored(map).unwrap(), load, tolerance)), map.grid()).unwrap()
+/// Of a map among its mirror images.
+fn ladder(map: HeightMap, tolerance: f64) -> Ladder {
+    let builder = Solver::builder().tolerance(tolerance).threads(2);
+    let setup = Setup::new(builder, ContactModulus::from_pascals(1e9).unwrap());
+    Ladder::new(map, Setup { mirrored: true, ..setup }).unwrap()
 }
 
 /// Cosines with a crest or a trough at the edges are their own mirror images: on twice the sides
@@ -40,8 +42,9 @@ fn the_answer_is_that_of_the_map_among_its_images() {
         HeightMap::new(grid, (0..grid.len()).map(height).collect()).unwrap()
     };
     let (part, all) = (cosines([ny, nx]), cosines([2 * ny, 2 * nx]));
+    let mut among_images = ladder(part, 1e-10);
     for load in [Load::MeanPressure(2e6), Load::MeanGap(1.5e-7)] {
-        let found = solve_mirrored(&part, load, 1e-10);
+        let found = among_images.solve(load, |_| ()).unwrap().solution;
         let expected = solve(&all, load, 1e-10);
         assert_eq!((found.pressure.len(), found.gap.len()), (ny * nx, ny * nx));
         let top = expected.diagnostics.max_pressure;
@@ -87,20 +90,16 @@ fn the_intervals_hold() {
             level(&HeightMap::new(grid, heights).unwrap(), Level::Plane).unwrap()
         };
         let (map, finer) = (crop(1), crop(4));
-        let setup = Setup {
-            mirrored: true,
-            ..Setup::new(Solver::builder().threads(2), ContactModulus::from_pascals(1e9).unwrap())
-        };
-        let mut ladder = Ladder::new(map, setup).unwrap();
+        let mut ladder = ladder(map, 1e-4);
         for load in [0.02, 0.2] {
             let load = Load::MeanPressure(load * 1e9 * 0.1);
-            let answered = ladder.solve(load, false, |_| ()).unwrap();
+            let answered = ladder.solve(load, |_| ()).unwrap();
             assert_ne!(
                 answered.coarser[0], answered.coarser[1],
                 "seed {seed}: one choice of points"
             );
             let given = answered.budget;
-            let truth = solve_mirrored(&finer, load, 1e-5);
+            let truth = solve(&mirrored(&finer).unwrap(), load, 1e-5);
             let gap = given.mean_gap.unwrap();
             let off = |found: f64, exact: f64, bar: f64| (found - exact).abs() / bar;
             let area =

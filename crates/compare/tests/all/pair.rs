@@ -9,7 +9,7 @@ use surface_stats::{Edges, Level};
 
 fn pair(placing: &Placing) -> Surface {
     let body = |k: usize| {
-        let mut recipe = built_in_recipes().expect("recipes").swap_remove(k);
+        let mut recipe = built_in_recipes().swap_remove(k);
         recipe.shape = [96, 128];
         recipe.pixel = [1e-6; 2];
         (recipe.rolloff, recipe.cutoff, recipe.seed) = (24e-6, 8e-6, 7 + k as u64);

@@ -2,8 +2,8 @@
 
 use crate::families::{FAMILIES, Heights, MANY_WAVES, family, map};
 use contact_accuracy::{
-    Axis, ContactModulus, Estimate, Finer, Grid, HeightMap, Ladder, Leak, Load, Map, Maps, Numbers,
-    Setup, Solution, Solver, SolverBuilder, median, thinned,
+    Axis, ContactModulus, Estimate, Grid, HeightMap, Ladder, Leak, Load, Map, Maps, Numbers, Setup,
+    Solution, Solver, SolverBuilder, median, thinned,
 };
 use gap_flow::Gap;
 
@@ -58,26 +58,15 @@ impl Case {
     }
 }
 
-/// Distances over half widths, and half widths over the value (of a gap over the rms height), of one number.
+/// Errors and half widths of one number, over the value (of a gap over the rms height).
 #[derive(Default, Clone)]
-pub(crate) struct Held {
-    pub(crate) off: Vec<f64>,
-    pub(crate) widths: Vec<f64>,
-    /// Errors over the same.
-    pub(crate) errors: Vec<f64>,
-}
+pub(crate) struct Held(pub(crate) Vec<[f64; 2]>);
 
 impl Held {
     fn take(&mut self, stated: &Estimate, truth: f64, unit: f64) {
         let Ok(half) = stated.half_width() else { return };
         let unit = if unit > 0.0 { unit } else { stated.value }; // nothing touches in truth
-        self.push((stated.value - truth).abs() / unit, half / unit);
-    }
-
-    fn push(&mut self, error: f64, half: f64) {
-        self.off.push(error / half.max(f64::MIN_POSITIVE));
-        self.widths.push(half);
-        self.errors.push(error);
+        self.0.push([(stated.value - truth).abs() / unit, half / unit]);
     }
 
     /// Of a permeability and a bound of one: as logarithms, for each is stated with a factor.
@@ -85,19 +74,24 @@ impl Held {
         match stated.interval() {
             Some([low, high]) if low > 0.0 => {
                 let k = stated.flow.permeability;
-                self.push((k / truth).ln().abs(), (high / k).ln());
+                self.0.push([(k / truth).ln().abs(), (high / k).ln()]);
             }
-            Some([_, high]) => bounds.push(truth, high),
+            Some([_, high]) => bounds.0.push([truth, high]),
             None => {}
         }
     }
 
-    pub(crate) fn share(&self) -> f64 {
-        self.off.iter().filter(|off| **off <= 1.0).count() as f64 / self.off.len() as f64
+    pub(crate) fn count(&self) -> usize {
+        self.0.iter().filter(|[error, half]| *error <= half.max(f64::MIN_POSITIVE)).count()
     }
 
-    pub(crate) fn median_width(&self) -> f64 {
-        median(self.widths.iter().copied()).unwrap_or(f64::NAN)
+    pub(crate) fn share(&self) -> f64 {
+        self.count() as f64 / self.0.len() as f64
+    }
+
+    /// Of errors and half widths.
+    pub(crate) fn medians(&self) -> [f64; 2] {
+        [0, 1].map(|k| median(self.0.iter().map(|of| of[k])).unwrap_or(f64::NAN))
     }
 }
 
@@ -115,13 +109,11 @@ impl Coverage {
     /// Adds other families, or another map of the same.
     pub(crate) fn add(&mut self, other: &Self) {
         for (a, b) in self.held.iter_mut().zip(&other.held) {
-            a.off.extend(&b.off);
-            a.widths.extend(&b.widths);
-            a.errors.extend(&b.errors);
+            a.0.extend(&b.0);
         }
         let of = other.worst.unwrap_or_else(|| other.held.each_ref().map(Held::share));
         // Five answers of one map are no family.
-        if other.held[0].off.len() > AREAS.len() {
+        if other.held[0].0.len() > AREAS.len() {
             let least = self.worst.unwrap_or(of);
             self.worst = Some(std::array::from_fn(|k| least[k].min(of[k])));
         }
@@ -147,7 +139,8 @@ pub(crate) fn solved(heights: &Heights, case: Case) -> Coverage {
     }
     let unit = Map::of(&given).rms_height;
     let setup = |builder: SolverBuilder| Setup {
-        finer: if case == Case::Fast { Finer::Never } else { Finer::WhenNeeded },
+        finer: case != Case::Fast,
+        stiffness: true,
         jump: (case == Case::Gaps).then_some(JUMP * unit),
         leak: if case == Case::Gaps { vec![Axis::X] } else { Vec::new() },
         ..Setup::new(builder.threads(1), ContactModulus::from_pascals(1.0).unwrap())
@@ -173,12 +166,11 @@ pub(crate) fn solved(heights: &Heights, case: Case) -> Coverage {
     let mut loads: Vec<Load> =
         pressures.into_iter().filter(|p| *p < 0.9 * hardness).map(Load::MeanPressure).collect();
     if case == Case::Gap {
-        let mut gap =
-            |load| ladder.solve(load, false, |_| ()).unwrap().solution.state.mean_gap.unwrap();
+        let mut gap = |load| ladder.solve(load, |_| ()).unwrap().solution.state.mean_gap.unwrap();
         loads = loads.into_iter().map(|load| Load::MeanGap(gap(load))).collect();
     }
     for load in loads {
-        let answered = ladder.solve(load, true, |_| ()).unwrap();
+        let answered = ladder.solve(load, |_| ()).unwrap();
         let Ok(truth) = exact.solve_again(load) else { continue };
         let set = exact.contact_stiffness().unwrap();
         let (budget, true_area) = (answered.budget, truth.state.area_fraction);
@@ -261,10 +253,10 @@ pub(crate) fn sampling() -> String {
             [0.01, 0.1, 0.5].map(|a| pressure_for(&mut probe, a, 10.0 * unit)).to_vec()
         };
         for seed in 100..100 + MAPS {
-            let setup = Setup { finer: Finer::Never, ..Setup::new(builder(), modulus) };
+            let setup = Setup { finer: false, stiffness: true, ..Setup::new(builder(), modulus) };
             let mut ladder = Ladder::new(map(POINTS, &family(name, seed).unwrap()), setup).unwrap();
             for (k, p) in pressures.iter().enumerate() {
-                let b = ladder.solve(Load::MeanPressure(*p), true, |_| ()).unwrap().budget;
+                let b = ladder.solve(Load::MeanPressure(*p), |_| ()).unwrap().budget;
                 let of = |e: Option<Estimate>| e.and_then(|e| Some([e.value, e.sampling?]));
                 numbers[k].push([of(Some(b.area)), of(b.mean_gap), of(b.stiffness)]);
             }

@@ -4,8 +4,6 @@
 //! ```console
 //! $ cargo run --release -p contact-accuracy --example coverage                  # all of it: minutes
 //! $ cargo run --release -p contact-accuracy --example coverage -- waves, long   # one family: a second
-//! $ cargo run --release -p contact-accuracy --example coverage -- gaps          # gas and leak alone
-//! $ cargo run --release -p contact-accuracy --example coverage -- sampling      # the sampling variability alone
 //! ```
 
 #![allow(clippy::unwrap_used, clippy::print_stdout, reason = "a program of its own")]
@@ -23,32 +21,24 @@ const SEEDS: u64 = 4;
 
 fn main() {
     let name = std::env::args().skip(1).collect::<Vec<_>>().join(" ");
-    if name == "sampling" {
-        println!("{}", sampling());
-        return;
-    }
-    if !name.is_empty() && name != "gaps" {
-        for (case, shown) in
-            [(Case::Pressure, name.clone()), (Case::Gap, format!("{name}, at a gap"))]
-        {
-            let mut found = Coverage::default();
-            (0..SEEDS).for_each(|seed| found.add(&solved(&family(&name, seed).unwrap(), case)));
-            println!("{}", rows::row(&shown, &found));
-        }
+    let realised = |name: &str, case: Case| {
+        let mut sum = Coverage::default();
+        (0..SEEDS).for_each(|seed| sum.add(&solved(&family(name, seed).unwrap(), case)));
+        sum
+    };
+    if !name.is_empty() {
+        println!("{}", rows::row(&name, &realised(&name, Case::Pressure)));
         return;
     }
     // Families are independent: as many at a time as there are cores.
     let jobs: Vec<(usize, Case)> = (0..FAMILIES.len())
         .flat_map(|i| Case::all(FAMILIES[i].0).into_iter().map(move |case| (i, case)))
-        .filter(|(_, case)| name.is_empty() || *case == Case::Gaps)
         .collect();
     let next = Mutex::new(jobs.iter());
     let found = Mutex::new(Vec::new());
     let work = || {
         while let Some(&(i, case)) = { next.lock().unwrap().next() } {
-            let mut sum = Coverage::default();
-            (0..SEEDS)
-                .for_each(|seed| sum.add(&solved(&family(FAMILIES[i].0, seed).unwrap(), case)));
+            let sum = realised(FAMILIES[i].0, case);
             found.lock().unwrap().push((i, case, sum));
         }
     };
@@ -67,13 +57,6 @@ fn main() {
         sum.add(&of(Half::Validation, case));
         sum
     };
-    if name == "gaps" {
-        for (i, _, sum) in &found {
-            println!("{}\n{}", FAMILIES[*i].0, rows::gaps(sum));
-        }
-        println!("{}", rows::gaps(&of_case(Case::Gaps)));
-        return;
-    }
     println!("{}", rows::HEADER);
     for half in [Half::Training, Half::Validation] {
         let count = FAMILIES.iter().filter(|f| f.1 == half).count();

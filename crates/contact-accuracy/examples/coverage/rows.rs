@@ -1,7 +1,6 @@
 //! Rows of the tables.
 
-use crate::cases::{Coverage, Held};
-use contact_accuracy::median;
+use crate::cases::Coverage;
 
 pub(crate) const HEADER: &str = "| surfaces | answers | coverage of the area, worst family, median ± | gap (at a gap: pressure) | stiffness | error of the area, median |\n|---|---:|---|---|---|---:|";
 
@@ -9,32 +8,32 @@ pub(crate) const HEADER: &str = "| surfaces | answers | coverage of the area, wo
 fn cell(found: &Coverage, k: usize) -> String {
     let held = &found.held[k];
     let worst = found.worst.map_or(String::new(), |w| format!(", {:.0} %", 100.0 * w[k]));
-    format!("{:.1} %{worst}, ±{:.2} %", 100.0 * held.share(), 100.0 * held.median_width())
+    format!("{:.1} %{worst}, ±{:.2} %", 100.0 * held.share(), 100.0 * held.medians()[1])
 }
 
 /// The same of each number.
 pub(crate) fn row(name: &str, found: &Coverage) -> String {
     let cell = |k: usize| cell(found, k);
-    let Held { errors, off, .. } = &found.held[0];
-    let error = 100.0 * median(errors.iter().copied()).unwrap_or(f64::NAN);
-    format!("| {name} | {} | {} | {} | {} | {error:.2} % |", off.len(), cell(0), cell(1), cell(2))
+    let answers = found.held[0].0.len();
+    let error = 100.0 * found.held[0].medians()[0];
+    format!("| {name} | {answers} | {} | {} | {} | {error:.2} % |", cell(0), cell(1), cell(2))
 }
 
 /// Of gas and leak.
 pub(crate) fn gaps(found: &Coverage) -> String {
     let row = |(k, name): (usize, &str)| {
         let held = &found.held[k];
-        let error = 100.0 * median(held.errors.iter().copied()).unwrap_or(f64::NAN);
-        format!("| {name} | {} | {} | {error:.2} % |\n", held.off.len(), cell(found, k))
+        let error = 100.0 * held.medians()[0];
+        format!("| {name} | {} | {} | {error:.2} % |\n", held.0.len(), cell(found, k))
     };
     let rows: String =
         [(3, "conductance of the gas"), (4, "permeability along x")].map(row).concat();
     let bounds = &found.held[5];
-    let held = bounds.off.iter().filter(|off| **off <= 1.0).count();
     format!(
         "| of the gap, all | answers | coverage, worst family, median ± | error, median |\n|---|---:|---|---:|\n{rows}\n\
-         Of {} upper bounds of the permeability {held} hold.",
-        bounds.off.len()
+         Of {} upper bounds of the permeability {} hold.",
+        bounds.0.len(),
+        bounds.count()
     )
 }
 
@@ -47,7 +46,7 @@ pub(crate) fn ladder(fast: &Coverage, given: &Coverage) -> String {
             "| {name} | {:.2} | {:.1} % | ±{:.1} % |\n",
             seconds / all,
             100.0 * c.held[0].share(),
-            100.0 * c.held[0].median_width()
+            100.0 * c.held[0].medians()[1]
         )
     };
     let mut text =

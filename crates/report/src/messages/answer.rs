@@ -3,7 +3,7 @@
 use crate::draw::svg::escape;
 use crate::messages::yielding;
 use crate::numbers::{PASCALS, SPACE, percent_within, quantity_within};
-use contact_compare::{DeterministicAnswer, SurfaceComparison};
+use contact_compare::{DeterministicAnswer, End, SurfaceComparison};
 
 /// "1.96 ± 0.25 %", "at most 2.1 %" where the interval begins at zero, or "1.96 %" without one: of grid, iteration
 /// and, where this map can tell, sampling variability.
@@ -13,10 +13,9 @@ pub(crate) fn area(answer: &DeterministicAnswer) -> String {
 
 /// Mean real pressure, load over area, between the ends of that.
 pub(crate) fn real_pressure(answer: &DeterministicAnswer) -> String {
-    answer
-        .budget
-        .real_pressure()
-        .map_or("–".into(), |real| quantity_within(real.value(), real.stated(), PASCALS))
+    answer.budget.real_pressure().map_or("–".into(), |real| {
+        quantity_within(real.value, real.prediction.or(real.interval), PASCALS)
+    })
 }
 
 /// What the ± of [`area`] covers; empty if there is none.
@@ -62,10 +61,10 @@ pub(crate) fn headline(surface: &SurfaceComparison) -> String {
         let why = point.and_then(|p| p.trouble.clone()).unwrap_or_default();
         return format!("At {p} there is no deterministic answer: {}", escape(&why));
     };
-    if answer.contact_pixels == 0 {
+    if answer.diagnostics.contact_pixels == 0 {
         return format!("At {p} nothing touches.");
     }
-    let opening = opening(answer.converged, answer.stopped_at_rounding);
+    let opening = opening(answer.converged, answer.diagnostics.end == End::Rounding);
     let about = if answer.budget.area.half_width().is_ok() { "" } else { "about " };
     let unresolved = if answer.budget.area.interval().is_ok_and(|[low, _]| low <= 0.0) {
         ": this map does not resolve its contacts"

@@ -4,7 +4,7 @@ use crate::numbers::{
     AREAS, KELVINS_PER_WATT, METRES, OHMS, PASCALS, SPACE, Unit, power_of_ten, quantity,
     quantity_within, significant,
 };
-use contact_compare::{Conducted, Conduction, Estimate, Joint, SurfaceComparison};
+use contact_compare::{Conducted, Conduction, Joint, SurfaceComparison};
 use contact_types::Named;
 
 /// A kind of conductance: what it is called and its units.
@@ -64,7 +64,7 @@ pub fn resistances(found: &Conducted) -> Vec<ResistanceWords> {
     let kinds = [("Contact resistance", OHMS), ("Thermal resistance", KELVINS_PER_WATT)];
     let each = kinds.into_iter().zip(found.resistances().into_iter().zip(found.one_spot));
     each.filter_map(|((name, units), (r, spot))| {
-        let (value, stated) = (r?.value(), r?.ends(Estimate::stated));
+        let (value, stated) = (r?.value, r?.prediction.or(r?.interval));
         let shown = |value: f64, ends: Option<[f64; 2]>| match value {
             r if r.is_infinite() => "no contact".to_owned(),
             r if r <= 0.0 => format!("0{SPACE}{}", unit_of(units)),

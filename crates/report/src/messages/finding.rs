@@ -30,10 +30,10 @@ pub fn finding(finding: &Finding) -> [String; 2] {
 
 pub(crate) fn of_fact(fact: &Fact) -> Words {
     match fact {
-        Fact::Unit { gradient, rms_height, radius } => unit([*gradient, *rms_height, *radius]),
+        Fact::Unit { hardness: Some(hardness), .. } => yielding::odd(*hardness),
+        Fact::Unit { gradient, rms_height, radius, .. } => unit([*gradient, *rms_height, *radius]),
         Fact::Yield(found) => beyond_yield(found),
         Fact::Yielding(found) => yielding::headline(found),
-        Fact::OddHardness { hardness, usual } => yielding::odd(*hardness, *usual),
         Fact::BulkYield { highest, hardness } => yielding::bulk(*highest, *hardness),
         Fact::Adhesion(found) => adhesion::verdict(found),
         Fact::Steep { gradient, is_over } => steep(*gradient, *is_over),
@@ -73,28 +73,19 @@ pub(crate) fn of_fact(fact: &Fact) -> Words {
             "There are no roughness parameters.",
             format!("{}. Moments and models are of all waves of the trace.", capital(why)),
         ),
-        Fact::CoarserClass { cutoff, ra, length } => profile::coarser_class(*cutoff, *ra, *length),
-        Fact::NoShort { short, spacing } => profile::no_short(*short, *spacing),
+        Fact::Filter { wavelength, limit, ra: Some(ra) } => {
+            profile::coarser_class(*wavelength, *ra, *limit)
+        }
+        Fact::Filter { wavelength, limit, ra: None } => profile::no_short(*wavelength, *limit),
         Fact::Warned(found) => found.message(),
         Fact::EdgeJump { ratio, edges, seam } => edge_jump(*ratio, *edges, seam.as_ref()),
-        Fact::Filled { share, spikes, how } => words(
-            format!(
-                "{} of the points were {}.",
-                percent(*share),
-                if *spikes { "missing or spikes" } else { "missing" }
-            ),
-            format!(
-                "They were filled ({how}) from their neighbours, which makes them smoother than \
-                 the surface; contact there is a guess."
-            ),
-        ),
-        Fact::Cleaned(records) => words(
-            format!("The heights were cleaned: {}.", steps(records)),
-            "What was taken off is in no answer here.",
-        ),
+        Fact::Cleaned { steps, filled, how } => cleaned(steps, *filled, how),
         Fact::Pair { names, moments } => pair::dependent(names, moments),
-        Fact::PixelsDiffer { names, pixels } => pair::pixels_differ(names, *pixels),
-        Fact::CommonPart { names, shares } => pair::common_part(names, *shares),
+        Fact::Laid { names, pixels, shares } => {
+            let pixels = pixels.map(|pixels| pair::pixels_differ(names, pixels));
+            let shares = shares.map(|shares| pair::common_part(names, shares));
+            together(pixels, shares)
+        }
         Fact::Passed(passed) => tested(passed),
     }
 }
@@ -201,6 +192,33 @@ fn edge_jump(ratio: f64, edges: EdgesName, seam: Option<&Seam>) -> Words {
     )
 }
 
+/// Both claims and both texts, of what there is.
+fn together(first: Option<Words>, second: Option<Words>) -> Words {
+    let all: Vec<Words> = first.into_iter().chain(second).collect();
+    [0, 1].map(|k| all.iter().map(|words| words[k].as_str()).collect::<Vec<_>>().join(" "))
+}
+
+fn cleaned(records: &[Record], filled: f64, how: &str) -> Words {
+    let steps = (!records.is_empty()).then(|| {
+        words(
+            format!("The heights were cleaned: {}.", steps(records)),
+            "What was taken off is in no answer here.",
+        )
+    });
+    let is_spike = |r: &Record| matches!(r, Record::Outliers { count, .. } if *count > 0);
+    let spikes = if records.iter().any(is_spike) { "missing or spikes" } else { "missing" };
+    let filled = (filled > 0.0).then(|| {
+        words(
+            format!("{} of the points were {spikes}.", percent(filled)),
+            format!(
+                "They were filled ({how}) from their neighbours, which makes them smoother than \
+                 the surface; contact there is a guess."
+            ),
+        )
+    });
+    together(filled, steps)
+}
+
 /// The steps of cleaning in a few words.
 fn steps(cleaned: &[Record]) -> String {
     let step = |record: &Record| match *record {
@@ -237,14 +255,14 @@ pub(crate) fn capital(text: &str) -> String {
 
 fn no_uncertainty(why: NoUncertainty, loads: usize, of: usize) -> Words {
     let advice = match why {
-        NoUncertainty::NotConverged => {
+        NoUncertainty::NotConverged { at_rounding: false } => {
             return words(
                 format!("{loads} of {} did not converge.", counted(of, "load")),
                 "They are without uncertainty estimate. Raise the number of iterations or loosen \
                  the tolerance.",
             );
         }
-        NoUncertainty::AtRounding => {
+        NoUncertainty::NotConverged { at_rounding: true } => {
             return words(
                 format!("{loads} of {} stopped at rounding.", counted(of, "load")),
                 "Their numbers are as good as this floating-point type gives them, short of the \

@@ -42,26 +42,23 @@ fn words(reason: &Reason) -> String {
         Reason::Refused { error: BuildError::Missing { needs, .. }, .. } => {
             format!("needs {needs}")
         }
-        Reason::Crowded { from } => {
+        Reason::Strained { caveat: None, from } => {
             format!("asperities interact from {} (area 5{SPACE}%)", pressure(*from))
         }
-        Reason::RecordLength { wavelength, length: record } => format!(
-            "B_max at λ = {} depends on the record length ({})",
-            wavelength.map_or("–".into(), length),
-            length(*record)
-        ),
-        Reason::FitRange { dimension, short, long } => format!(
-            "D = {} depends on the fit range, {} to {}",
-            plain(*dimension),
-            length(*short),
-            length(*long)
-        ),
-        Reason::Caveat {
-            caveat: Caveat::BeyondModel { quantity, value, limit, reason }, ..
+        Reason::Band { dimension, short, long } => {
+            let (short, long) = (short.map_or("–".into(), length), length(*long));
+            match dimension {
+                Some(d) => format!("D = {} depends on the fit range, {short} to {long}", plain(*d)),
+                None => format!("B_max at λ = {short} depends on the record length ({long})"),
+            }
+        }
+        Reason::Strained {
+            caveat: Some(Caveat::BeyondModel { quantity, value, limit, reason }),
+            ..
         } => {
             format!("{quantity} {} beyond {}: {reason}", plain(*value), plain(*limit))
         }
-        Reason::Caveat { from, .. } => format!("full contact from {}", pressure(*from)),
+        Reason::Strained { from, .. } => format!("full contact from {}", pressure(*from)),
         Reason::Elastic { .. } => "elastic bodies only".to_owned(),
         Reason::NoAnswer { loads, of } => {
             format!("no answer at {loads} of {}", counted(*of, "load"))

@@ -30,7 +30,7 @@ pub(crate) fn headline(found: &Yielding) -> [String; 2] {
 }
 
 /// Of a hardness that no solid of this modulus has.
-pub(crate) fn odd(hardness: f64, [low, high]: [f64; 2]) -> [String; 2] {
+pub(crate) fn odd([hardness, low, high]: [f64; 3]) -> [String; 2] {
     let show = |p: f64| quantity(p, PASCALS, 2);
     [
         "Is the unit of the hardness right?".into(),
@@ -84,7 +84,8 @@ pub(crate) fn or_yielded(surface: &SurfaceComparison) -> String {
 
 /// ", 43 % of that at the hardness"; empty where nothing is.
 pub(crate) fn share(surface: &SurfaceComparison) -> String {
-    let yielded = surface.headline_answer().and_then(|a| Some((a.yielded?, a.area_fraction)));
+    let yielded =
+        surface.headline_answer().and_then(|a| Some((a.diagnostics.yielded?, a.area_fraction)));
     match yielded {
         Some((yielded, area)) if yielded.area_fraction > 0.0 => {
             let share = (yielded.area_fraction / area).min(1.0);

@@ -43,7 +43,7 @@ pub(crate) fn table(
             of(budget.stiffness)
         )
     };
-    let left = tolerance_words(answer.residuals.preconditioned.max(1e-16));
+    let left = tolerance_words(answer.diagnostics.residuals.preconditioned.max(1e-16));
     let part = |e: &Estimate, of: fn(&Parts) -> f64| ends(e.value, Some(of(&e.uncertainty.ok()?)));
     let micro = 1e-6; // Pa per metre -> Pa per micrometre
     let value = |e: Option<Estimate>, scale: f64, units| {
@@ -122,7 +122,7 @@ fn coarser_words(answer: &DeterministicAnswer) -> String {
 pub(crate) fn choices(surface: &SurfaceComparison) -> String {
     let Some(closer) = &surface.closer else { return String::new() };
     let mut list: Vec<(f64, String)> =
-        closer.choices.iter().map(|c| (c.effect, choice(c.kind))).collect();
+        closer.choices.iter().map(|(kind, effect)| (*effect, choice(*kind))).collect();
     if let Some(answer) = surface.headline_answer()
         && answer.area_fraction > 0.0
     {

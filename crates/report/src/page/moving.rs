@@ -80,7 +80,7 @@ impl<'a> Moving<'a> {
             .iter()
             .map(|p| {
                 let (touching, highest) =
-                    p.answer.as_ref().map_or((0, 0.0), |a| (a.contact_pixels, a.max_pressure));
+                    p.answer.as_ref().map_or((0, 0.0), |a| (a.diagnostics.contact_pixels, a.diagnostics.max_pressure));
                 let load = crate::messages::load(p.mean_pressure, self.surface.load_area);
                 format!(
                     "Contact map at {load}: {touching} of {points} points of the map carry pressure, at most {}.",

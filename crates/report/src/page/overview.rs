@@ -115,7 +115,7 @@ fn table(surfaces: &[SurfaceComparison]) -> String {
                     signed_percent(r.error),
                     duration(r.seconds)
                 )),
-                answer.map_or("–".into(), |a| duration(a.seconds)),
+                answer.map_or("–".into(), |a| duration(a.diagnostics.seconds)),
             )
         })
         .collect();

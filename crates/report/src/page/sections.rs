@@ -155,7 +155,7 @@ fn cost_routes(surface: &SurfaceComparison) -> Option<Vec<CostRoute>> {
     if routes.is_empty() {
         return None;
     }
-    routes.push(CostRoute::deterministic(answer.seconds));
+    routes.push(CostRoute::deterministic(answer.diagnostics.seconds));
     Some(routes)
 }
 

@@ -148,7 +148,7 @@ fn deterministic_row(
          class=\"n\">–</td><td data-l=\"Time\" class=\"n\">{}</td><td data-l=\"Applies\" class=\"dom\">{}</td>{source}</tr>\n",
         swatch(DETERMINISTIC_STYLE),
         answer.map_or("–".into(), messages::area),
-        answer.map_or("–".into(), |a| duration(a.seconds)),
+        answer.map_or("–".into(), |a| duration(a.diagnostics.seconds)),
         match (answer, answer.and_then(|a| a.budget.area.half_width().err())) {
             (None, _) => applies(Applies::No, "no solution at this load"),
             (Some(a), _) if !a.converged => applies(Applies::Caution, "not converged at this load"),

@@ -17,7 +17,6 @@ pub fn run(surfaces: Vec<Surface>, settings: Settings) -> Comparison {
 /// The built-in surfaces on 96 x 96 points.
 pub fn small(names: &[&str]) -> Vec<Surface> {
     built_in_recipes()
-        .unwrap()
         .into_iter()
         .filter(|r| names.contains(&r.name.as_str()))
         .map(|mut recipe| {
@@ -36,8 +35,7 @@ pub fn one() -> &'static Comparison {
             iterations += usize::from(matches!(news, contact_compare::Progress::Iterated { .. }));
             ControlFlow::Continue(())
         };
-        study.solve_coarser(&mut go).unwrap();
-        study.look_closer(&mut go).unwrap();
+        study.look_around(&mut go).unwrap();
         assert!(iterations > 0, "the listener hears of iterations");
         study
     })
@@ -81,8 +79,7 @@ pub fn yielding() -> &'static Comparison {
             ..Settings::default()
         };
         let mut study = run(small(&["ground"]), settings);
-        study.remove_octaves(&mut |_| ControlFlow::Continue(())).unwrap();
-        study.look_closer(&mut |_| ControlFlow::Continue(())).unwrap();
+        study.look_around(&mut |_| ControlFlow::Continue(())).unwrap();
         study
     })
 }

@@ -1,24 +1,28 @@
-//! The study of a surface of which only profiles are known: statistics and every model.
+//! The study of a surface of which only profiles are known: statistics and every model, with what the assumption of
+//! isotropy and the length of the traces leave of them. No contact is solved.
 
-use crate::ask::{at_pressure, curve_of};
-use crate::finding::{Finding, Pressed, Unevenness};
-use crate::inputs::{Inputs, MomentSource};
-use crate::profile::findings::profile_findings;
-use crate::reason::Verdict;
-use crate::result::{DeterministicPoint, ModelCurve};
+use crate::ask::{curve_of, possible};
+use crate::finding::{Fact, Finding, Pressed, Unevenness};
+use crate::findings::cleaned;
+use crate::inputs::Inputs;
+use crate::result::ModelComparison;
 use crate::scene::Scene;
-use crate::study::{check_models, check_pressures, loads, named};
-use crate::theory::{BuildError, Card, Theory};
+use crate::study::{check_models, check_pressures, headline, loads, nearest};
+use crate::theory::Theory;
 use crate::verdict::{Judged, verdict};
-use crate::{Origin, Registry, Settings, StudyError};
+use crate::{FileOrigin, Origin, Registry, Settings, StudyError};
 use contact_types::{Clock, ContactModulus, ContactState, SpectralMoments};
-use surface_stats::StatsError;
-use surface_stats::profile::{ProfileOptions, ProfileStatistics, Trace, TraceSpectrum};
+use surface_stats::profile::{
+    ProfileOptions, ProfileStatistics, SettingSource, Trace, TraceSpectrum,
+};
+use surface_stats::{StatsError, Warning};
 
 /// Load over E* h'rms at which about 2 % of a surface touches.
 const TYPICAL_LOAD: f64 = 0.01;
 /// Step of the logarithm of a moment by which the answer of a model is differentiated.
 const STEP: f64 = 0.05;
+/// Half width of the interval of m2 beyond which the traces are too few or too short.
+const LOOSE: f64 = 0.2;
 
 /// Traces of one surface, with a name and where they came from.
 #[derive(Debug, Clone)]
@@ -75,24 +79,10 @@ pub struct ProfileComparison {
     pub pressures: Vec<f64>,
     /// Index of the pressure of the headline.
     pub headline: usize,
-    /// Every model asked.
-    pub models: Vec<ProfileModel>,
+    /// Every model asked, of the isotropic surface with the moments of the traces.
+    pub models: Vec<ModelComparison>,
     /// Wall-clock time of all of it (s).
     pub seconds: f64,
-}
-
-/// A model's answers for the isotropic surface with the moments of the traces.
-#[derive(Debug)]
-pub struct ProfileModel {
-    /// What it is.
-    pub card: Card,
-    /// Its answers at the loads, or why it has none on this surface.
-    pub outcome: Result<ModelCurve, BuildError>,
-    /// 95 % interval of the area fraction at each load over traces like these; `None` where the model
-    /// does not answer, is not made of moments, or the traces are too short to tell.
-    pub intervals: Vec<Option<[f64; 2]>>,
-    /// Whether its theory covers this surface, if it is isotropic.
-    pub verdict: Verdict,
 }
 
 /// What the models are given of profiles: moments by finite differences, amplitudes of waves from the
@@ -108,7 +98,7 @@ pub fn profile_inputs(
     let is_rough = |m: &SpectralMoments| m.m2 > 0.0 && m.m4 > 0.0;
     Ok(Inputs {
         moments: Some(statistics.moments).filter(is_rough),
-        source: MomentSource::FiniteDifferences,
+        is_measured: true,
         amplitudes: Some(spectrum.amplitudes()?),
         fractal: statistics.fractal,
         dimension: statistics.hurst.map(|hurst| 2.0 - hurst),
@@ -130,7 +120,8 @@ pub fn area_interval(
     let area = |moments: SpectralMoments| -> Option<f64> {
         let beside = Inputs { moments: Some(moments), ..inputs.clone() };
         let model = theory.build(&beside).ok()?;
-        let state = at_pressure(&theory.card().title, model.as_ref(), mean_pressure).ok()?;
+        let state = model.at_pressure(mean_pressure).ok()?;
+        let state = possible(&theory.card().title, state).ok()?;
         Some(state.area_fraction).filter(|a| *a > 0.0)
     };
     let middle = area(moments)?;
@@ -183,14 +174,12 @@ impl ProfileComparison {
         let mut inputs = profile_inputs(&statistics, &spectrum, modulus).map_err(refused)?;
         inputs.surface = Some(name.clone());
         let pressures = loads(&settings, modulus, inputs.rms_gradient());
-        let headline = headline(&settings, &pressures, modulus.pascals() * inputs.rms_gradient())?;
-        let points: Vec<DeterministicPoint> = pressures
-            .iter()
-            .map(|&mean_pressure| DeterministicPoint { mean_pressure, answer: None, trouble: None })
-            .collect();
+        let typical = TYPICAL_LOAD * modulus.pascals() * inputs.rms_gradient();
+        let headline =
+            headline(&settings, &pressures)?.unwrap_or_else(|| nearest(&pressures, typical));
         let models = settings
             .asked_models(registry)
-            .map(|theory| ask(theory, &inputs, &points, &statistics))
+            .map(|theory| ask(theory, &inputs, &pressures, &statistics))
             .collect();
         Ok(Self {
             settings,
@@ -247,47 +236,81 @@ impl ProfileComparison {
     }
 }
 
-/// The load asked for, or the one nearest to where 2 % usually touch.
-fn headline(settings: &Settings, pressures: &[f64], scale: f64) -> Result<usize, StudyError> {
-    if let Some(value) = settings.headline {
-        let found = pressures.iter().position(|p| named(*p, value));
-        return found.ok_or(StudyError::HeadlineNotComputed { value });
-    }
-    let distance = |p: &f64| (p / (TYPICAL_LOAD * scale)).ln().abs();
-    let nearest = (0..pressures.len())
-        .min_by(|a, b| distance(&pressures[*a]).total_cmp(&distance(&pressures[*b])));
-    Ok(nearest.unwrap_or(0))
-}
-
 fn ask(
     theory: &dyn Theory,
     inputs: &Inputs,
-    loads: &[DeterministicPoint],
+    pressures: &[f64],
     statistics: &ProfileStatistics,
-) -> ProfileModel {
+) -> ModelComparison {
     let card = theory.card().clone();
-    let pressures: Vec<f64> = loads.iter().map(|p| p.mean_pressure).collect();
-    let outcome = curve_of(theory, inputs, &pressures);
-    let intervals = match &outcome {
-        Ok(curve) => loads
-            .iter()
-            .zip(&curve.points)
-            .map(|(load, point)| {
-                point.as_ref().ok()?;
-                area_interval(theory, inputs, statistics, load.mean_pressure)
-            })
-            .collect(),
-        Err(_) => vec![None; loads.len()],
+    let outcome = curve_of(theory, inputs, pressures);
+    let interval = |(i, pressure): (usize, &f64)| {
+        outcome.as_ref().ok()?.points[i].as_ref().ok()?;
+        area_interval(theory, inputs, statistics, *pressure)
     };
+    let intervals = pressures.iter().enumerate().map(interval).collect();
     let judged = Judged {
         gradient: inputs.rms_gradient(),
-        rows_jump: None,
-        anisotropy: None,
-        skewness: statistics.skewness,
-        kurtosis: statistics.kurtosis,
+        heights: statistics.skewness.zip(statistics.kurtosis),
         fractal_range: statistics.fractal_range,
-        excess: None,
+        ..Judged::default()
     };
-    let verdict = verdict(&card, inputs, &outcome, loads, &judged);
-    ProfileModel { card, outcome, intervals, verdict }
+    let verdict = verdict(&card, inputs, &outcome, pressures, &judged);
+    ModelComparison { card, outcome, intervals, verdict }
+}
+
+/// The findings of profiles, worst first. `scene` is what is asked of elasticity, `origin` where the
+/// traces come from.
+pub fn profile_findings(
+    statistics: &ProfileStatistics,
+    uneven: Option<Unevenness>,
+    origin: &Origin,
+    scene: &Scene,
+) -> Vec<Finding> {
+    let mut found = scene.findings();
+    found.push(Finding::check(Fact::OneDirection));
+    found.push(sample(statistics));
+    found.extend(statistics.warnings.iter().copied().map(Finding::warned));
+    found.extend(uneven.map(|uneven| Finding::note(Fact::Uneven(uneven))));
+    match &statistics.roughness {
+        Err(error) => {
+            found.push(Finding::note(Fact::NoRoughness { why: error.to_string() }));
+        }
+        Ok(all) => {
+            let setting = all[0].setting;
+            // The first parameter is Ra.
+            let ra = statistics.roughness_mean().and_then(|means| means[0].mean);
+            if let (SettingSource::Longest(_), Some(ra)) = (setting.source, ra) {
+                let (wavelength, limit) = (setting.cutoff, statistics.length);
+                found.push(Finding::note(Fact::Filter { wavelength, limit, ra: Some(ra) }));
+            }
+            if let Some(wavelength) = setting.short_unresolved {
+                let limit = statistics.spacing;
+                found.push(Finding::note(Fact::Filter { wavelength, limit, ra: None }));
+            }
+        }
+    }
+    if statistics.rolloff.is_none() && statistics.options.cutoff.is_none() {
+        found.push(Finding::warned(Warning::FewWaves { count: None }));
+    }
+    if let Origin::File(FileOrigin { missing, fill, cleaned: steps, .. }) = origin {
+        found.extend(cleaned(steps, *missing, statistics.points * statistics.traces, fill));
+    }
+    found.sort_by_key(|f| f.weight);
+    found
+}
+
+fn sample(statistics: &ProfileStatistics) -> Finding {
+    let factors = [0, 1, 2].map(|k| {
+        let [low, high] = statistics.interval(k)?;
+        (low > 0.0).then(|| (high / low).sqrt())
+    });
+    let is_loose = factors[1].is_none_or(|factor| factor > 1.0 + LOOSE);
+    let fact = Fact::Sample {
+        traces: statistics.traces,
+        length: statistics.length,
+        factors,
+        between: statistics.scatter.between,
+    };
+    Finding::check_if(is_loose, fact)
 }

@@ -1,14 +1,9 @@
 //! The leak through the gap of a solution holds that of four times the points.
-#![allow(clippy::unwrap_used, reason = "tests: a panic is the report")]
 
-#[path = "../examples/coverage/families.rs"]
-#[allow(dead_code, reason = "the study uses all of it")]
-mod families;
-
+use crate::families::{family, map};
 use contact_accuracy::{
-    Answered, Axis, ContactModulus, Finer, Grid, Ladder, Leak, Load, Map, Maps, Setup, Solver,
+    Answered, Axis, ContactModulus, Grid, Ladder, Leak, Load, Map, Maps, Setup, Solver,
 };
-use families::{family, map};
 use gap_flow::Gap;
 use surface_stats::synthesis::{Scale, SelfAffine};
 
@@ -17,12 +12,12 @@ fn answered(points: usize, name: &str, seed: u64, pressure: f64) -> Answered {
     let given = map(points, &heights);
     let rms = Map::of(&given).rms_height;
     let setup = Setup {
-        finer: Finer::Never,
+        finer: false,
         leak: vec![Axis::X],
         ..Setup::new(Solver::builder(), ContactModulus::from_pascals(1.0).unwrap())
     };
     let mut ladder = Ladder::new(given, setup).unwrap();
-    ladder.solve(Load::MeanPressure(pressure * rms), false, |_| ()).unwrap()
+    ladder.solve(Load::MeanPressure(pressure * rms), |_| ()).unwrap()
 }
 
 fn leak(points: usize, name: &str, seed: u64, pressure: f64) -> Leak {
