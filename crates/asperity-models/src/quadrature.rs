@@ -50,7 +50,6 @@ impl Summit {
             Order::Half => width.sqrt(),
             Order::One => width,
             Order::ThreeHalves => width * width.sqrt(),
-            Order::FiveHalves => width * width * width.sqrt(),
         };
         if self.z < SHARP {
             power

@@ -275,7 +275,7 @@ impl<L: SummitLaw> SummitModel<L> {
         let mean = 4.0 / (PI * self.bandwidth).sqrt();
         let deviation = (1.0 - 0.8968 / self.bandwidth).sqrt();
         let full = (self.dimensionless_scale() * L::FULL_OVERLAP).ln();
-        let alpha = inverse::from_ln_load(target - full - 1.5 * deviation.ln());
+        let alpha = inverse::from_ln(Order::ThreeHalves, target - full - 1.5 * deviation.ln());
         mean + deviation * alpha.unwrap_or(-1e205)
     }
 }

@@ -25,7 +25,7 @@ use crate::partial_moments::{self, Order};
 /// assert!((load - 0.430_019_993_662_259_8).abs() < 1e-16);
 /// ```
 pub fn load(a: f64, height_std: f64) -> f64 {
-    clamp_to_finite(product(&load_factors(a, height_std)))
+    clamp_to_finite(product(&factors(Order::ThreeHalves, a, height_std)))
 }
 
 /// I_ea, the area integral of eq. (2a) and (A2):
@@ -34,7 +34,7 @@ pub fn load(a: f64, height_std: f64) -> f64 {
 /// I_{ea}(a) = \int_a^\infty (z-a)\,\phi(z)\,dz = \sigma_s J_1(a/\sigma_s)
 /// ```
 pub fn area(a: f64, height_std: f64) -> f64 {
-    clamp_to_finite(product(&area_factors(a, height_std)))
+    clamp_to_finite(product(&factors(Order::One, a, height_std)))
 }
 
 /// ln I_ep, where I_ep itself would under- or overflow. `height_std` must not be 0.
@@ -47,47 +47,30 @@ pub(crate) fn ln_load(a: f64, height_std: f64) -> f64 {
     clamp_to_finite(1.5 * libm::log(s) + partial_moments::ln(Order::ThreeHalves, a / s))
 }
 
-/// I_ep as factors, so that a caller can multiply on without overflow in between.
-pub(crate) fn load_factors(a: f64, height_std: f64) -> [f64; 3] {
-    let (s, alpha) = (height_std.abs(), ratio(a, height_std));
-    if alpha < DEEP {
-        // a -> -inf: full overlap, I_ep -> |a|^(3/2)
-        return [-a, libm::sqrt(-a), 1.0];
-    }
-    [s, libm::sqrt(s), partial_moments::value(Order::ThreeHalves, alpha)]
+/// σ_s^n J_n(a/σ_s) as factors, so that a caller can multiply on without overflow in between.
+pub(crate) fn factors(order: Order, a: f64, height_std: f64) -> [f64; 3] {
+    let s = height_std.abs();
+    let alpha = if s > 0.0 || a.is_nan() || s.is_nan() {
+        a / s
+    } else {
+        // One sharp height, σ_s = 0: touching there is no contact.
+        if a < 0.0 { f64::NEG_INFINITY } else { f64::INFINITY }
+    };
+    // a -> -inf: full overlap, |a|^n
+    let is_deep = alpha < DEEP;
+    let [whole, root] = powers(order, if is_deep { -a } else { s });
+    [whole, root, if is_deep { 1.0 } else { partial_moments::value(order, alpha) }]
 }
 
-/// I_ea as factors.
-pub(crate) fn area_factors(a: f64, height_std: f64) -> [f64; 2] {
-    let alpha = ratio(a, height_std);
-    if alpha < DEEP {
-        return [-a, 1.0]; // a -> -inf: full overlap, I_ea -> |a|
+/// `length^n` as a whole power and a root.
+pub(crate) fn powers(order: Order, length: f64) -> [f64; 2] {
+    match order {
+        Order::Zero => [1.0, 1.0],
+        Order::Half => [1.0, libm::sqrt(length)],
+        Order::One => [length, 1.0],
+        Order::ThreeHalves => [length, libm::sqrt(length)],
     }
-    [height_std.abs(), partial_moments::value(Order::One, alpha)]
-}
-
-/// -dI_ep/da = (3/2) σ_s^{1/2} J_{1/2}(a/σ_s), what the contact stiffness is made of, as factors.
-#[cfg(feature = "model")]
-pub(crate) fn slope_factors(a: f64, height_std: f64) -> [f64; 3] {
-    let alpha = ratio(a, height_std);
-    if alpha < DEEP {
-        return [1.5, libm::sqrt(-a), 1.0];
-    }
-    let j = partial_moments::value(Order::Half, alpha);
-    [1.5, libm::sqrt(height_std.abs()), j]
 }
 
 /// Beyond this many standard deviations the overlap power is exact to rounding.
 const DEEP: f64 = -1e9;
-
-/// α = a/σ_s; one sharp height (σ_s = 0) is the limit ±∞, and touching there is no contact.
-fn ratio(a: f64, height_std: f64) -> f64 {
-    let s = height_std.abs();
-    if s > 0.0 || a.is_nan() || s.is_nan() {
-        a / s
-    } else if a < 0.0 {
-        f64::NEG_INFINITY
-    } else {
-        f64::INFINITY
-    }
-}

@@ -33,9 +33,9 @@ pub(crate) fn cases() -> Vec<Case> {
             "area" => integrals::area(x, 1.0),
             "ln load" => ln(Order::ThreeHalves, x),
             "scaled load" => scaled(Order::ThreeHalves, x),
-            "alpha from load" => inverse::from_load(x).expect("positive"),
-            "alpha from area" => inverse::from_area(x).expect("positive"),
-            "alpha from ln load" => inverse::from_ln_load(x).expect("in range"),
+            "alpha from load" => inverse::from_value(Order::ThreeHalves, x).expect("positive"),
+            "alpha from area" => inverse::from_value(Order::One, x).expect("positive"),
+            "alpha from ln load" => inverse::from_ln(Order::ThreeHalves, x).expect("in range"),
             other => unreachable!("{other} in the table"),
         };
         let place = format!("{quantity} at {}", row.text("argument"));

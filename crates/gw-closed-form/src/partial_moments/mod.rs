@@ -35,10 +35,8 @@
 
 mod far_field;
 mod function;
-mod gaussian;
 mod nodes;
 mod orders;
 
-pub(crate) use gaussian::FRAC_1_SQRT_2PI;
-pub use gaussian::{density, times_gaussian};
-pub use orders::{Order, derivative, ln, ln_derivative, scaled, value};
+pub use function::{density, times_gaussian};
+pub use orders::{Order, ln, ln_derivative, scaled, value};

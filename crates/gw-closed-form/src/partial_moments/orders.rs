@@ -1,9 +1,8 @@
 //! The moments by order.
 
 use super::function::{
-    FAR, FIVE_HALVES, Function, HALF, NEAR, ONE, THREE_HALVES, ZERO, overlap_correction,
+    FAR, Function, HALF, NEAR, ONE, THREE_HALVES, ZERO, density, overlap_correction,
 };
-use super::gaussian::density;
 use crate::arithmetic::{clamp_to_finite, exp_half_square};
 
 /// Which partial moment: the power n of the overlap that is averaged.
@@ -17,14 +16,11 @@ pub enum Order {
     One,
     /// n = 3/2: load.
     ThreeHalves,
-    /// n = 5/2: elastic energy; the F_{5/2} of mixed-lubrication work.
-    FiveHalves,
 }
 
 impl Order {
     /// All of them, by rising n.
-    pub const ALL: [Self; 5] =
-        [Self::Zero, Self::Half, Self::One, Self::ThreeHalves, Self::FiveHalves];
+    pub const ALL: [Self; 4] = [Self::Zero, Self::Half, Self::One, Self::ThreeHalves];
 
     /// The power n.
     pub fn exponent(self) -> f64 {
@@ -37,7 +33,6 @@ impl Order {
             Self::Half => &HALF,
             Self::One => &ONE,
             Self::ThreeHalves => &THREE_HALVES,
-            Self::FiveHalves => &FIVE_HALVES,
         }
     }
 }
@@ -97,14 +92,13 @@ pub fn ln(order: Order, alpha: f64) -> f64 {
 }
 
 /// dJ_n/dα = -n J_{n-1}(α); for n = 0 minus the normal density.
-pub fn derivative(order: Order, alpha: f64) -> f64 {
+fn derivative(order: Order, alpha: f64) -> f64 {
     let f = order.function();
     match order {
         Order::Zero => -density(alpha),
         Order::Half => half_derivative(alpha),
         Order::One => -f.n * ZERO.value(alpha),
         Order::ThreeHalves => -f.n * HALF.value(alpha),
-        Order::FiveHalves => clamp_to_finite(-f.n * THREE_HALVES.value(alpha)),
     }
 }
 
@@ -122,7 +116,6 @@ pub fn ln_derivative(order: Order, alpha: f64) -> f64 {
             }
             Order::One => ZERO.far_series(alpha),
             Order::ThreeHalves => HALF.far_series(alpha),
-            Order::FiveHalves => THREE_HALVES.far_series(alpha),
         };
         return -alpha * below / f.far_series(alpha);
     }
