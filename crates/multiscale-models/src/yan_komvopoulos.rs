@@ -15,21 +15,14 @@ const FREQUENCY_RATIO: f64 = 1.5;
 ///
 /// Spots are counted by their truncated area `a'`, the cut of the undeformed surface at the
 /// height of the flat, with the density `n = (D-1)/2 a'_L^((D-1)/2) a'^(-(D+1)/2)`. An elastic
-/// spot really touches over `a'/2` (Hertz) and carries
+/// spot touches over `a'/2` (Hertz), a plastic one over `a'` under `H a'`:
 ///
 /// ```math
-/// \Delta F = \frac{2^{(11-2D)/2}}{3\pi^{(4-D)/2}}\,(\ln\gamma)^{1/2} G^{D-2} E^*\,a'^{(4-D)/2},
+/// \Delta F = \frac{2^{(11-2D)/2}}{3\pi^{(4-D)/2}}\,(\ln\gamma)^{1/2} G^{D-2} E^*\,a'^{(4-D)/2}, \qquad
+/// F_e = \frac{D-1}{5-2D}\,\Delta F(a_L')\left[1 - \left(\frac{a'_c}{a'_L}\right)^{(5-2D)/2}\right],
 /// ```
 ///
-/// a plastic one touches over `a'` and carries `H a'`. Hence
-///
-/// ```math
-/// F_e = \frac{2^{(11-2D)/2}}{3\pi^{(4-D)/2}}\,\frac{D-1}{5-2D}\,(\ln\gamma)^{1/2} G^{D-2} E^*
-///   a_L'^{(4-D)/2}\left[1 - \left(\frac{a'_c}{a'_L}\right)^{(5-2D)/2}\right],
-/// ```
-///
-/// with a logarithm at D = 5/2, evaluated without loss through it. Without a critical area the
-/// load exists for D < 5/2 only.
+/// with a logarithm at D = 5/2. Without a critical area the load exists for D < 5/2 only.
 ///
 /// - `D`: dimension of the surface \[-\]; `G`: fractal roughness \[m\]; `gamma`: ratio of successive
 ///   frequencies \[-\]; `a'_L`, `a'_c`: largest and critical truncated area \[m²\].
@@ -68,8 +61,8 @@ impl YanKomvopoulos {
                 * (((11.0 - 2.0 * d) / 2.0).exp2() / (3.0 * PI.powf((4.0 - d) / 2.0)))
                 * FREQUENCY_RATIO.ln().sqrt(),
         };
-        let (model, divergence, critical) = (MODEL, 2.5, None);
-        Ok(Self(FractalContact { model, dimension, divergence, spots, nominal_area, critical }))
+        let (model, critical) = (MODEL, None);
+        Ok(Self(FractalContact { model, dimension, spots, nominal_area, critical }))
     }
 
     /// Counts as elastic only spots of truncated area above `critical_area` (m²). Load is the
