@@ -49,6 +49,9 @@ use std::f64::consts::PI;
 /// Bandwidth at least 3/2 (no isotropic Gaussian surface has less). A
 /// [`Caveat::BeyondModel`](contact_types::Caveat::BeyondModel) is attached above an area fraction of
 /// 0.1, where summits feel each other; the area is not clipped.
+///
+/// # Source
+/// Bush, Gibson & Thomas (1975), doi:10.1016/0043-1648(75)90145-3, and those of each [`SummitLaw`].
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct SummitModel {
     law: SummitLaw,

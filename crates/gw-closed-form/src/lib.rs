@@ -4,7 +4,6 @@
 //! # What is where
 //! - [`partial_moments`]: J_n(α) of the Gaussian, n = 0, 1/2, 1, 3/2: plain, scaled,
 //!   logarithm, derivative.
-//! - [`integrals`]: I_ep (load) and I_ea (area) of the source paper.
 //! - [`inverse`]: α from a load or an area, or the logarithm of one.
 #![cfg_attr(
     feature = "model",
@@ -16,12 +15,13 @@
 #![no_std]
 
 mod arithmetic;
-pub mod integrals;
 pub mod inverse;
 pub mod partial_moments;
 
 #[cfg(feature = "model")]
 mod model;
+#[cfg(feature = "model")]
+mod products;
 
 #[cfg(feature = "model")]
 pub use contact_types::{

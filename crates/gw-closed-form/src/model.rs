@@ -1,9 +1,8 @@
 //! The Greenwood-Williamson model with units.
 
-use crate::arithmetic::{Quotient, product};
-use crate::integrals::{factors, ln_load, powers};
 use crate::inverse;
 use crate::partial_moments::{self, Order};
+use crate::products::{Quotient, factors, ln_load, powers, product};
 use contact_types::{
     AsperityStatistics, Caveat, Citation, ContactModel, ContactModulus, ContactState, ModelError,
     SeparationModel, SpectralMoments, require,

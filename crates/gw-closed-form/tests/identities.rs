@@ -7,6 +7,8 @@ use gw_closed_form::GreenwoodWilliamson;
 use gw_closed_form::partial_moments::{Order, scaled, value};
 use std::f64::consts::{PI, TAU};
 
+const ORDERS: [Order; 4] = [Order::Zero, Order::Half, Order::One, Order::ThreeHalves];
+
 /// exp(α²/2) J_n(α) = (2π)^{-1/2} ∫_0^∞ u^n exp(-αu - u²/2) du, by the double-exponential rule
 /// u = exp((π/2) sinh t); for α < 0 the factor exp(-α²/2) is taken inside.
 fn quadrature(n: f64, alpha: f64) -> f64 {
@@ -28,7 +30,7 @@ fn quadrature(n: f64, alpha: f64) -> f64 {
 #[test]
 fn definition() {
     let mut worst = Worst::of("J_n against quadrature");
-    for order in Order::ALL {
+    for order in ORDERS {
         for alpha in [-9.3, -4.0, -1.7, -0.67, -0.1, 0.0, 0.3, 1.1, 2.9, 7.6, 8.4, 25.0, 400.0] {
             let direct = quadrature(order.exponent(), alpha);
             let ours = if alpha < 0.0 { value(order, alpha) } else { scaled(order, alpha) };
@@ -43,7 +45,7 @@ fn definition() {
 /// between two Taylor series.
 #[test]
 fn falls_to_the_last_bit() {
-    for order in Order::ALL {
+    for order in ORDERS {
         for k in 0..2_000_000 {
             let u = (f64::from(k) * 0.618_033_988_749_894_9).fract();
             let alpha = match k % 4 {

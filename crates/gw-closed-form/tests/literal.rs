@@ -56,7 +56,7 @@ pub(crate) fn load_a1(alpha: f64) -> f64 {
 #[test]
 fn the_printed_formulas_are_the_partial_moments() {
     use common::{Worst, relative_error};
-    use gw_closed_form::integrals::{area, load};
+    use gw_closed_form::partial_moments::{Order, value};
     for [low, high, limit] in [
         [-8.0, 0.0, 8e-16],
         [0.0, 1.0, 8e-15],
@@ -70,11 +70,11 @@ fn the_printed_formulas_are_the_partial_moments() {
         for k in 1..400 {
             let alpha = low + (high - low) * f64::from(k) / 400.0;
             let place = || format!("{alpha}");
-            a1.see(relative_error(load_a1(alpha), load(alpha, 1.0)), place);
+            a1.see(relative_error(load_a1(alpha), value(Order::ThreeHalves, alpha)), place);
             // (A2): φ(α) - α/2 erfc(α/√2)
             let density = (-0.5 * alpha * alpha).exp() / (2.0 * PI).sqrt();
             let printed = density - 0.5 * alpha * libm::erfc(alpha / 2f64.sqrt());
-            a2.see(relative_error(printed, area(alpha, 1.0)), place);
+            a2.see(relative_error(printed, value(Order::One, alpha)), place);
         }
         a1.at_most(limit);
         a2.at_most(limit);

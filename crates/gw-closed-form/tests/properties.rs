@@ -5,7 +5,7 @@ use contact_types::{
     SpectralMoments,
 };
 use gw_closed_form::partial_moments::{Order, ln, ln_derivative, scaled, value};
-use gw_closed_form::{GreenwoodWilliamson, integrals, inverse};
+use gw_closed_form::{GreenwoodWilliamson, inverse};
 use proptest::num::f64::{NEGATIVE, NORMAL, POSITIVE, SUBNORMAL, ZERO};
 use proptest::prelude::*;
 
@@ -15,7 +15,7 @@ fn any_finite() -> impl Strategy<Value = f64> {
 }
 
 fn order() -> impl Strategy<Value = Order> {
-    (0..4usize).prop_map(|k| Order::ALL[k])
+    prop::sample::select(vec![Order::Zero, Order::Half, Order::One, Order::ThreeHalves])
 }
 
 /// Positive over the whole range, or something a surface may have.
@@ -48,17 +48,6 @@ proptest! {
             prop_assert!(x.is_finite());
         }
         prop_assert!(value(order, alpha) >= 0.0 && scaled(order, alpha) > 0.0 || alpha > 1e80);
-    }
-
-    #[test]
-    fn integrals_are_finite_and_fall(a in any_finite(), std in any_finite()) {
-        for f in [integrals::load, integrals::area] {
-            let y = f(a, std);
-            prop_assert!(y.is_finite() && y >= 0.0, "{y}");
-            if a.next_up().is_finite() {
-                prop_assert!(f(a.next_up(), std) <= y);
-            }
-        }
     }
 
     #[test]

@@ -19,9 +19,6 @@ pub enum Order {
 }
 
 impl Order {
-    /// All of them, by rising n.
-    pub const ALL: [Self; 4] = [Self::Zero, Self::Half, Self::One, Self::ThreeHalves];
-
     /// The power n.
     pub fn exponent(self) -> f64 {
         self.function().n
@@ -91,17 +88,6 @@ pub fn ln(order: Order, alpha: f64) -> f64 {
     libm::log(f.value(alpha))
 }
 
-/// dJ_n/dα = -n J_{n-1}(α); for n = 0 minus the normal density.
-fn derivative(order: Order, alpha: f64) -> f64 {
-    let f = order.function();
-    match order {
-        Order::Zero => -density(alpha),
-        Order::Half => half_derivative(alpha),
-        Order::One => -f.n * ZERO.value(alpha),
-        Order::ThreeHalves => -f.n * HALF.value(alpha),
-    }
-}
-
 /// d ln J_n/dα = -n J_{n-1}/J_n, also where both underflow: it tends to -α for large α and to
 /// -n/|α| for large negative α.
 pub fn ln_derivative(order: Order, alpha: f64) -> f64 {
@@ -124,17 +110,12 @@ pub fn ln_derivative(order: Order, alpha: f64) -> f64 {
         let below = overlap_correction(f.n - 1.0, x);
         return -f.n * (1.0 + below) / (1.0 + overlap_correction(f.n, x)) / x;
     }
-    derivative(order, alpha) / f.value(alpha)
-}
-
-/// dJ_1/2/dα = -J_{-1/2}/2. There is no table of J_{-1/2}.
-fn half_derivative(alpha: f64) -> f64 {
-    if alpha >= FAR {
-        let alpha = alpha.min(40.0); // where all moments are 0
-        -(THREE_HALVES.value(alpha) + alpha * HALF.value(alpha))
-    } else if alpha <= NEAR {
-        -0.5 * (1.0 + overlap_correction(-0.5, -alpha)) / libm::sqrt(-alpha)
-    } else {
-        HALF.slope(alpha)
-    }
+    // dJ_n/dα = -n J_{n-1}
+    let slope = match order {
+        Order::Zero => -density(alpha),
+        Order::Half => HALF.slope(alpha), // there is no table of J_{-1/2}
+        Order::One => -f.n * ZERO.value(alpha),
+        Order::ThreeHalves => -f.n * HALF.value(alpha),
+    };
+    slope / f.value(alpha)
 }
