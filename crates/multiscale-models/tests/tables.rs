@@ -110,7 +110,7 @@ fn areas(model: &str, of: impl Fn(&ReferenceRow<'_>) -> Box<dyn ContactModel>, l
     let mut worst = Worst::of(model);
     let table = ReferenceTable::read("multiscale_areas.csv");
     for row in table.rows().filter(|row| row.text("model") == model) {
-        let area = of(&row).at_pressure(row.number("p")).unwrap().area_fraction;
+        let area = of(&row).at_pressure(row.number("p")).expect("an answer").area_fraction;
         worst.compare(area, row.number("A"), || format!("p/E* = {}", row.text("p")));
     }
     worst.at_most(limit);

@@ -3,14 +3,11 @@
 use libm::{erf, erfc};
 use std::f64::consts::PI;
 
-/// `y` with `erf(y) = a`, for `0 <= a <= 1`; `erf_inv(1)` is infinite. NaN outside.
+/// `y` with `erf(y) = a`, for `0 <= a <= 1`; `erf_inv(1)` is infinite.
 ///
 /// Newton on `erf` for `a <= 1/2` and on `erfc` above, where `1 - a` is exact: the relative
 /// error is at most 2e-16 (measured over all magnitudes).
 pub(crate) fn erf_inv(a: f64) -> f64 {
-    if !(0.0..=1.0).contains(&a) {
-        return f64::NAN;
-    }
     if a > 0.5 {
         return erfc_inv(1.0 - a);
     }
@@ -26,13 +23,10 @@ pub(crate) fn erf_inv(a: f64) -> f64 {
     y
 }
 
-/// `y` with `erfc(y) = b`, for `0 <= b <= 1`; `erfc_inv(0)` is infinite. NaN outside.
+/// `y` with `erfc(y) = b`, for `0 <= b <= 1`; `erfc_inv(0)` is infinite.
 ///
 /// Use it near full contact: `1 - A` keeps the digits that `A` has lost.
 pub(crate) fn erfc_inv(b: f64) -> f64 {
-    if !(0.0..=1.0).contains(&b) {
-        return f64::NAN;
-    }
     if b > 0.5 {
         return erf_inv(1.0 - b);
     }
@@ -98,6 +92,5 @@ mod tests {
         }
         assert!((erf(erf_inv(0.3)) - 0.3).abs() < 1e-16);
         assert!(erf_inv(1.0).is_infinite() && erfc_inv(0.0).is_infinite());
-        assert!(erf_inv(-0.1).is_nan() && erfc_inv(1.1).is_nan());
     }
 }
