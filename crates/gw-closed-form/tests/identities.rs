@@ -30,9 +30,9 @@ fn quadrature(n: f64, alpha: f64) -> f64 {
 #[test]
 fn definition() {
     let mut worst = Worst::of("J_n against quadrature");
-    for order in ORDERS {
+    for (twice, order) in (0..).zip(ORDERS) {
         for alpha in [-9.3, -4.0, -1.7, -0.67, -0.1, 0.0, 0.3, 1.1, 2.9, 7.6, 8.4, 25.0, 400.0] {
-            let direct = quadrature(order.exponent(), alpha);
+            let direct = quadrature(0.5 * f64::from(twice), alpha);
             let ours = if alpha < 0.0 { value(order, alpha) } else { scaled(order, alpha) };
             worst.see(relative_error(ours, direct), || format!("{order:?} at {alpha}"));
         }

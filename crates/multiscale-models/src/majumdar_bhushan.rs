@@ -1,7 +1,7 @@
 //! Majumdar and Bhushan's fractal model, elastic part.
 
 use crate::answer::{citation, outside};
-use crate::spots::{FractalContact, SpotPopulation};
+use crate::spots::FractalContact;
 use crate::wide::Wide;
 use contact_types::{
     Citation, ContactModel, ContactModulus, ContactState, FractalParameters, ModelError, require,
@@ -70,16 +70,18 @@ impl MajumdarBhushan {
         require::positive(MODEL, "fractal roughness", roughness)?;
         require::positive(MODEL, "nominal area", nominal_area)?;
         // n(a) = (D/2) a_l^(D/2) a^(-D/2-1), F(a) = (4 sqrt(pi)/3) E* G^(D-1) a^((3-D)/2)
-        let spots = SpotPopulation {
+        let contact = FractalContact {
+            model: MODEL,
+            dimension: d,
             size_exponent: d / 2.0,
             load_exponent: (3.0 - d) / 2.0,
             epsilon: 1.5 - d, // exact for every double near D = 3/2
             coefficient: Wide::from(roughness).powf(d - 1.0)
                 * modulus.pascals()
                 * (4.0 * PI.sqrt() / 3.0),
+            nominal_area,
+            critical: None,
         };
-        let (model, dimension, critical) = (MODEL, d, None);
-        let contact = FractalContact { model, dimension, spots, nominal_area, critical };
         Ok(Self { roughness, modulus, contact })
     }
 
@@ -142,7 +144,7 @@ impl ContactModel for MajumdarBhushan {
     }
 
     fn at_pressure(&self, mean_pressure: f64) -> Result<ContactState, ModelError> {
-        let share = self.contact.spots.area_share();
+        let share = self.contact.area_share();
         self.contact.at_pressure(mean_pressure, |largest| largest * share)
     }
 }

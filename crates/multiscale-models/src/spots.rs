@@ -20,11 +20,25 @@ pub(crate) struct FractalContact {
     pub(crate) model: &'static str,
     /// Dimension D.
     pub(crate) dimension: f64,
-    pub(crate) spots: SpotPopulation,
+    /// Exponent of the size distribution, 0 < s < 1.
+    pub(crate) size_exponent: f64,
+    /// Exponent of the elastic load of a spot.
+    pub(crate) load_exponent: f64,
+    /// `load_exponent - size_exponent`, without rounding where it vanishes.
+    pub(crate) epsilon: f64,
+    /// `c` of the elastic load of a spot.
+    pub(crate) coefficient: Wide,
     /// \[m²\].
     pub(crate) nominal_area: f64,
     /// `None` if every spot is elastic.
     pub(crate) critical: Option<Critical>,
+}
+
+/// Below `area` a spot is plastic; `hardness` (Pa) is what it then carries, 0 to leave it out.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub(crate) struct Critical {
+    pub(crate) area: Wide,
+    pub(crate) hardness: Wide,
 }
 
 impl FractalContact {
@@ -56,7 +70,7 @@ impl FractalContact {
         if largest.is_zero() {
             return Ok(0.0);
         }
-        let load = self.spots.load_and_slope(self.critical, largest).0;
+        let load = self.load_and_slope(largest).0;
         require::representable(self.model, "mean pressure", (load / self.nominal_area).value())
     }
 
@@ -70,7 +84,7 @@ impl FractalContact {
         self.check_convergence()?;
         let load = Wide::from(mean_pressure) * self.nominal_area;
         let is_zero = load.is_zero();
-        let largest = if is_zero { load } else { self.spots.largest(self.critical, load) };
+        let largest = if is_zero { load } else { self.largest(load) };
         let area = if is_zero { load } else { real_area(largest) };
         let area_fraction = (area / self.nominal_area).value();
         require::representable(self.model, "area fraction", area_fraction)?;
@@ -89,10 +103,10 @@ impl FractalContact {
 
     /// Refuses a load integral that has no value.
     fn check_convergence(&self) -> Result<(), ModelError> {
-        if self.critical.is_some() || self.spots.epsilon > 0.0 {
+        if self.critical.is_some() || self.epsilon > 0.0 {
             return Ok(());
         }
-        let divergence = self.dimension + self.spots.epsilon; // 3/2 or 5/2, exactly
+        let divergence = self.dimension + self.epsilon; // 3/2 or 5/2, exactly
         Err(ModelError::OutsideDomain {
             model: self.model.into(),
             quantity: "D".into(),
@@ -105,29 +119,7 @@ impl FractalContact {
             .into(),
         })
     }
-}
 
-/// A population of spots.
-#[derive(Debug, Clone, Copy, PartialEq)]
-pub(crate) struct SpotPopulation {
-    /// Exponent of the size distribution, 0 < s < 1.
-    pub(crate) size_exponent: f64,
-    /// Exponent of the elastic load of a spot.
-    pub(crate) load_exponent: f64,
-    /// `load_exponent - size_exponent`, without rounding where it vanishes.
-    pub(crate) epsilon: f64,
-    /// `c` of the elastic load of a spot.
-    pub(crate) coefficient: Wide,
-}
-
-/// Below `area` a spot is plastic; `hardness` (Pa) is what it then carries, 0 to leave it out.
-#[derive(Debug, Clone, Copy, PartialEq)]
-pub(crate) struct Critical {
-    pub(crate) area: Wide,
-    pub(crate) hardness: Wide,
-}
-
-impl SpotPopulation {
     /// Area of all spots over that of the largest, `s/(1 - s)`.
     pub(crate) fn area_share(&self) -> f64 {
         self.size_exponent / (1.0 - self.size_exponent)
@@ -140,8 +132,8 @@ impl SpotPopulation {
 
     /// Load of all spots, and its `d ln F / d ln a_l`. Without critical area it is `F(a_l) s / epsilon`
     /// and needs `epsilon > 0`.
-    fn load_and_slope(&self, critical: Option<Critical>, largest: Wide) -> (Wide, f64) {
-        let Some(critical) = critical else {
+    fn load_and_slope(&self, largest: Wide) -> (Wide, f64) {
+        let Some(critical) = self.critical else {
             let load = self.spot_load(largest) * (self.size_exponent / self.epsilon);
             return (load, self.load_exponent);
         };
@@ -166,13 +158,12 @@ impl SpotPopulation {
 
     /// Largest spot that carries `load`. With a critical area: Newton for `ln F` in
     /// `v = ln ln(a_l/a_c)`, kept inside a bracket.
-    fn largest(&self, critical: Option<Critical>, load: Wide) -> Wide {
-        let Some(Critical { area, .. }) = critical else {
+    fn largest(&self, load: Wide) -> Wide {
+        let Some(Critical { area, .. }) = self.critical else {
             return (load * (self.epsilon / self.size_exponent) / self.coefficient)
                 .powf(1.0 / self.load_exponent);
         };
-        let load_and_slope = |largest| self.load_and_slope(critical, largest);
-        let (threshold, _) = load_and_slope(area);
+        let (threshold, _) = self.load_and_slope(area);
         if !threshold.is_zero() && (load / threshold).value() <= 1.0 {
             // All spots plastic: load is hardness times area.
             return area * (load / threshold);
@@ -182,7 +173,7 @@ impl SpotPopulation {
         let mut v = 1.0_f64;
         while hi - lo > 1e-12 {
             let log_ratio = v.exp();
-            let (found, slope) = load_and_slope(area * Wide::exp(log_ratio));
+            let (found, slope) = self.load_and_slope(area * Wide::exp(log_ratio));
             let mismatch = if found.is_zero() { f64::NEG_INFINITY } else { (found / load).ln() };
             let step = mismatch / (slope * log_ratio);
             // Quadratic: after a step of 1e-9 the rest is rounding.
@@ -202,7 +193,7 @@ impl SpotPopulation {
         // Two more steps on the spot itself, whose logarithm has lost digits.
         if v > 0.0 {
             for _ in 0..2 {
-                let (found, slope) = load_and_slope(spot);
+                let (found, slope) = self.load_and_slope(spot);
                 spot = spot * Wide::exp(-(found / load).ln() / slope);
             }
         }
@@ -221,7 +212,11 @@ mod tests {
         let mut seen = 0;
         for d in [1.0 + f64::EPSILON, 1.2, 1.5, 1.8, 2.0 - f64::EPSILON] {
             for coefficient in [tiny * tiny, Wide::from(1.0), huge * huge] {
-                let spots = SpotPopulation {
+                let spots = FractalContact {
+                    model: "",
+                    dimension: d,
+                    nominal_area: 1.0,
+                    critical: None,
                     size_exponent: d / 2.0,
                     load_exponent: (3.0 - d) / 2.0,
                     epsilon: 1.5 - d,
@@ -231,13 +226,14 @@ mod tests {
                     for hardness in [Wide::from(0.0), tiny, huge] {
                         for load in [tiny * tiny, Wide::from(1.0), huge * huge] {
                             let critical = Some(Critical { area, hardness });
-                            let largest = spots.largest(critical, load);
+                            let spots = FractalContact { critical, ..spots };
+                            let largest = spots.largest(load);
                             // Newton works on this, at most 6500; where it is small, the area rounds it.
                             let log_ratio = (largest / area).ln();
                             if log_ratio.abs() < 1e-4 {
                                 continue;
                             }
-                            let miss = (spots.load_and_slope(critical, largest).0 / load).ln();
+                            let miss = (spots.load_and_slope(largest).0 / load).ln();
                             let place = format!("{d} {coefficient:?} {critical:?} {load:?}");
                             assert!(miss.abs() < 1e-11, "{place}: {miss:e}");
                             seen += 1;

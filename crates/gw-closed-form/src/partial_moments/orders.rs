@@ -20,7 +20,7 @@ pub enum Order {
 
 impl Order {
     /// The power n.
-    pub fn exponent(self) -> f64 {
+    pub(crate) fn exponent(self) -> f64 {
         self.function().n
     }
 
