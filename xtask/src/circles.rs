@@ -19,12 +19,11 @@ type Arrows = BTreeMap<ModulePath, BTreeMap<ModulePath, BTreeSet<String>>>;
 #[derive(Default)]
 struct CrateFiles(BTreeMap<ModulePath, (PathBuf, FileNames)>);
 
-/// What one file defines, imports and names, tests aside.
+/// What one file declares, imports and names, tests aside.
 #[derive(Default)]
 struct FileNames {
     /// Child modules that are files of their own.
     children: Vec<String>,
-    defined: BTreeSet<String>,
     /// The path of each imported name, and whether it is `pub`.
     imported: BTreeMap<String, (bool, ModulePath)>,
     /// Names that the code itself uses, outside `use`.
@@ -128,8 +127,7 @@ impl CrateFiles {
             let names = &self.0[&here].1;
             if self.has(&here, name) {
                 here.push(name.clone());
-            } else if !names.defined.contains(name)
-                && let Some((_, target)) = names.imported.get(name)
+            } else if let Some((_, target)) = names.imported.get(name)
                 && *target != *parts
             {
                 match self.resolve(&here, target, depth + 1)? {
@@ -214,14 +212,10 @@ impl FileNames {
             } else if at(start) == "mod" && at(start + 2) == ";" {
                 found.children.push(at(i).to_owned());
                 i += 2;
-            } else if at(start) == "macro_rules" {
-                found.defined.insert(at(start + 2).to_owned());
             } else if at(start).starts_with(is_word) {
-                if DEFINES.contains(&at(start)) && at(i).starts_with(is_word) {
-                    found.defined.insert(at(i).to_owned());
-                    if depth == 0 {
-                        found.item.get_or_insert_with(|| format!("{} {}", at(start), at(i)));
-                    }
+                let defines = DEFINES.contains(&at(start)) && at(i).starts_with(is_word);
+                if defines && depth == 0 {
+                    found.item.get_or_insert_with(|| format!("{} {}", at(start), at(i)));
                 }
                 while at(i) == "::" && at(i + 1).starts_with(is_word) {
                     i += 2;
@@ -436,7 +430,6 @@ mod tests {
         let imported: Vec<String> = names.imported.iter().map(shown).collect();
         assert_eq!(imported, ["C=a::b::C:true", "E=a::b::D:true", "a=a:true", "f=a::f:true"]);
         assert_eq!(names.children, ["g"]);
-        assert!(names.defined.contains("h"));
         assert_eq!(names.item.as_deref(), Some("fn h"));
         assert!(names.paths.contains(&vec!["g".to_owned(), "i".to_owned()]));
     }

@@ -103,14 +103,17 @@ fn sources(all: &[SourceText], faults: &mut Vec<String>) {
         if lines > LONG_FILE {
             faults.push(format!("{shown} has {lines} lines, more than {LONG_FILE}: take it apart"));
         }
-        for (number, line) in text.lines().enumerate() {
-            let at = format!("{shown}:{}", number + 1);
+        for (number, line) in (1..).zip(text.lines()) {
             if line.contains(concat!("TO", "DO")) || line.contains(concat!("FIX", "ME")) {
-                faults.push(format!("{at}: unfinished work belongs in an issue"));
+                faults.push(format!("{shown}:{number}: unfinished work belongs in an issue"));
             }
         }
-        if is_library(shown) && !is_test_module(shown) {
-            library_source(shown, text, faults);
+        if shown.starts_with("crates/") && shown.contains("/src/") && !is_test_module(shown, all) {
+            let code = text.split("#[cfg(test)]").next().unwrap_or_default();
+            included(shown, code, faults);
+            if !TALKING.iter().any(|place| shown.starts_with(&format!("crates/{place}/"))) {
+                library_source(shown, code, faults);
+            }
         }
     }
     lengths.sort_unstable();
@@ -145,31 +148,24 @@ fn is_root(shown: &str) -> bool {
     }
 }
 
-/// Files import each other downwards only, faces define nothing, and no crate reads a file outside
-/// its folder when it is compiled.
+/// Files import each other downwards only, and faces define nothing.
 fn rooms(all: &[SourceText], faults: &mut Vec<String>) {
     let roots: Vec<&str> = all.iter().map(|(shown, _)| &**shown).filter(|s| is_root(s)).collect();
+    let here = format!("{}/", root().display());
     for shown in &roots {
-        let main = root().join(shown);
-        let found = circles::circles_and_faces(&main);
-        let here = format!("{}/", root().display());
+        let found = circles::circles_and_faces(&root().join(shown));
         faults.extend(found.iter().map(|fault| format!("{shown}: {}", fault.replace(&here, ""))));
     }
     println!("crates, examples and tests looked through for circles of files: {}", roots.len());
-    for (shown, text) in all {
-        if !shown.contains("/src/") || shown.starts_with("xtask/") || is_test_module(shown) {
-            continue;
-        }
-        let code = text.split("#[cfg(test)]").next().unwrap_or_default();
-        for included in ["include_str!(\"", "include_bytes!(\"", "include!(\""]
-            .iter()
-            .flat_map(|call| code.split(call).skip(1))
-            .filter_map(|rest| rest.split('"').next())
-        {
-            let ups = included.matches("../").count();
-            let depth = shown.split("/src/").nth(1).map_or(0, |rest| rest.matches('/').count());
-            // `src/a.rs` reaches its crate's folder with one step up.
-            if ups > depth + 1 {
+}
+
+/// No crate reads a file outside its folder when it is compiled.
+fn included(shown: &str, code: &str, faults: &mut Vec<String>) {
+    // `src/a.rs` reaches its crate's folder with one step up.
+    let depth = shown.split("/src/").nth(1).map_or(0, |rest| rest.matches('/').count());
+    for call in ["include_str!(\"", "include_bytes!(\"", "include!(\""] {
+        for included in code.split(call).skip(1).filter_map(|rest| rest.split('"').next()) {
+            if included.matches("../").count() > depth + 1 {
                 faults.push(format!("{shown} includes {included}, outside its crate"));
             }
         }
@@ -177,18 +173,14 @@ fn rooms(all: &[SourceText], faults: &mut Vec<String>) {
 }
 
 /// Only the command prints; only `surface-io` and the command touch files.
-fn library_source(shown: &str, text: &str, faults: &mut Vec<String>) {
-    let library = text.split("#[cfg(test)]").next().unwrap_or_default();
-    for (number, line) in library.lines().enumerate() {
-        let code = line.trim_start();
-        if code.starts_with("//") {
-            continue;
-        }
-        let at = format!("{shown}:{}", number + 1);
-        if ["println!", "print!", "eprintln!", "eprint!", "dbg!"].iter().any(|p| code.contains(p)) {
+fn library_source(shown: &str, code: &str, faults: &mut Vec<String>) {
+    let code = (1..).zip(code.lines()).filter(|(_, line)| !line.trim_start().starts_with("//"));
+    for (number, line) in code {
+        let at = format!("{shown}:{number}");
+        if ["println!", "print!", "eprintln!", "eprint!", "dbg!"].iter().any(|p| line.contains(p)) {
             faults.push(format!("{at}: a library does not print"));
         }
-        let touches = ["std::fs", "File::open", "File::create"].iter().any(|p| code.contains(p));
+        let touches = ["std::fs", "File::open", "File::create"].iter().any(|p| line.contains(p));
         if touches && !shown.starts_with("crates/surface-io/") && shown != ASKS_LINUX {
             faults.push(format!("{at}: only surface-io and the command touch files"));
         }
@@ -196,18 +188,11 @@ fn library_source(shown: &str, text: &str, faults: &mut Vec<String>) {
 }
 
 /// True for a file that its folder declares under `#[cfg(test)]`.
-fn is_test_module(shown: &str) -> bool {
-    let path = root().join(shown);
-    let (Some(folder), Some(name)) = (path.parent(), path.file_stem()) else { return false };
-    let declaration = format!("#[cfg(test)]\nmod {};", name.to_string_lossy());
-    ["mod.rs", "lib.rs"].iter().any(|parent| {
-        std::fs::read_to_string(folder.join(parent)).is_ok_and(|text| text.contains(&declaration))
-    })
-}
-
-fn is_library(shown: &str) -> bool {
-    let talks = |place| shown.starts_with(&format!("crates/{place}/"));
-    shown.starts_with("crates/") && shown.contains("/src/") && !TALKING.iter().any(talks)
+fn is_test_module(shown: &str, all: &[SourceText]) -> bool {
+    let (folder, file) = shown.rsplit_once('/').unwrap_or(("", shown));
+    let declaration = format!("#[cfg(test)]\nmod {};", file.trim_end_matches(".rs"));
+    let parents = ["mod.rs", "lib.rs"].map(|parent| format!("{folder}/{parent}"));
+    all.iter().any(|(path, text)| parents.contains(path) && text.contains(&declaration))
 }
 
 /// Every type that implements `ContactModel` has a DOI in its file and a page in the book that

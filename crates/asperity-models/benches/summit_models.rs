@@ -1,57 +1,27 @@
-//! What an answer of the summit models costs, with its error in the name; beside them Greenwood's
-//! double integral as his paper writes it.
+//! What an answer of the summit models costs, with its error in the name.
 //!
 //! ```console
 //! $ cargo bench -p asperity-models
 //! ```
 #![allow(missing_docs, reason = "criterion's macros make undocumented items")]
 
-use asperity_models::{
-    BushGibsonThomas, GreenwoodElliptical, MeanCurvature, SummitLaw, SummitModel, nayak,
-};
-use contact_types::{ContactModulus, SeparationModel, SpectralMoments};
+use asperity_models::{SummitLaw, SummitModel};
+use contact_types::{ContactModel, ContactModulus, SeparationModel, SpectralMoments};
 use criterion::{Criterion, criterion_group, criterion_main};
-use gw_closed_form::partial_moments::{Order, value};
-use std::f64::consts::{PI, TAU};
+use std::f64::consts::PI;
 use std::hint::black_box;
 
 const BANDWIDTH: f64 = 5.0;
 
-/// Area by the double integral of p(ξ, g) over height and geometric mean curvature, midpoint rule
-/// with `n` steps each way.
-fn double_integral(h: f64, n: u32) -> f64 {
-    let a = BANDWIDTH;
-    let (dg, dy) = (9.0 / f64::from(n), 3.0 / f64::from(n));
-    let mut area = 0.0;
-    for i in 0..n {
-        let g = (f64::from(i) + 0.5) * dg;
-        for j in 0..n {
-            let y = (f64::from(j) + 0.5) * dy;
-            let xi = h + y * y;
-            let b =
-                (3.0 * g * (a - 1.0) - a.sqrt() * xi) / (2.0 * (2.0 * a - 3.0) * (a - 1.0)).sqrt();
-            let tail = 2.0 * value(Order::Zero, b * 2f64.sqrt()); // erfc(B)
-            if tail > 0.0 {
-                let exponent = 1.5 * g * g - a * xi * xi / (2.0 * (a - 1.0));
-                area += g * g * (exponent + tail.ln()).exp() * y * y * 2.0 * y * dg * dy;
-            }
-        }
-    }
-    area * 9.0 / (2.0 * TAU.sqrt()) * (a / (a - 1.0)).sqrt() * a.sqrt() / (6.0 * 3f64.sqrt())
-}
-
-fn model<L: SummitLaw>() -> SummitModel<L> {
-    let moments = SpectralMoments { m0: 1.0, m2: 1.0, m4: BANDWIDTH };
-    SummitModel::new(moments, ContactModulus::from_pascals(1.0).expect("positive"))
-        .expect("bandwidth 5")
-}
-
 fn summit_models(c: &mut Criterion) {
-    let models: [(&str, Box<dyn SeparationModel>); 3] = [
-        ("Bush-Gibson-Thomas", Box::new(model() as BushGibsonThomas)),
-        ("Greenwood elliptical", Box::new(model() as GreenwoodElliptical)),
-        ("mean curvature", Box::new(model() as MeanCurvature)),
-    ];
+    let moments = SpectralMoments { m0: 1.0, m2: 1.0, m4: BANDWIDTH };
+    let modulus = ContactModulus::from_pascals(1.0).expect("positive");
+    let models = [
+        ("Bush-Gibson-Thomas", SummitLaw::BushGibsonThomas),
+        ("Greenwood elliptical", SummitLaw::GreenwoodElliptical),
+        ("mean curvature", SummitLaw::MeanCurvature),
+    ]
+    .map(|(name, law)| (name, SummitModel::new(law, moments, modulus).expect("bandwidth 5")));
     for (name, model) in &models {
         c.bench_function(&format!("{name}/at_separation, error 4e-15"), |b| {
             b.iter(|| model.at_separation(black_box(1.0)));
@@ -60,24 +30,11 @@ fn summit_models(c: &mut Criterion) {
             b.iter(|| model.at_pressure(black_box(0.01)));
         });
     }
-    let exact = models[1].1.at_separation(1.0).expect("finite").area_fraction;
-    for n in [50, 200, 800] {
-        let error = (double_integral(1.0, n) / exact - 1.0).abs();
-        c.bench_function(
-            &format!("double integral of p(xi, g), {n}^2 points, error {error:.0e}"),
-            |b| {
-                b.iter(|| double_integral(black_box(1.0), n));
-            },
-        );
-    }
     // The light-load asymptote A = sqrt(pi) p / (E* sqrt m2), one multiplication.
     let state = models[0].1.at_separation(1.0).expect("finite");
     let error = (PI.sqrt() * state.mean_pressure / state.area_fraction - 1.0).abs();
     c.bench_function(&format!("asymptote A = sqrt(pi) p, error {error:.0e}"), |b| {
         b.iter(|| PI.sqrt() * black_box(0.01));
-    });
-    c.bench_function("summit height density, error 5e-14", |b| {
-        b.iter(|| nayak::summit_height_density(black_box(5.0), black_box(1.0)));
     });
 }
 

@@ -5,20 +5,21 @@
 //! ```
 #![allow(clippy::print_stdout, reason = "an example shows its result")]
 
-use asperity_models::{BushGibsonThomas, GreenwoodElliptical, MeanCurvature};
-use contact_types::{ContactModulus, SeparationModel, SpectralMoments};
+use asperity_models::{SummitLaw, SummitModel};
+use contact_types::{ContactModel, ContactModulus, SpectralMoments};
 
 fn main() -> Result<(), Box<dyn std::error::Error>> {
     // 0.5 um rms height, rms gradient 0.14, bandwidth 5
     let moments = SpectralMoments { m0: 0.25e-12, m2: 1e-2, m4: 2e9 };
     let modulus = ContactModulus::from_pascals(110e9)?;
-    let models: [(&str, Box<dyn SeparationModel>); 3] = [
-        ("Bush-Gibson-Thomas", Box::new(BushGibsonThomas::new(moments, modulus)?)),
-        ("Greenwood elliptical", Box::new(GreenwoodElliptical::new(moments, modulus)?)),
-        ("mean curvature", Box::new(MeanCurvature::new(moments, modulus)?)),
+    let laws = [
+        ("Bush-Gibson-Thomas", SummitLaw::BushGibsonThomas),
+        ("Greenwood elliptical", SummitLaw::GreenwoodElliptical),
+        ("mean curvature", SummitLaw::MeanCurvature),
     ];
     println!("model                 pressure [MPa]   area [%]  separation [um]  A E* g / p");
-    for (name, model) in &models {
+    for (name, law) in laws {
+        let model = SummitModel::new(law, moments, modulus)?;
         for megapascals in [1e-3, 1.0, 100.0] {
             let contact = model.at_pressure(megapascals * 1e6)?;
             let slope = contact.area_fraction * modulus.pascals() * moments.rms_gradient()

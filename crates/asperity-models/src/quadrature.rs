@@ -50,7 +50,6 @@ impl Summit {
             Order::Half => width.sqrt(),
             Order::One => width,
             Order::ThreeHalves => width * width.sqrt(),
-            Order::FiveHalves => width * width * width.sqrt(),
         };
         if self.z < SHARP {
             power
@@ -70,13 +69,14 @@ const REACH: f64 = 10.0;
 const WIDEST: f64 = 2.5;
 
 /// Where t is measured from, so that z and u come without cancellation.
+#[derive(Clone, Copy, PartialEq)]
 enum CurvatureFrame {
     /// From ρh, in units of s: few summits reach the flat.
-    Tail { h: f64 },
+    Tail,
     /// From c = h/ρ, where the mean summit of that curvature touches the flat.
-    Touch { h: f64, c: f64 },
+    Touch,
     /// From 0.
-    Plain { h: f64 },
+    Plain,
 }
 
 impl Correlation {
@@ -88,22 +88,29 @@ impl Correlation {
     ) -> [f64; N] {
         let Self { rho, s } = self;
         let frame = if h > 0.0 && h * s >= REACH * rho {
-            CurvatureFrame::Tail { h }
+            CurvatureFrame::Tail
         } else if h > 0.0 && rho >= 0.5 {
-            CurvatureFrame::Touch { h, c: h / rho }
+            CurvatureFrame::Touch
         } else {
-            CurvatureFrame::Plain { h }
+            CurvatureFrame::Plain
+        };
+        // Frame coordinate of t = 0.
+        let origin = match frame {
+            CurvatureFrame::Tail => -rho * h / s,
+            CurvatureFrame::Touch if s > 0.0 => -h / rho,
+            _ => 0.0, // for s = 0 there is one height per curvature: contact begins at c
         };
         let mut sum = [0.0; N];
-        for [from, to] in self.breaks(&frame).panels() {
-            let (root, low, high) = self.substitution(&frame, from, to);
+        for [from, to] in self.breaks(frame, h).panels() {
+            // Around an end where powers are fractional the variable is the square root.
+            let root = from <= origin;
+            let (low, high) = if root { (0.0, (to - from).sqrt()) } else { (from, to) };
             let (middle, half) = (0.5 * (low + high), 0.5 * (high - low));
             for &[x, w] in &GAUSS_32 {
                 for x in [-x, x] {
                     let y = middle + half * x;
-                    // Around an end where powers are fractional the variable is its square root.
                     let (at, jacobian) = if root { (from + y * y, 2.0 * y) } else { (y, 1.0) };
-                    let (summit, weight) = self.summit(&frame, at);
+                    let (summit, weight) = self.summit(frame, h, at);
                     let values = f(&summit);
                     let weight = weight * w * half * jacobian;
                     for (total, value) in sum.iter_mut().zip(values) {
@@ -115,46 +122,23 @@ impl Correlation {
         sum
     }
 
-    /// Whether to substitute a square about `from`, and the limits of the variable.
-    fn substitution(self, frame: &CurvatureFrame, from: f64, to: f64) -> (bool, f64, f64) {
-        let origin = match *frame {
-            CurvatureFrame::Tail { h } => -self.rho * h / self.s,
-            CurvatureFrame::Touch { c, .. } => {
-                if self.s > 0.0 {
-                    -c
-                } else {
-                    0.0 // one height per curvature: contact begins at c
-                }
-            }
-            CurvatureFrame::Plain { .. } => 0.0,
-        };
-        if from <= origin { (true, 0.0, (to - from).sqrt()) } else { (false, from, to) }
-    }
-
     /// Node at frame coordinate `y`, with its Gaussian weight.
-    fn summit(self, frame: &CurvatureFrame, y: f64) -> (Summit, f64) {
+    fn summit(self, frame: CurvatureFrame, h: f64, y: f64) -> (Summit, f64) {
         let Self { rho, s } = self;
-        let (t, z, u, depth, above, step) = match *frame {
-            CurvatureFrame::Tail { h } => {
-                let t = (rho * h + s * y).max(0.0);
-                (t, h * s - rho * y, y, 0.0, 0.0, s)
-            }
-            CurvatureFrame::Touch { h, c } => {
-                let t = (c + y).max(0.0);
+        let (t, z, u, depth, above, step) = match frame {
+            CurvatureFrame::Tail => ((rho * h + s * y).max(0.0), h * s - rho * y, y, 0.0, 0.0, s),
+            CurvatureFrame::Touch => {
+                let t = (h / rho + y).max(0.0);
                 // t - h without cancellation: c - h = h (1 - ρ)/ρ and 1 - ρ = s²/(1 + ρ)
                 let above = h * (s / rho) * (s / (1.0 + rho)) + y;
                 (t, -rho * y / s, h * s / rho + y / s, rho * y, above, 1.0)
             }
-            CurvatureFrame::Plain { h } => {
+            CurvatureFrame::Plain => {
                 let depth = rho * y - h;
                 (y, -depth / s, (y - rho * h) / s, depth, y - h, 1.0)
             }
         };
-        let (h, tail) = match *frame {
-            CurvatureFrame::Tail { h } => (h, true),
-            CurvatureFrame::Touch { h, .. } | CurvatureFrame::Plain { h } => (h, false),
-        };
-        let scaled = tail || h > 0.0 && z >= 8.0;
+        let scaled = frame == CurvatureFrame::Tail || h > 0.0 && z >= 8.0;
         let exponent = if scaled {
             -0.5 * u * u
         } else if h > 0.0 {
@@ -167,33 +151,40 @@ impl Correlation {
     }
 
     /// Where panels must end, in frame coordinates.
-    fn breaks(self, frame: &CurvatureFrame) -> Breaks {
+    fn breaks(self, frame: CurvatureFrame, h: f64) -> Breaks {
         let Self { rho, s } = self;
-        let (low, high, touch) = match *frame {
-            CurvatureFrame::Tail { h } => ((-rho * h / s).max(-REACH), REACH, None),
-            CurvatureFrame::Touch { h, c } => {
+        let (low, high, touch) = match frame {
+            CurvatureFrame::Tail => ((-rho * h / s).max(-REACH), REACH, None),
+            CurvatureFrame::Touch => {
+                let c = h / rho;
                 let low = if s > 0.0 { (-h * s * s / rho - REACH * s).max(-c) } else { 0.0 };
                 let lag = h * s / rho;
                 let to_tail = (REACH * REACH - lag * lag) / ((h * h + REACH * REACH).sqrt() + c);
                 (low, to_tail.max(REACH * s - h * s * s / rho), Some(0.0))
             }
-            CurvatureFrame::Plain { h } if h > 0.0 => {
+            CurvatureFrame::Plain if h > 0.0 => {
                 let low = (rho * h - REACH * s).max(0.0);
                 (low, (h * h + REACH * REACH).sqrt(), Some(h / rho))
             }
-            CurvatureFrame::Plain { .. } => (0.0, REACH, None),
+            CurvatureFrame::Plain => (0.0, REACH, None),
         };
-        let mut breaks = Breaks::between(low, high);
+        let mut breaks = Breaks { at: [0.0; MOST_BREAKS], count: 2 };
+        breaks.at[..2].copy_from_slice(&[low, high]);
         if let Some(touch) = touch {
             // Overlap powers have their bend at `touch`, as sharp as w: panels grow away from it.
             let mut offset = 4.0 * s / rho;
             while offset > 0.0 && offset < high - low {
-                breaks.add(touch - offset);
-                breaks.add(touch + offset);
+                for at in [touch - offset, touch + offset] {
+                    if low < at && at < high {
+                        breaks.at[breaks.count] = at;
+                        breaks.count += 1;
+                    }
+                }
                 offset *= 8.0;
             }
         }
-        breaks.sorted()
+        breaks.at[..breaks.count].sort_unstable_by(f64::total_cmp);
+        breaks
     }
 }
 
@@ -208,25 +199,6 @@ struct Breaks {
 }
 
 impl Breaks {
-    fn between(low: f64, high: f64) -> Self {
-        let mut at = [0.0; MOST_BREAKS];
-        at[..2].copy_from_slice(&[low, high]);
-        Self { at, count: 2 }
-    }
-
-    /// Adds a break if it lies inside.
-    fn add(&mut self, position: f64) {
-        if self.at[0] < position && position < self.at[1] {
-            self.at[self.count] = position;
-            self.count += 1;
-        }
-    }
-
-    fn sorted(mut self) -> Self {
-        self.at[..self.count].sort_unstable_by(f64::total_cmp);
-        self
-    }
-
     /// The panels `[from, to]` between the breaks, none wider than `WIDEST` or a quarter of all.
     fn panels(&self) -> impl Iterator<Item = [f64; 2]> {
         let ends = &self.at[..self.count];

@@ -1,6 +1,7 @@
 //! The integral that Bush-Gibson-Thomas, Greenwood and the mean-curvature model share.
 
-use crate::nayak::summit_weight;
+use crate::kernels::summit_weight;
+use crate::laws::SummitLaw;
 use crate::quadrature::{Correlation, Summit};
 use contact_types::{
     Citation, ContactModel, ContactModulus, ContactState, ModelError, SeparationModel,
@@ -9,26 +10,8 @@ use contact_types::{
 use gw_closed_form::inverse;
 use gw_closed_form::partial_moments::{Order, times_gaussian};
 use std::f64::consts::PI;
-use std::marker::PhantomData;
 
-/// How a single summit carries load; the only thing in which the models differ.
-pub trait SummitLaw: Send + Sync + 'static {
-    /// Name in messages.
-    const NAME: &'static str;
-    /// The paper to cite.
-    const CITATION: Citation;
-    /// ∫ 4 t^{7/2} φ W_P dt to four digits: load at full overlap, for starting values.
-    #[doc(hidden)]
-    const FULL_OVERLAP: f64;
-    /// W_A(t): area, averaged over the curvature ellipse.
-    #[doc(hidden)]
-    fn area_kernel(t: f64) -> f64;
-    /// W_P(t): load, averaged over the curvature ellipse.
-    #[doc(hidden)]
-    fn load_kernel(t: f64) -> f64;
-}
-
-/// A random surface touched at its summits, each obeying the law `L`.
+/// A random surface touched at its summits, each obeying the same [`SummitLaw`].
 ///
 /// With h = d/√m0 from the mean plane, bandwidth α = m0 m4/m2², ρ² = 3/(2α), s² = 1 - ρ² and the
 /// partial moments J_n of the Gaussian:
@@ -50,20 +33,35 @@ pub trait SummitLaw: Send + Sync + 'static {
 /// place. Area and pressure fall with the separation, except that separations closer to each other
 /// than 1e-13 of themselves may come out in either order.
 ///
+/// ```
+/// use asperity_models::{SummitLaw, SummitModel};
+/// use contact_types::{ContactModel, ContactModulus, SpectralMoments};
+///
+/// let moments = SpectralMoments { m0: 1e-12, m2: 1e-2, m4: 1e9 }; // bandwidth 10
+/// let modulus = ContactModulus::from_pascals(110e9)?;
+/// let model = SummitModel::new(SummitLaw::BushGibsonThomas, moments, modulus)?;
+/// let contact = model.at_pressure(100e6)?;
+/// assert!(contact.area_fraction > 0.01 && contact.area_fraction < 0.02);
+/// # Ok::<(), Box<dyn std::error::Error>>(())
+/// ```
+///
 /// # Validity
 /// Bandwidth at least 3/2 (no isotropic Gaussian surface has less). A
 /// [`Caveat::BeyondModel`](contact_types::Caveat::BeyondModel) is attached above an area fraction of
 /// 0.1, where summits feel each other; the area is not clipped.
+///
+/// # Source
+/// Bush, Gibson & Thomas (1975), doi:10.1016/0043-1648(75)90145-3, and those of each [`SummitLaw`].
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub struct SummitModel<L> {
+pub struct SummitModel {
+    law: SummitLaw,
     moments: SpectralMoments,
     modulus: ContactModulus,
     bandwidth: f64,
     correlation: Correlation,
-    law: PhantomData<L>,
 }
 
-impl<L: SummitLaw> SummitModel<L> {
+impl SummitModel {
     /// From profile spectral moments.
     ///
     /// A bandwidth that misses 3/2 by rounding alone (1e-14) is taken as 3/2: surfaces of one
@@ -72,19 +70,23 @@ impl<L: SummitLaw> SummitModel<L> {
     /// # Errors
     /// [`ModelError::InvalidInput`] unless m0, m2, m4 are finite and positive,
     /// [`ModelError::OutsideDomain`] for a bandwidth below 3/2.
-    pub fn new(moments: SpectralMoments, modulus: ContactModulus) -> Result<Self, ModelError> {
+    pub fn new(
+        law: SummitLaw,
+        moments: SpectralMoments,
+        modulus: ContactModulus,
+    ) -> Result<Self, ModelError> {
         let SpectralMoments { m0, m2, m4 } = moments;
         for (quantity, value) in [("m0", m0), ("m2", m2), ("m4", m4)] {
-            require::positive(L::NAME, quantity, value)?;
+            require::positive(law.name(), quantity, value)?;
         }
         let bandwidth = moments.bandwidth();
         if !bandwidth.is_normal() {
             let requirement = "must be a normal number; scale the moments to metres";
-            return Err(require::refused(L::NAME, BANDWIDTH, bandwidth, requirement));
+            return Err(require::refused(law.name(), BANDWIDTH, bandwidth, requirement));
         }
         if bandwidth < 1.5 * (1.0 - 1e-14) {
             return Err(ModelError::OutsideDomain {
-                model: L::NAME.into(),
+                model: law.name().into(),
                 quantity: BANDWIDTH.into(),
                 value: bandwidth,
                 domain: 1.5..=f64::MAX,
@@ -98,7 +100,7 @@ impl<L: SummitLaw> SummitModel<L> {
             rho: (1.5 / bandwidth).sqrt(),
             s: ((bandwidth - 1.5) / bandwidth).sqrt(),
         };
-        Ok(Self { moments, modulus, bandwidth, correlation, law: PhantomData })
+        Ok(Self { law, moments, modulus, bandwidth, correlation })
     }
 
     /// Normal stiffness per nominal area, -dp/dd in Pa/m, at `separation` (m).
@@ -108,9 +110,9 @@ impl<L: SummitLaw> SummitModel<L> {
     /// [`ModelError::OutsideDomain`] if the result exceeds the largest double.
     pub fn stiffness(&self, separation: f64) -> Result<f64, ModelError> {
         let h = self.dimensionless(separation)?;
-        let [slope] = self.correlation.integrate(h, |summit| [stiffness_of::<L>(summit)]);
+        let [_, slope] = self.correlation.integrate(h, |summit| self.load(summit));
         let scale = self.pressure_scale() / self.moments.rms_height();
-        require::answer(L::NAME, gaussian(scale * slope, h), "separation", separation)
+        require::answer(self.law.name(), gaussian(scale * slope, h), "separation", separation)
     }
 
     /// Contacts per nominal area in m⁻² at `separation` (m).
@@ -138,14 +140,14 @@ impl<L: SummitLaw> SummitModel<L> {
         let h = self.dimensionless(separation)?;
         if h.abs() > FARTHEST {
             return Err(ModelError::OutsideDomain {
-                model: L::NAME.into(),
+                model: self.law.name().into(),
                 quantity: "separation / rms height".into(),
                 value: h,
                 domain: -FARTHEST..=FARTHEST,
                 reason: "powers of it leave the range of doubles".into(),
             });
         }
-        let [load] = self.correlation.integrate(h, |summit| [load_of::<L>(summit)]);
+        let [load, _] = self.correlation.integrate(h, |summit| self.load(summit));
         Ok(self.dimensionless_scale().ln()
             + self.modulus.pascals().ln()
             + 0.5 * self.moments.m2.ln()
@@ -153,50 +155,11 @@ impl<L: SummitLaw> SummitModel<L> {
             + ln_gaussian(h))
     }
 
-    /// The contact whose real area fraction is `area_fraction`, by inversion. At 0 nothing touches
-    /// and there is no finite separation.
-    ///
-    /// # Errors
-    /// [`ModelError::InvalidInput`] unless it is finite and not negative,
-    /// [`ModelError::OutsideDomain`] if pressure or separation exceed the largest double.
-    pub fn at_area(&self, area_fraction: f64) -> Result<ContactState, ModelError> {
-        require::not_negative(L::NAME, "area fraction", area_fraction)?;
-        if area_fraction <= 0.0 {
-            return Ok(ContactState::nothing_touches());
-        }
-        let h = self.solve_area(area_fraction)?;
-        let [load, area] = self.load_and_area(h);
-        let [pressure, separation] = self
-            .moved_along(h, area_fraction, [area, load])
-            .map(|answer| require::answer(L::NAME, answer, "area fraction", area_fraction));
-        Ok(ContactState::of_isolated_summits(pressure?, area_fraction, separation?))
-    }
-
-    /// Load and area: scale, integral over the summits, and its slope -d/dh.
-    fn load_and_area(&self, h: f64) -> [[f64; 3]; 2] {
-        let [load, slope, area, area_slope] = self.correlation.integrate(h, |summit| {
-            [
-                load_of::<L>(summit),
-                stiffness_of::<L>(summit),
-                area_of::<L>(summit),
-                area_slope_of::<L>(summit),
-            ]
-        });
-        [[self.pressure_scale(), load, slope], [self.area_scale(), area, area_slope]]
-    }
-
-    /// The one wanted of load and area, and the separation (m), where the known one is `target`.
-    ///
-    /// h is a rounded number, and both change by h² times its rounding. What the known one still
-    /// lacks at this h is known, so the wanted one is moved along with it.
-    fn moved_along(&self, h: f64, target: f64, [known, wanted]: [[f64; 3]; 2]) -> [f64; 2] {
-        let [[scale, known, slope], [wanted_scale, wanted, wanted_slope]] = [known, wanted];
-        let found = gaussian(scale * known, h);
-        let missing = if found.is_normal() { target / found - 1.0 } else { 0.0 };
-        let elasticity = (wanted_slope / wanted) / (slope / known);
-        let wanted = gaussian(wanted_scale * wanted * (1.0 + missing * elasticity), h);
-        // The last Newton step, on the number itself: a large logarithm has lost digits.
-        [wanted, (h - missing * known / slope) * self.moments.rms_height()]
+    /// Integrand of the load, 4 t^{7/2} W_P s^{3/2} J_3/2, and its slope -d/dh, where s^{3/2} J_3/2 becomes
+    /// (3/2) s^{1/2} J_1/2.
+    fn load(&self, summit: &Summit) -> [f64; 2] {
+        let weight = self.law.load_weight(summit.t);
+        [weight * summit.overlap(Order::ThreeHalves), weight * 1.5 * summit.overlap(Order::Half)]
     }
 
     /// p / (E* √m2) over the load integral: (1/9) (3/2)^{1/4} α^{3/4}.
@@ -217,49 +180,25 @@ impl<L: SummitLaw> SummitModel<L> {
 
     /// h = d/√m0.
     fn dimensionless(&self, separation: f64) -> Result<f64, ModelError> {
-        require::finite(L::NAME, "separation", separation)?;
+        require::finite(self.law.name(), "separation", separation)?;
         Ok((separation / self.moments.rms_height()).clamp(-f64::MAX, f64::MAX))
     }
 
-    /// h at which ln of the dimensionless load p/(E* √m2) is `target`.
+    /// h at which ln of the dimensionless load p/(E* √m2) is `target`: Newton on the logarithm,
+    /// which is concave in h, so the iteration converges from any start.
     fn solve_load(&self, target: f64) -> Result<f64, ModelError> {
-        let start = self.starting_value(target);
-        self.newton(start, target, self.dimensionless_scale(), |summit| {
-            [load_of::<L>(summit), stiffness_of::<L>(summit)]
-        })
-    }
-
-    /// h at which the real area fraction is `area`.
-    fn solve_area(&self, area: f64) -> Result<f64, ModelError> {
-        let target = area.ln() - self.area_scale().ln();
-        // h -> -inf: A is proportional to -h. Else light contact, A -> sqrt(pi) p / (E* sqrt m2).
-        let [deep] = self.correlation.integrate(DEEP, |summit| [area_of::<L>(summit)]);
-        let full = -(target - (deep / -DEEP).ln()).min(709.0).exp();
-        let start = if full < -4.0 { full } else { self.starting_value(area.ln() - 0.5 * PI.ln()) };
-        self.newton(start, target, 1.0, |summit| [area_of::<L>(summit), area_slope_of::<L>(summit)])
-    }
-
-    /// h at which ln of a scaled integral over the summits is `target`: Newton on the logarithm,
-    /// which is concave in h, so the iteration converges from any start. `of` gives the integrand
-    /// and its slope -d/dh.
-    fn newton(
-        &self,
-        mut h: f64,
-        target: f64,
-        scale: f64,
-        of: impl Fn(&Summit) -> [f64; 2],
-    ) -> Result<f64, ModelError> {
-        let mut step = f64::INFINITY;
+        let (mut h, mut step) = (self.starting_value(target), f64::INFINITY);
         for _ in 0..MAX_STEPS {
-            let [value, slope] = self.correlation.integrate(h, &of);
-            step = ((scale * value).ln() + ln_gaussian(h) - target) * value / slope;
+            let [value, slope] = self.correlation.integrate(h, |summit| self.load(summit));
+            let lacks = (self.dimensionless_scale() * value).ln() + ln_gaussian(h) - target;
+            step = lacks * value / slope;
             h += step;
             if step.abs() <= 1e-8 * h.abs().max(1.0) {
                 return Ok(h);
             }
         }
         Err(ModelError::NotConverged {
-            model: L::NAME.into(),
+            model: self.law.name().into(),
             residual: step.abs(),
             iterations: MAX_STEPS,
         })
@@ -274,69 +213,61 @@ impl<L: SummitLaw> SummitModel<L> {
         // Summits as Greenwood and Williamson see them: one curvature, Gaussian heights.
         let mean = 4.0 / (PI * self.bandwidth).sqrt();
         let deviation = (1.0 - 0.8968 / self.bandwidth).sqrt();
-        let full = (self.dimensionless_scale() * L::FULL_OVERLAP).ln();
-        let alpha = inverse::from_ln_load(target - full - 1.5 * deviation.ln());
+        let full = (self.dimensionless_scale() * self.law.full_overlap()).ln();
+        let alpha = inverse::from_ln(Order::ThreeHalves, target - full - 1.5 * deviation.ln());
         mean + deviation * alpha.unwrap_or(-1e205)
     }
 }
 
-impl<L: SummitLaw> ContactModel for SummitModel<L> {
+impl ContactModel for SummitModel {
     fn citation(&self) -> Citation {
-        L::CITATION
+        self.law.citation()
     }
 
     /// The contact at a mean pressure, by inversion. At 0 nothing touches and there is no finite
     /// separation.
     fn at_pressure(&self, mean_pressure: f64) -> Result<ContactState, ModelError> {
-        require::pressure(L::NAME, mean_pressure)?;
+        require::pressure(self.law.name(), mean_pressure)?;
         if mean_pressure <= 0.0 {
             return Ok(ContactState::nothing_touches());
         }
         let unit = self.modulus.pascals().ln() + 0.5 * self.moments.m2.ln();
         let h = self.solve_load(mean_pressure.ln() - unit)?;
-        let [area, separation] = self
-            .moved_along(h, mean_pressure, self.load_and_area(h))
-            .map(|answer| require::answer(L::NAME, answer, "mean pressure", mean_pressure));
+        let [load, slope, area, area_slope] = self.correlation.integrate(h, |summit| {
+            let ([load, slope], weight) = (self.load(summit), self.law.area_weight(summit.t));
+            let [area, area_slope] = [Order::One, Order::Zero].map(|n| weight * summit.overlap(n));
+            [load, slope, area, area_slope]
+        });
+        // h is a rounded number, and load and area change by h² times its rounding. What the load still lacks
+        // at this h is known, so the area is moved along with it.
+        let found = gaussian(self.pressure_scale() * load, h);
+        let missing = if found.is_normal() { mean_pressure / found - 1.0 } else { 0.0 };
+        let elasticity = (area_slope / area) / (slope / load);
+        let area = gaussian(self.area_scale() * area * (1.0 + missing * elasticity), h);
+        // The last Newton step, on the number itself: a large logarithm has lost digits.
+        let separation = (h - missing * load / slope) * self.moments.rms_height();
+        let [area, separation] = [area, separation]
+            .map(|answer| require::answer(self.law.name(), answer, "mean pressure", mean_pressure));
         Ok(ContactState::of_isolated_summits(mean_pressure, area?, separation?))
     }
 }
 
-impl<L: SummitLaw> SeparationModel for SummitModel<L> {
+impl SeparationModel for SummitModel {
     fn at_separation(&self, separation: f64) -> Result<ContactState, ModelError> {
         let h = self.dimensionless(separation)?;
         if h > FARTHEST {
             return Ok(ContactState::of_isolated_summits(0.0, 0.0, separation));
         }
-        let [load, area] =
-            self.correlation.integrate(h, |summit| [load_of::<L>(summit), area_of::<L>(summit)]);
+        let [load, area] = self.correlation.integrate(h, |summit| {
+            [
+                self.law.load_weight(summit.t) * summit.overlap(Order::ThreeHalves),
+                self.law.area_weight(summit.t) * summit.overlap(Order::One),
+            ]
+        });
         let [pressure, area] = [self.pressure_scale() * load, self.area_scale() * area]
-            .map(|x| require::answer(L::NAME, gaussian(x, h), "separation", separation));
+            .map(|x| require::answer(self.law.name(), gaussian(x, h), "separation", separation));
         Ok(ContactState::of_isolated_summits(pressure?, area?, separation))
     }
-}
-
-/// 4 t^{7/2} s^{3/2} J_3/2 W_P.
-fn load_of<L: SummitLaw>(summit: &Summit) -> f64 {
-    let t = summit.t;
-    4.0 * t * t * t * t.sqrt() * L::load_kernel(t) * summit.overlap(Order::ThreeHalves)
-}
-
-/// -d/dh of the load integrand: s^{3/2} J_3/2 becomes (3/2) s^{1/2} J_1/2.
-fn stiffness_of<L: SummitLaw>(summit: &Summit) -> f64 {
-    let t = summit.t;
-    4.0 * t * t * t * t.sqrt() * L::load_kernel(t) * 1.5 * summit.overlap(Order::Half)
-}
-
-/// 4 t³ s J_1 W_A.
-fn area_of<L: SummitLaw>(summit: &Summit) -> f64 {
-    let t = summit.t;
-    4.0 * t * t * t * L::area_kernel(t) * summit.overlap(Order::One)
-}
-
-/// -d/dh of the area integrand.
-fn area_slope_of<L: SummitLaw>(summit: &Summit) -> f64 {
-    let t = summit.t;
-    4.0 * t * t * t * L::area_kernel(t) * summit.overlap(Order::Zero)
 }
 
 /// Integrals for h > 0 come in units of exp(-h²/2).
@@ -351,9 +282,6 @@ fn ln_gaussian(h: f64) -> f64 {
 
 /// The bandwidth in errors.
 const BANDWIDTH: &str = "bandwidth m0 m4 / m2^2";
-
-/// Rms heights at which everything overlaps.
-const DEEP: f64 = -1e3;
 
 /// In rms heights: (1e60)^{7/2} is still a double.
 const FARTHEST: f64 = 1e60;

@@ -5,7 +5,7 @@
 #[path = "../../gw-closed-form/tests/common/mod.rs"]
 mod common;
 
-use asperity_models::BushGibsonThomas;
+use asperity_models::{SummitLaw, SummitModel};
 use common::{ReferenceRow, ReferenceTable};
 use contact_types::{ContactModel, ContactModulus, SeparationModel, SpectralMoments};
 
@@ -35,7 +35,8 @@ fn case(row: &ReferenceRow<'_>) -> Case {
     // m0 = m2 = E* = 1: separation and pressure are dimensionless.
     let moments = SpectralMoments { m0: 1.0, m2: 1.0, m4: row.number("bandwidth") };
     let modulus = ContactModulus::from_pascals(1.0).expect("positive");
-    let model = BushGibsonThomas::new(moments, modulus).expect("bandwidth from 3/2");
+    let law = SummitLaw::BushGibsonThomas;
+    let model = SummitModel::new(law, moments, modulus).expect("bandwidth from 3/2");
     let (quantity, x) = (row.text("quantity"), row.number("argument"));
     let at_separation = || model.at_separation(x).expect("finite");
     let at_pressure = || model.at_pressure(x).expect("positive");

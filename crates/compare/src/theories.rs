@@ -9,7 +9,7 @@ use Input::{
     RecordLength, RmsHeight, Rolloff, Roughness, SphereDensity, SphereRadius,
 };
 use asperity_models::thermal_conductance::{CooperMikicYovanovich, Mikic};
-use asperity_models::{BushGibsonThomas, ChangEtsionBogy, GreenwoodElliptical};
+use asperity_models::{ChangEtsionBogy, SummitLaw, SummitModel};
 use contact_types::{
     AmplitudeSpectrum, Citation, ContactModel, ContactState, FractalParameters, ModelError,
     SeparationModel, SpectralMoments,
@@ -82,7 +82,7 @@ const ROWS: &[ModelDescriptor] = &[
         assumes: Assumes::Summits,
         build: Build::Separation(|inputs| {
             let moments = moments(inputs, "Bush-Gibson-Thomas")?;
-            Ok(Box::new(BushGibsonThomas::new(moments, inputs.modulus)?))
+            Ok(Box::new(SummitModel::new(SummitLaw::BushGibsonThomas, moments, inputs.modulus)?))
         }),
     },
     ModelDescriptor {
@@ -95,7 +95,7 @@ const ROWS: &[ModelDescriptor] = &[
         assumes: Assumes::Summits,
         build: Build::Separation(|inputs| {
             let moments = moments(inputs, "Greenwood simplified elliptical")?;
-            Ok(Box::new(GreenwoodElliptical::new(moments, inputs.modulus)?))
+            Ok(Box::new(SummitModel::new(SummitLaw::GreenwoodElliptical, moments, inputs.modulus)?))
         }),
     },
     ModelDescriptor {

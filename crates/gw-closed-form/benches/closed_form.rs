@@ -9,9 +9,12 @@
 use contact_types::{ContactModel, ContactModulus, SeparationModel, SpectralMoments};
 use criterion::{BenchmarkId, Criterion, Throughput, criterion_group, criterion_main};
 use gw_closed_form::partial_moments::{Order, value};
-use gw_closed_form::{GreenwoodWilliamson, appendix, inverse};
+use gw_closed_form::{GreenwoodWilliamson, inverse};
 use std::f64::consts::TAU;
 use std::hint::black_box;
+
+#[path = "../tests/literal.rs"]
+mod literal;
 
 /// ∫_0^∞ u^n φ(α+u) du with u = y², composite Simpson on [0, √10]: what one writes without a
 /// closed form.
@@ -38,7 +41,7 @@ fn load_integral(c: &mut Criterion) {
     let exact = |alpha: f64| value(Order::ThreeHalves, alpha);
     let routes: [Route; 4] = [
         ("closed form, stable", |a| value(Order::ThreeHalves, a)),
-        ("closed form, literal (A1)", |a| appendix::load_a1(a, 1.0)),
+        ("closed form, literal (A1)", literal::load_a1),
         ("Simpson, 40 intervals", |a| simpson(1.5, a, 40)),
         ("Simpson, 200 intervals", |a| simpson(1.5, a, 200)),
     ];
@@ -53,7 +56,7 @@ fn load_integral(c: &mut Criterion) {
     }
     group.finish();
     c.bench_function("inverse from load 1e-3, error 4e-15", |b| {
-        b.iter(|| inverse::from_load(black_box(1e-3)));
+        b.iter(|| inverse::from_value(Order::ThreeHalves, black_box(1e-3)));
     });
 }
 

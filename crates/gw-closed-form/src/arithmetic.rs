@@ -46,53 +46,5 @@ fn split(a: f64) -> (f64, f64) {
 
 /// Infinity becomes the largest double of the same sign.
 pub(crate) fn clamp_to_finite(x: f64) -> f64 {
-    if x == f64::INFINITY {
-        f64::MAX
-    } else if x == f64::NEG_INFINITY {
-        -f64::MAX
-    } else {
-        x
-    }
-}
-
-/// Product of factors that are not negative, without overflow or underflow on the way. Rises
-/// with each factor to the last bit.
-pub(crate) fn product(factors: &[f64]) -> f64 {
-    let (mantissa, exponent) = wide_product(factors);
-    libm::scalbn(mantissa, exponent)
-}
-
-/// A quotient of positive numbers that may lie outside the range of doubles.
-#[cfg(feature = "model")]
-#[derive(Clone, Copy)]
-pub(crate) struct Quotient {
-    /// 0, subnormal or infinite where a double cannot hold it.
-    pub(crate) value: f64,
-    /// Always finite.
-    pub(crate) logarithm: f64,
-}
-
-#[cfg(feature = "model")]
-impl Quotient {
-    /// `numerator` over the product of `denominators`.
-    pub(crate) fn of(numerator: f64, denominators: &[f64]) -> Self {
-        let (n, n_exponent) = libm::frexp(numerator);
-        let (d, d_exponent) = wide_product(denominators);
-        let exponent = n_exponent - d_exponent;
-        Self {
-            value: libm::scalbn(n / d, exponent),
-            logarithm: libm::log(n / d) + f64::from(exponent) * core::f64::consts::LN_2,
-        }
-    }
-}
-
-fn wide_product(factors: &[f64]) -> (f64, i32) {
-    let (mut mantissa, mut exponent) = (1.0, 0);
-    for &factor in factors {
-        let (m, e) = libm::frexp(factor);
-        let (renormalised, shift) = libm::frexp(mantissa * m);
-        mantissa = renormalised;
-        exponent += e + shift;
-    }
-    (mantissa, exponent)
+    x.clamp(-f64::MAX, f64::MAX)
 }

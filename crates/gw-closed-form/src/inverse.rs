@@ -1,103 +1,42 @@
 //! The inverse problem: how far apart are the surfaces under a given load?
 //!
-//! Solves J_n(α) = value for α. ln J_n is concave and falls, so Newton's iteration on it
-//! converges from any start and from the second iterate on from one side; two or three steps
-//! from the starting values below.
+//! Solves J_n(α) = value for α, n = 1 (area) or 3/2 (load). ln J_n is concave and falls, so Newton's
+//! iteration on it converges from any start and from the second iterate on from one side; two or
+//! three steps from the starting values below.
 //!
 //! Error at most 4e-15 max(1, |α|); from a logarithm x > 0 it cannot be better than the
 //! rounding of x itself allows, |x| 1e-16 |α|.
 
 use crate::partial_moments::{Order, ln, ln_derivative};
-use core::fmt;
 
-/// Why there is no α.
-#[derive(Debug, Clone, Copy, PartialEq)]
-#[non_exhaustive]
-pub enum InverseError {
-    /// A load or an area must be finite and greater than 0; no contact at all lies at α = ∞.
-    NotPositive {
-        /// The value found.
-        value: f64,
-    },
-    /// A logarithm must be finite.
-    NotFinite {
-        /// The value found.
-        value: f64,
-    },
-    /// α would be below the most negative double.
-    TooLarge {
-        /// The logarithm asked for.
-        logarithm: f64,
-    },
-}
-
-impl fmt::Display for InverseError {
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        match self {
-            Self::NotPositive { value } => {
-                write!(f, "{value:e} is no load or area: it must be finite and greater than 0")
-            }
-            Self::NotFinite { value } => write!(f, "the logarithm {value} must be finite"),
-            Self::TooLarge { logarithm } => {
-                write!(f, "exp({logarithm}) is so large that alpha exceeds the range of doubles")
-            }
-        }
-    }
-}
-
-impl core::error::Error for InverseError {}
-
-/// α from J_3/2(α) = `load`, any positive double.
+/// α from J_n(α) = `value`; `None` unless that is finite and positive, and for other n.
 ///
 /// ```
-/// let alpha = gw_closed_form::inverse::from_load(1e-6).unwrap();
+/// use gw_closed_form::{inverse, partial_moments::Order};
+/// let alpha = inverse::from_value(Order::ThreeHalves, 1e-6).unwrap();
 /// assert!((alpha - 4.318_855_902_881_386).abs() < 2e-15);
 /// ```
-///
-/// # Errors
-/// [`InverseError::NotPositive`].
-pub fn from_load(load: f64) -> Result<f64, InverseError> {
-    from_value(Order::ThreeHalves, load)
-}
-
-/// α from ln J_3/2(α) = `logarithm`, for loads that no double can hold.
-///
-/// # Errors
-/// [`InverseError::NotFinite`] and [`InverseError::TooLarge`] (logarithm above about 1064).
-pub fn from_ln_load(logarithm: f64) -> Result<f64, InverseError> {
-    from_logarithm(Order::ThreeHalves, logarithm)
-}
-
-/// α from J_1(α) = `area`.
-///
-/// # Errors
-/// [`InverseError::NotPositive`].
-pub fn from_area(area: f64) -> Result<f64, InverseError> {
-    from_value(Order::One, area)
-}
-
-pub(crate) fn from_value(order: Order, value: f64) -> Result<f64, InverseError> {
+pub fn from_value(order: Order, value: f64) -> Option<f64> {
     if !(value > 0.0 && value.is_finite()) {
-        return Err(InverseError::NotPositive { value });
+        return None;
     }
-    let overlap = if order == Order::One {
-        value
-    } else {
-        let root = libm::cbrt(value);
-        root * root
+    let overlap = match order {
+        Order::One => value,
+        Order::ThreeHalves => {
+            let root = libm::cbrt(value);
+            root * root
+        }
+        _ => return None,
     };
-    Ok(solve(order, libm::log(value), overlap))
+    Some(solve(order, libm::log(value), overlap))
 }
 
-pub(crate) fn from_logarithm(order: Order, logarithm: f64) -> Result<f64, InverseError> {
-    if !logarithm.is_finite() {
-        return Err(InverseError::NotFinite { value: logarithm });
-    }
+/// α from ln J_n(α) = `logarithm`, for values that no double can hold; `None` unless it is finite,
+/// where α would be below the most negative double (above about 709 n), and for other n.
+pub fn from_ln(order: Order, logarithm: f64) -> Option<f64> {
     let overlap = libm::exp(logarithm / order.exponent());
-    if overlap.is_infinite() {
-        return Err(InverseError::TooLarge { logarithm });
-    }
-    Ok(solve(order, logarithm, overlap))
+    let is_held = order.exponent() >= 1.0 && logarithm.is_finite() && overlap.is_finite();
+    is_held.then(|| solve(order, logarithm, overlap))
 }
 
 /// `overlap` is value^{1/n}: minus α where everything overlaps.

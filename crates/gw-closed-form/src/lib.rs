@@ -2,29 +2,26 @@
 #![cfg_attr(not(feature = "model"), doc = "Partial moments of the Gaussian, for any double.")]
 //!
 //! # What is where
-//! - [`partial_moments`]: J_n(α) of the Gaussian, n = 0, 1/2, 1, 3/2, 5/2: plain, scaled,
+//! - [`partial_moments`]: J_n(α) of the Gaussian, n = 0, 1/2, 1, 3/2: plain, scaled,
 //!   logarithm, derivative.
-//! - [`integrals`]: I_ep (load) and I_ea (area) of the source paper.
-//! - [`inverse`]: α from a load, a log-load or an area.
+//! - [`inverse`]: α from a load or an area, or the logarithm of one.
 #![cfg_attr(
     feature = "model",
     doc = "- [`GreenwoodWilliamson`]: the model with units: pressure, area, stiffness, contacts."
 )]
-//! - [`appendix`]: (A1) and (A2) literally, with their loss of digits.
 //!
 //! # Source
 //! Greenwood & Williamson (1966), doi:10.1098/rspa.1966.0242; Jackson & Green, IJTC2009-15106.
 #![no_std]
 
-pub mod appendix;
 mod arithmetic;
-mod bessel;
-pub mod integrals;
 pub mod inverse;
 pub mod partial_moments;
 
 #[cfg(feature = "model")]
 mod model;
+#[cfg(feature = "model")]
+mod products;
 
 #[cfg(feature = "model")]
 pub use contact_types::{

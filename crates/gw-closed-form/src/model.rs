@@ -1,9 +1,8 @@
 //! The Greenwood-Williamson model with units.
 
-use crate::arithmetic::{Quotient, product};
-use crate::integrals::{area_factors, ln_load, load_factors, slope_factors};
 use crate::inverse;
 use crate::partial_moments::{self, Order};
+use crate::products::{Quotient, factors, ln_load, powers, product};
 use contact_types::{
     AsperityStatistics, Caveat, Citation, ContactModel, ContactModulus, ContactState, ModelError,
     SeparationModel, SpectralMoments, require,
@@ -86,11 +85,6 @@ impl GreenwoodWilliamson {
         Ok(Self { bandwidth: Some(moments.bandwidth()), ..model })
     }
 
-    /// The asperities of this model.
-    pub fn asperities(&self) -> AsperityStatistics {
-        self.asperities
-    }
-
     /// Contacts per nominal area [m⁻²] at `separation` (m): η J_0(α).
     ///
     /// # Errors
@@ -109,8 +103,10 @@ impl GreenwoodWilliamson {
     /// [`ModelError::OutsideDomain`] if the result exceeds the largest double.
     pub fn stiffness(&self, separation: f64) -> Result<f64, ModelError> {
         let a = self.height_above_summit_mean(separation)?;
-        let slope = slope_factors(a, self.asperities.height_std);
-        require::answer(MODEL, self.pressure_of(&slope), "separation", separation)
+        // -dI_ep/da = (3/2) σ_s^{1/2} J_1/2(α)
+        let [_, root, j] = factors(Order::Half, a, self.asperities.height_std);
+        let stiffness = self.scaled(Order::ThreeHalves, [1.5, root, j]);
+        require::answer(MODEL, stiffness, "separation", separation)
     }
 
     /// ln of the mean pressure in Pa at `separation` (m), where the pressure itself may be below
@@ -139,14 +135,8 @@ impl GreenwoodWilliamson {
         if area_fraction <= 0.0 {
             return Ok(ContactState::nothing_touches());
         }
-        let AsperityStatistics { density, radius, height_std: s, .. } = self.asperities;
-        let area = Quotient::of(area_fraction, &[PI, density, radius, s]);
-        let alpha = alpha_of(Order::One, area)?;
-        let separation =
-            require::answer(MODEL, self.separation_of(alpha), "area fraction", area_fraction)?;
-        let j = moved_along([Order::One, Order::ThreeHalves], alpha, area.value);
-        let pressure = self.pressure_of(&[s, libm::sqrt(s), j]);
-        let pressure = require::answer(MODEL, pressure, "area fraction", area_fraction)?;
+        let [pressure, separation] =
+            self.inverted([Order::One, Order::ThreeHalves], "area fraction", area_fraction)?;
         Ok(self.state(pressure, area_fraction, separation))
     }
 
@@ -155,23 +145,39 @@ impl GreenwoodWilliamson {
         Ok(require::finite(MODEL, "separation", separation)? - self.asperities.mean_offset)
     }
 
-    /// d = y_s + α σ_s [m].
-    fn separation_of(&self, alpha: f64) -> f64 {
-        self.asperities.mean_offset + alpha * self.asperities.height_std
+    /// What an integral is multiplied by: (4/3) E* η √R of order 3/2 for the pressure \[Pa\], π η R of order 1
+    /// for the area \[-\].
+    fn scale(&self, order: Order) -> [f64; 4] {
+        let AsperityStatistics { density, radius, .. } = self.asperities;
+        if order == Order::One {
+            return [PI, density, radius, 1.0];
+        }
+        // Hertz: F = (4/3) E* R^(1/2) overlap^(3/2)
+        [4.0 / 3.0, self.modulus.pascals(), density, libm::sqrt(radius)]
     }
 
-    /// (4/3) E* η √R times an integral given by its factors [Pa].
-    fn pressure_of(&self, integral: &[f64; 3]) -> f64 {
-        let AsperityStatistics { density, radius, .. } = self.asperities;
-        let hertz = 4.0 / 3.0; // Hertz: F = (4/3) E* R^(1/2) overlap^(3/2)
-        let [i, j, k] = *integral;
-        product(&[hertz, self.modulus.pascals(), density, libm::sqrt(radius), i, j, k])
+    /// That scale times an integral given by its factors.
+    fn scaled(&self, order: Order, [i, j, k]: [f64; 3]) -> f64 {
+        let [a, b, c, d] = self.scale(order);
+        product(&[a, b, c, d, i, j, k])
     }
 
-    /// π η R times an integral given by its factors [-].
-    fn area_of(&self, integral: &[f64; 2]) -> f64 {
-        let AsperityStatistics { density, radius, .. } = self.asperities;
-        product(&[PI, density, radius, integral[0], integral[1]])
+    /// The wanted one of pressure and area, and the separation (m), where the known one is `value`.
+    fn inverted(
+        &self,
+        [known, wanted]: [Order; 2],
+        quantity: &'static str,
+        value: f64,
+    ) -> Result<[f64; 2], ModelError> {
+        let AsperityStatistics { height_std: s, mean_offset, .. } = self.asperities;
+        let ([a, b, c, d], [i, j]) = (self.scale(known), powers(known, s));
+        let integral = Quotient::of(value, &[a, b, c, d, i, j]);
+        let alpha = alpha_of(known, integral)?;
+        let separation = require::answer(MODEL, mean_offset + alpha * s, quantity, value)?;
+        let [i, j] = powers(wanted, s);
+        let k = moved_along([known, wanted], alpha, integral.value);
+        let found = require::answer(MODEL, self.scaled(wanted, [i, j, k]), quantity, value)?;
+        Ok([found, separation])
     }
 
     fn state(&self, mean_pressure: f64, area_fraction: f64, separation: f64) -> ContactState {
@@ -209,15 +215,8 @@ impl ContactModel for GreenwoodWilliamson {
         if mean_pressure <= 0.0 {
             return Ok(ContactState::nothing_touches());
         }
-        let AsperityStatistics { density, radius, height_std: s, .. } = self.asperities;
-        let hertz = 4.0 / 3.0;
-        let scale = [hertz, self.modulus.pascals(), density, libm::sqrt(radius), s, libm::sqrt(s)];
-        let load = Quotient::of(mean_pressure, &scale);
-        let alpha = alpha_of(Order::ThreeHalves, load)?;
-        let separation =
-            require::answer(MODEL, self.separation_of(alpha), "mean pressure", mean_pressure)?;
-        let j1 = moved_along([Order::ThreeHalves, Order::One], alpha, load.value);
-        let area = require::answer(MODEL, self.area_of(&[s, j1]), "mean pressure", mean_pressure)?;
+        let [area, separation] =
+            self.inverted([Order::ThreeHalves, Order::One], "mean pressure", mean_pressure)?;
         Ok(self.state(mean_pressure, area, separation))
     }
 }
@@ -225,16 +224,11 @@ impl ContactModel for GreenwoodWilliamson {
 impl SeparationModel for GreenwoodWilliamson {
     fn at_separation(&self, separation: f64) -> Result<ContactState, ModelError> {
         let a = self.height_above_summit_mean(separation)?;
-        let s = self.asperities.height_std;
-        let pressure = require::answer(
-            MODEL,
-            self.pressure_of(&load_factors(a, s)),
-            "separation",
-            separation,
-        )?;
-        let area =
-            require::answer(MODEL, self.area_of(&area_factors(a, s)), "separation", separation)?;
-        Ok(self.state(pressure, area, separation))
+        let [pressure, area] = [Order::ThreeHalves, Order::One].map(|order| {
+            let integral = factors(order, a, self.asperities.height_std);
+            require::answer(MODEL, self.scaled(order, integral), "separation", separation)
+        });
+        Ok(self.state(pressure?, area?, separation))
     }
 }
 
@@ -256,14 +250,10 @@ fn alpha_of(order: Order, quotient: Quotient) -> Result<f64, ModelError> {
     let found = if quotient.value.is_normal() {
         inverse::from_value(order, quotient.value)
     } else {
-        inverse::from_logarithm(order, quotient.logarithm)
+        inverse::from_ln(order, quotient.logarithm)
     };
-    found.map_err(|_| {
-        require::refused(
-            MODEL,
-            "ln of the dimensionless load or area",
-            quotient.logarithm,
-            "must be below 708",
-        )
+    found.ok_or_else(|| {
+        let quantity = "ln of the dimensionless load or area";
+        require::refused(MODEL, quantity, quotient.logarithm, "must be below 708")
     })
 }

@@ -13,7 +13,6 @@ ORDERS = [
     ("HALF", mpf(1) / 2),
     ("ONE", mpf(1)),
     ("THREE_HALVES", mpf(3) / 2),
-    ("FIVE_HALVES", mpf(5) / 2),
 ]
 FAR = 8  # from here on exp(alpha^2/2) J_n is a polynomial in 64/alpha^2
 OUT = Path(__file__).parent.parent / "src" / "partial_moments"

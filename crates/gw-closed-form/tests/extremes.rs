@@ -4,8 +4,8 @@
 mod common;
 
 use common::{ReferenceRow, ReferenceTable};
-use gw_closed_form::partial_moments::{Order, ln, scaled};
-use gw_closed_form::{integrals, inverse};
+use gw_closed_form::inverse;
+use gw_closed_form::partial_moments::{Order, ln, scaled, value};
 
 /// One input at the end of its range.
 pub(crate) struct Case {
@@ -29,13 +29,13 @@ pub(crate) fn cases() -> Vec<Case> {
     let case = |row: ReferenceRow<'_>| {
         let (quantity, x) = (row.text("quantity"), row.number("argument"));
         let answer = match quantity {
-            "load" => integrals::load(x, 1.0),
-            "area" => integrals::area(x, 1.0),
+            "load" => value(Order::ThreeHalves, x),
+            "area" => value(Order::One, x),
             "ln load" => ln(Order::ThreeHalves, x),
             "scaled load" => scaled(Order::ThreeHalves, x),
-            "alpha from load" => inverse::from_load(x).expect("positive"),
-            "alpha from area" => inverse::from_area(x).expect("positive"),
-            "alpha from ln load" => inverse::from_ln_load(x).expect("in range"),
+            "alpha from load" => inverse::from_value(Order::ThreeHalves, x).expect("positive"),
+            "alpha from area" => inverse::from_value(Order::One, x).expect("positive"),
+            "alpha from ln load" => inverse::from_ln(Order::ThreeHalves, x).expect("in range"),
             other => unreachable!("{other} in the table"),
         };
         let place = format!("{quantity} at {}", row.text("argument"));

@@ -4,8 +4,8 @@ use contact_types::{
     AsperityStatistics, Caveat, ContactModel, ContactModulus, ModelError, SeparationModel,
     SpectralMoments,
 };
-use gw_closed_form::partial_moments::{Order, derivative, ln, ln_derivative, scaled, value};
-use gw_closed_form::{GreenwoodWilliamson, appendix, integrals, inverse};
+use gw_closed_form::partial_moments::{Order, ln, ln_derivative, scaled, value};
+use gw_closed_form::{GreenwoodWilliamson, inverse};
 use proptest::num::f64::{NEGATIVE, NORMAL, POSITIVE, SUBNORMAL, ZERO};
 use proptest::prelude::*;
 
@@ -15,7 +15,7 @@ fn any_finite() -> impl Strategy<Value = f64> {
 }
 
 fn order() -> impl Strategy<Value = Order> {
-    (0..5usize).prop_map(|k| Order::ALL[k])
+    prop::sample::select(vec![Order::Zero, Order::Half, Order::One, Order::ThreeHalves])
 }
 
 /// Positive over the whole range, or something a surface may have.
@@ -43,7 +43,6 @@ proptest! {
             value(order, alpha),
             scaled(order, alpha),
             ln(order, alpha),
-            derivative(order, alpha),
             ln_derivative(order, alpha),
         ] {
             prop_assert!(x.is_finite());
@@ -51,51 +50,26 @@ proptest! {
         prop_assert!(value(order, alpha) >= 0.0 && scaled(order, alpha) > 0.0 || alpha > 1e80);
     }
 
-    /// The next double never gives more: to the last bit.
     #[test]
-    fn partial_moments_fall(order in order(), alpha in any_finite()) {
-        prop_assert!(value(order, alpha.next_up()) <= value(order, alpha));
-    }
-
-    #[test]
-    fn integrals_are_finite_and_fall(a in any_finite(), std in any_finite()) {
-        for f in [integrals::load, integrals::area] {
-            let y = f(a, std);
-            prop_assert!(y.is_finite() && y >= 0.0, "{y}");
-            if a.next_up().is_finite() {
-                prop_assert!(f(a.next_up(), std) <= y);
-            }
+    fn inverse_answers_every_positive_double(x in POSITIVE | NORMAL | SUBNORMAL) {
+        for order in [Order::ThreeHalves, Order::One] {
+            let alpha = inverse::from_value(order, x).unwrap();
+            // d ln x = slope dα: what is left of x after the rounding of α
+            let allowed = 4e-15 * alpha.abs().max(1.0) * ln_derivative(order, alpha).abs();
+            prop_assert!((ln(order, alpha) - x.ln()).abs() <= allowed + 3e-16 * x.ln().abs());
         }
     }
 
     #[test]
-    fn literal_and_approximate_forms_are_finite(a in any_finite(), std in positive(1e-3, 1e3)) {
-        prop_assert!(appendix::load_a1(a, std).is_finite() || (a / std).is_infinite());
-    }
-
-    #[test]
-    fn inverse_answers_every_positive_double(x in POSITIVE | NORMAL | SUBNORMAL) {
-        let alpha = inverse::from_load(x).unwrap();
-        // d ln x = slope dα: what is left of x after the rounding of α
-        let allowed = 4e-15 * alpha.abs().max(1.0) * ln_derivative(Order::ThreeHalves, alpha).abs();
-        prop_assert!((ln(Order::ThreeHalves, alpha) - x.ln()).abs() <= allowed + 3e-16 * x.ln().abs());
-        let alpha = inverse::from_area(x).unwrap();
-        let allowed = 4e-15 * alpha.abs().max(1.0) * ln_derivative(Order::One, alpha).abs();
-        prop_assert!((ln(Order::One, alpha) - x.ln()).abs() <= allowed + 3e-16 * x.ln().abs());
-    }
-
-    #[test]
     fn inverse_answers_or_refuses_every_logarithm(x in any_finite()) {
-        match inverse::from_ln_load(x) {
-            Ok(alpha) => {
-                prop_assert!(alpha.is_finite());
-                if alpha.abs() < 1e150 {
-                    let allowed = 1e-14 * alpha.abs().max(1.0) * ln_derivative(Order::ThreeHalves, alpha).abs();
-                    prop_assert!((ln(Order::ThreeHalves, alpha) - x).abs() <= allowed + 1e-15 * x.abs());
-                }
-            }
-            Err(inverse::InverseError::TooLarge { .. }) => prop_assert!(x > 1060.0),
-            Err(other) => prop_assert!(false, "{other}"),
+        let Some(alpha) = inverse::from_ln(Order::ThreeHalves, x) else {
+            prop_assert!(x > 1060.0);
+            return Ok(());
+        };
+        prop_assert!(alpha.is_finite());
+        if alpha.abs() < 1e150 {
+            let allowed = 1e-14 * alpha.abs().max(1.0) * ln_derivative(Order::ThreeHalves, alpha).abs();
+            prop_assert!((ln(Order::ThreeHalves, alpha) - x).abs() <= allowed + 1e-15 * x.abs());
         }
     }
 

@@ -15,8 +15,7 @@ const MODEL: &str = "Archard";
 pub struct SphereLevel {
     /// Radius of the spheres \[m\].
     pub radius: f64,
-    /// Spheres per area of the surface that carries them \[m⁻²\]; for the coarsest level that is
-    /// the nominal area.
+    /// Spheres per area of what carries them \[m⁻²\]: the nominal area for the coarsest.
     pub density: f64,
 }
 
@@ -35,10 +34,8 @@ pub struct SphereLevel {
 /// ```
 /// use contact_types::{ContactModel, ContactModulus};
 /// use multiscale_models::{Archard, SphereLevel};
-/// let levels = [
-///     SphereLevel { radius: 1e-3, density: 1e5 },
-///     SphereLevel { radius: 1e-6, density: 1e11 },
-/// ];
+/// let level = |radius, density| SphereLevel { radius, density };
+/// let levels = [level(1e-3, 1e5), level(1e-6, 1e11)];
 /// let model = Archard::new(&levels, ContactModulus::from_pascals(110e9)?)?;
 /// assert!((model.exponent() - 8.0 / 9.0).abs() < 1e-15);
 /// assert!(model.at_pressure(1e6)?.area_fraction > 0.0);
@@ -130,8 +127,7 @@ impl Archard {
         coefficient
     }
 
-    /// The first assumption that is strained at nominal pressure `pressure`, judged by mean
-    /// loads from coarse to fine.
+    /// The first assumption that is strained, judged by mean loads from coarse to fine.
     fn strain(&self, pressure: f64) -> Option<Caveat> {
         let mut stress = Wide::from(pressure); // load per area of the carrier
         for (level, (&k, &density)) in self.constants.iter().zip(&self.densities).enumerate() {

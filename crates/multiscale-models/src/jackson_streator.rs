@@ -21,8 +21,7 @@ const MODEL: &str = "Jackson-Streator";
 /// where `g` is the area fraction of one bi-sinusoidal surface ([`SinusoidLaw`]). The pressure
 /// grows as the area falls, so short waves of small `Δ f` are flat and change nothing.
 ///
-/// The amplitudes of a random surface depend on the record length and on the finest frequency:
-/// report both with the answer.
+/// The amplitudes of a random surface depend on the record length and on the finest frequency.
 ///
 /// ```
 /// use contact_types::{AmplitudeSpectrum, ContactModel, ContactModulus, Wave};
@@ -42,9 +41,8 @@ const MODEL: &str = "Jackson-Streator";
 /// ```
 ///
 /// # Source
-/// Jackson & Streator (2006), doi:10.1016/j.wear.2006.03.015. The literature normalises the area
-/// of one wave per cell of two asperities in some papers and per asperity in others; only
-/// "per asperity, with 2 f^2 asperities per area" closes at full contact, and that is `g` here.
+/// Jackson & Streator (2006), doi:10.1016/j.wear.2006.03.015. `g` is normalised per asperity, with 2 f^2
+/// asperities per area: only that closes at full contact.
 #[derive(Debug, Clone, PartialEq)]
 pub struct JacksonStreator {
     amplitudes: AmplitudeSpectrum,

@@ -5,7 +5,7 @@
 //!
 //! | model | from | knows |
 //! |---|---|---|
-//! | [`Persson`] | moments, or a spectrum | area; with a spectrum also mean gap, stiffness, energy |
+//! | [`Persson`] | moments, or a spectrum | area; with a spectrum also mean gap and stiffness |
 //! | [`PerssonWithYield`] | rms gradient and hardness | elastic and plastic area |
 //! | [`Equation`] | moments | area, with an interval |
 //! | [`Stacked`] | largest amplitude over wavelength | area |
@@ -37,9 +37,7 @@ pub use archard::{Archard, SphereLevel};
 pub use equation::Equation;
 pub use jackson_streator::JacksonStreator;
 pub use majumdar_bhushan::MajumdarBhushan;
-pub use persson::{
-    AreaLaw, Persson, PerssonWithYield, PressureDistribution, SelfAffineSpectrum, YieldShares,
-};
+pub use persson::{AreaLaw, Persson, PerssonWithYield, SelfAffineSpectrum, YieldShares};
 pub use sinusoid::SinusoidLaw;
 pub use stacked::Stacked;
 pub use yan_komvopoulos::YanKomvopoulos;

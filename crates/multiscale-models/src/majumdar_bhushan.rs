@@ -1,7 +1,7 @@
 //! Majumdar and Bhushan's fractal model, elastic part.
 
 use crate::answer::{citation, outside};
-use crate::spots::{FractalContact, SpotPopulation};
+use crate::spots::FractalContact;
 use crate::wide::Wide;
 use contact_types::{
     Citation, ContactModel, ContactModulus, ContactState, FractalParameters, ModelError, require,
@@ -25,20 +25,14 @@ const MODEL: &str = "Majumdar-Bhushan";
 /// - `D`: dimension of a profile, 1 < D < 2 \[-\]; `G`: fractal roughness \[m\];
 /// - `A_0`: nominal area \[m²\]; `a_c`: critical area \[m²\], below which a spot is plastic.
 ///
-/// Without a critical area (`a_c = 0`) the load is the paper's, and exists for `D < 3/2` only:
-/// the integral over the smallest spots diverges to plus infinity from D = 3/2 on, and the
-/// negative load that the formula then gives is the continuation of a divergent integral. The
-/// model refuses it. With a critical area every 1 < D < 2 has a finite positive load, evaluated
-/// with `expm1` so that D = 3/2, where the bracket is `ln(a_l/a_c)`, costs no digit.
+/// Without a critical area (`a_c = 0`) the load exists for `D < 3/2` only and is refused from there on: the
+/// negative load of the printed formula continues a divergent integral. With one every 1 < D < 2 has a
+/// finite positive load, through the logarithm at D = 3/2 without loss of a digit.
 ///
 /// ```
 /// use contact_types::{ContactModel, ContactModulus, FractalParameters};
 /// use multiscale_models::MajumdarBhushan;
 /// let modulus = ContactModulus::from_pascals(110e9)?;
-/// let surface = FractalParameters { dimension: 1.4, roughness: 1e-11 };
-/// let model = MajumdarBhushan::new(surface, 1e-6, modulus)?;
-/// let state = model.at_pressure(10e6)?;
-/// assert!(state.area_fraction > 0.0 && state.caveat.is_none());
 /// // D = 1.62 has an answer only with a critical area:
 /// let rough = FractalParameters { dimension: 1.62, roughness: 1e-11 };
 /// let model = MajumdarBhushan::new(rough, 1e-6, modulus)?;
@@ -48,11 +42,10 @@ const MODEL: &str = "Majumdar-Bhushan";
 /// ```
 ///
 /// # Source
-/// Majumdar & Bhushan (1991), doi:10.1115/1.2920588; the elastic spot law and `a_c` there. The
-/// paper's closing remark that the load turns negative for D > 1.5 describes the dropped `a_c`.
+/// Majumdar & Bhushan (1991), doi:10.1115/1.2920588.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct MajumdarBhushan {
-    surface: FractalParameters,
+    roughness: f64,
     modulus: ContactModulus,
     contact: FractalContact,
 }
@@ -77,18 +70,19 @@ impl MajumdarBhushan {
         require::positive(MODEL, "fractal roughness", roughness)?;
         require::positive(MODEL, "nominal area", nominal_area)?;
         // n(a) = (D/2) a_l^(D/2) a^(-D/2-1), F(a) = (4 sqrt(pi)/3) E* G^(D-1) a^((3-D)/2)
-        let spots = SpotPopulation {
+        let contact = FractalContact {
+            model: MODEL,
+            dimension: d,
             size_exponent: d / 2.0,
             load_exponent: (3.0 - d) / 2.0,
             epsilon: 1.5 - d, // exact for every double near D = 3/2
             coefficient: Wide::from(roughness).powf(d - 1.0)
                 * modulus.pascals()
                 * (4.0 * PI.sqrt() / 3.0),
+            nominal_area,
+            critical: None,
         };
-        let (model, dimension, divergence, critical) = (MODEL, d, 1.5, None);
-        let contact =
-            FractalContact { model, dimension, divergence, spots, nominal_area, critical };
-        Ok(Self { surface, modulus, contact })
+        Ok(Self { roughness, modulus, contact })
     }
 
     /// Counts as elastic only the spots larger than `critical_area` (m²). Load is the elastic
@@ -108,18 +102,16 @@ impl MajumdarBhushan {
     /// F_p = H \frac{D}{2-D} a_l^{D/2} a_c^{(2-D)/2}
     /// ```
     ///
-    /// A spot of area `a` deforms by `delta = G^(D-1) a^(1-D/2)`, its asperity has the radius
-    /// `R = a^(D/2)/(pi^2 G^(D-1))`, and it yields beyond `delta_c = (pi H / 2E*)^2 R`: where it is
-    /// smaller than `a_c`.
+    /// A spot yields where its deformation `G^(D-1) a^(1-D/2)` exceeds `(pi H / 2E*)^2 R`, with the radius
+    /// `R = a^(D/2)/(pi^2 G^(D-1))` of its asperity.
     ///
     /// # Errors
     /// [`ModelError::InvalidInput`] for a hardness that is not finite and positive;
     /// [`ModelError::OutsideDomain`] if `a_c` is beyond the range of a double.
     pub fn with_hardness(self, hardness: f64) -> Result<Self, ModelError> {
         require::positive(MODEL, "hardness", hardness)?;
-        let FractalParameters { dimension, roughness } = self.surface;
         let softness = Wide::from(2.0) * self.modulus.pascals() / hardness; // 2 E*/H
-        let area = (softness.powf(1.0 / (dimension - 1.0)) * roughness).powf(2.0);
+        let area = (softness.powf(1.0 / (self.contact.dimension - 1.0)) * self.roughness).powf(2.0);
         let reason = "G^2 (2 E*/H)^(2/(D-1)) is beyond the range of a double: D is too close to 1";
         Ok(Self { contact: self.contact.with_hardness(hardness, area, reason)?, ..self })
     }
@@ -138,7 +130,7 @@ impl MajumdarBhushan {
     pub fn pressure_at_area(&self, area_fraction: f64) -> Result<f64, ModelError> {
         require::not_negative(MODEL, "area fraction", area_fraction)?;
         // a_l = (2 - D)/D A_r
-        let d = self.surface.dimension;
+        let d = self.contact.dimension;
         let area = Wide::from(area_fraction) * self.contact.nominal_area;
         self.contact.pressure(area * ((2.0 - d) / d))
     }
@@ -152,7 +144,7 @@ impl ContactModel for MajumdarBhushan {
     }
 
     fn at_pressure(&self, mean_pressure: f64) -> Result<ContactState, ModelError> {
-        let share = self.contact.spots.area_share();
+        let share = self.contact.area_share();
         self.contact.at_pressure(mean_pressure, |largest| largest * share)
     }
 }

@@ -20,13 +20,25 @@ pub(crate) struct FractalContact {
     pub(crate) model: &'static str,
     /// Dimension D.
     pub(crate) dimension: f64,
-    /// D from which on the load of ever smaller elastic spots diverges.
-    pub(crate) divergence: f64,
-    pub(crate) spots: SpotPopulation,
+    /// Exponent of the size distribution, 0 < s < 1.
+    pub(crate) size_exponent: f64,
+    /// Exponent of the elastic load of a spot.
+    pub(crate) load_exponent: f64,
+    /// `load_exponent - size_exponent`, without rounding where it vanishes.
+    pub(crate) epsilon: f64,
+    /// `c` of the elastic load of a spot.
+    pub(crate) coefficient: Wide,
     /// \[m²\].
     pub(crate) nominal_area: f64,
     /// `None` if every spot is elastic.
     pub(crate) critical: Option<Critical>,
+}
+
+/// Below `area` a spot is plastic; `hardness` (Pa) is what it then carries, 0 to leave it out.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub(crate) struct Critical {
+    pub(crate) area: Wide,
+    pub(crate) hardness: Wide,
 }
 
 impl FractalContact {
@@ -58,10 +70,7 @@ impl FractalContact {
         if largest.is_zero() {
             return Ok(0.0);
         }
-        let load = match self.critical {
-            Some(critical) => self.spots.load_with(critical, largest),
-            None => self.spots.load(largest),
-        };
+        let load = self.load_and_slope(largest).0;
         require::representable(self.model, "mean pressure", (load / self.nominal_area).value())
     }
 
@@ -74,12 +83,9 @@ impl FractalContact {
         require::pressure(self.model, mean_pressure)?;
         self.check_convergence()?;
         let load = Wide::from(mean_pressure) * self.nominal_area;
-        let largest = match self.critical {
-            _ if load.is_zero() => load,
-            Some(critical) => self.spots.largest_with(critical, load),
-            None => self.spots.largest(load),
-        };
-        let area = if load.is_zero() { load } else { real_area(largest) };
+        let is_zero = load.is_zero();
+        let largest = if is_zero { load } else { self.largest(load) };
+        let area = if is_zero { load } else { real_area(largest) };
         let area_fraction = (area / self.nominal_area).value();
         require::representable(self.model, "area fraction", area_fraction)?;
         let largest_fraction = (largest / self.nominal_area).value().min(f64::MAX);
@@ -97,45 +103,23 @@ impl FractalContact {
 
     /// Refuses a load integral that has no value.
     fn check_convergence(&self) -> Result<(), ModelError> {
-        if self.critical.is_some() || self.dimension < self.divergence {
+        if self.critical.is_some() || self.epsilon > 0.0 {
             return Ok(());
         }
+        let divergence = self.dimension + self.epsilon; // 3/2 or 5/2, exactly
         Err(ModelError::OutsideDomain {
             model: self.model.into(),
             quantity: "D".into(),
             value: self.dimension,
-            domain: self.divergence - 0.5..=self.divergence,
+            domain: divergence - 0.5..=divergence,
             reason: format!(
-                "the load of ever smaller elastic spots diverges for D >= {}; give a critical \
-                 area, below which spots are plastic",
-                self.divergence
+                "the load of ever smaller elastic spots diverges for D >= {divergence}; give a critical \
+                 area, below which spots are plastic"
             )
             .into(),
         })
     }
-}
 
-/// A population of spots.
-#[derive(Debug, Clone, Copy, PartialEq)]
-pub(crate) struct SpotPopulation {
-    /// Exponent of the size distribution, 0 < s < 1.
-    pub(crate) size_exponent: f64,
-    /// Exponent of the elastic load of a spot.
-    pub(crate) load_exponent: f64,
-    /// `load_exponent - size_exponent`, without rounding where it vanishes.
-    pub(crate) epsilon: f64,
-    /// `c` of the elastic load of a spot.
-    pub(crate) coefficient: Wide,
-}
-
-/// Below `area` a spot is plastic; `hardness` (Pa) is what it then carries, 0 to leave it out.
-#[derive(Debug, Clone, Copy, PartialEq)]
-pub(crate) struct Critical {
-    pub(crate) area: Wide,
-    pub(crate) hardness: Wide,
-}
-
-impl SpotPopulation {
     /// Area of all spots over that of the largest, `s/(1 - s)`.
     pub(crate) fn area_share(&self) -> f64 {
         self.size_exponent / (1.0 - self.size_exponent)
@@ -146,24 +130,13 @@ impl SpotPopulation {
         self.coefficient * area.powf(self.load_exponent)
     }
 
-    /// Load of all spots without critical area, `F(a_l) s / epsilon`; needs `epsilon > 0`.
-    fn load(&self, largest: Wide) -> Wide {
-        self.spot_load(largest) * (self.size_exponent / self.epsilon)
-    }
-
-    /// Largest spot that carries `load` without critical area: the inverse of [`Self::load`].
-    fn largest(&self, load: Wide) -> Wide {
-        (load * (self.epsilon / self.size_exponent) / self.coefficient)
-            .powf(1.0 / self.load_exponent)
-    }
-
-    /// Load of all spots with a critical area.
-    fn load_with(&self, critical: Critical, largest: Wide) -> Wide {
-        self.load_and_slope(critical, largest).0
-    }
-
-    /// Load of all spots with a critical area, and its `d ln F / d ln a_l`.
-    fn load_and_slope(&self, critical: Critical, largest: Wide) -> (Wide, f64) {
+    /// Load of all spots, and its `d ln F / d ln a_l`. Without critical area it is `F(a_l) s / epsilon`
+    /// and needs `epsilon > 0`.
+    fn load_and_slope(&self, largest: Wide) -> (Wide, f64) {
+        let Some(critical) = self.critical else {
+            let load = self.spot_load(largest) * (self.size_exponent / self.epsilon);
+            return (load, self.load_exponent);
+        };
         let (s, epsilon) = (self.size_exponent, self.epsilon);
         let ratio = largest / critical.area;
         let log_ratio = ratio.ln();
@@ -183,21 +156,24 @@ impl SpotPopulation {
         (elastic + plastic, s + elastic_weight * (elastic_slope - s))
     }
 
-    /// Largest spot that carries `load` with a critical area: Newton for `ln F` in
+    /// Largest spot that carries `load`. With a critical area: Newton for `ln F` in
     /// `v = ln ln(a_l/a_c)`, kept inside a bracket.
-    fn largest_with(&self, critical: Critical, load: Wide) -> Wide {
-        let threshold = self.load_with(critical, critical.area);
+    fn largest(&self, load: Wide) -> Wide {
+        let Some(Critical { area, .. }) = self.critical else {
+            return (load * (self.epsilon / self.size_exponent) / self.coefficient)
+                .powf(1.0 / self.load_exponent);
+        };
+        let (threshold, _) = self.load_and_slope(area);
         if !threshold.is_zero() && (load / threshold).value() <= 1.0 {
             // All spots plastic: load is hardness times area.
-            return critical.area * (load / threshold);
+            return area * (load / threshold);
         }
         // ln(a_l/a_c) from 1e-307, where the spot is critical to rounding, to 22 000: doubles reach 6500.
-        let (mut lo, mut hi) = ((-706.0_f64), 10.0_f64);
+        let (mut lo, mut hi) = (-706.0_f64, 10.0_f64);
         let mut v = 1.0_f64;
         while hi - lo > 1e-12 {
             let log_ratio = v.exp();
-            let (found, slope) =
-                self.load_and_slope(critical, critical.area * Wide::exp(log_ratio));
+            let (found, slope) = self.load_and_slope(area * Wide::exp(log_ratio));
             let mismatch = if found.is_zero() { f64::NEG_INFINITY } else { (found / load).ln() };
             let step = mismatch / (slope * log_ratio);
             // Quadratic: after a step of 1e-9 the rest is rounding.
@@ -213,11 +189,11 @@ impl SpotPopulation {
             let newton = v - step;
             v = if newton > lo && newton < hi { newton } else { 0.5 * (lo + hi) };
         }
-        let mut spot = critical.area * Wide::exp(v.exp());
+        let mut spot = area * Wide::exp(v.exp());
         // Two more steps on the spot itself, whose logarithm has lost digits.
         if v > 0.0 {
             for _ in 0..2 {
-                let (found, slope) = self.load_and_slope(critical, spot);
+                let (found, slope) = self.load_and_slope(spot);
                 spot = spot * Wide::exp(-(found / load).ln() / slope);
             }
         }
@@ -236,7 +212,11 @@ mod tests {
         let mut seen = 0;
         for d in [1.0 + f64::EPSILON, 1.2, 1.5, 1.8, 2.0 - f64::EPSILON] {
             for coefficient in [tiny * tiny, Wide::from(1.0), huge * huge] {
-                let spots = SpotPopulation {
+                let spots = FractalContact {
+                    model: "",
+                    dimension: d,
+                    nominal_area: 1.0,
+                    critical: None,
                     size_exponent: d / 2.0,
                     load_exponent: (3.0 - d) / 2.0,
                     epsilon: 1.5 - d,
@@ -245,14 +225,15 @@ mod tests {
                 for area in [tiny, Wide::from(1.0), huge] {
                     for hardness in [Wide::from(0.0), tiny, huge] {
                         for load in [tiny * tiny, Wide::from(1.0), huge * huge] {
-                            let critical = Critical { area, hardness };
-                            let largest = spots.largest_with(critical, load);
+                            let critical = Some(Critical { area, hardness });
+                            let spots = FractalContact { critical, ..spots };
+                            let largest = spots.largest(load);
                             // Newton works on this, at most 6500; where it is small, the area rounds it.
                             let log_ratio = (largest / area).ln();
                             if log_ratio.abs() < 1e-4 {
                                 continue;
                             }
-                            let miss = (spots.load_with(critical, largest) / load).ln();
+                            let miss = (spots.load_and_slope(largest).0 / load).ln();
                             let place = format!("{d} {coefficient:?} {critical:?} {load:?}");
                             assert!(miss.abs() < 1e-11, "{place}: {miss:e}");
                             seen += 1;

@@ -21,8 +21,8 @@ const MODEL: &str = "stacked multiscale";
 /// and the scale with the largest `B = Δ/λ` needs most: `p_r = sqrt(2) pi E* B_max`, whatever
 /// the load, and `A/A_0 = min(1, p / p_r)`.
 ///
-/// `B_max` is amplitude (not peak to valley) over wavelength \[-\]. It depends on the record
-/// length of the profiles and on the finest scale resolved, so it is not a material constant.
+/// `B_max` is amplitude (not peak to valley) over wavelength \[-\]; it depends on the record length and the
+/// finest scale resolved.
 ///
 /// ```
 /// use contact_types::{ContactModel, ContactModulus};
@@ -35,9 +35,8 @@ const MODEL: &str = "stacked multiscale";
 ///
 /// # Source
 /// Jackson, Wilson & Angadi (2008), STLE/ASME IJTC, Miami; Jackson & Green (2009),
-/// IJTC2009-15106, eqs (3)-(4); `p*`: Johnson, Greenwood & Higginson (1985),
-/// doi:10.1016/0020-7403(85)90029-3. In the copy at hand the root covers `2 pi E* Δ`, which is
-/// no pressure; `p*` of Johnson, Greenwood & Higginson has it over the 2 alone.
+/// IJTC2009-15106, eqs (3)-(4), where the root must cover the 2 alone as in `p*` of Johnson, Greenwood &
+/// Higginson (1985), doi:10.1016/0020-7403(85)90029-3.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Stacked {
     max_amplitude_ratio: f64,

@@ -1,7 +1,7 @@
 //! Yan and Komvopoulos' fractal surface in three dimensions.
 
 use crate::answer::{citation, outside};
-use crate::spots::{FractalContact, SpotPopulation};
+use crate::spots::FractalContact;
 use crate::wide::Wide;
 use contact_types::{Citation, ContactModel, ContactModulus, ContactState, ModelError, require};
 use std::f64::consts::PI;
@@ -15,21 +15,14 @@ const FREQUENCY_RATIO: f64 = 1.5;
 ///
 /// Spots are counted by their truncated area `a'`, the cut of the undeformed surface at the
 /// height of the flat, with the density `n = (D-1)/2 a'_L^((D-1)/2) a'^(-(D+1)/2)`. An elastic
-/// spot really touches over `a'/2` (Hertz) and carries
+/// spot touches over `a'/2` (Hertz), a plastic one over `a'` under `H a'`:
 ///
 /// ```math
-/// \Delta F = \frac{2^{(11-2D)/2}}{3\pi^{(4-D)/2}}\,(\ln\gamma)^{1/2} G^{D-2} E^*\,a'^{(4-D)/2},
+/// \Delta F = \frac{2^{(11-2D)/2}}{3\pi^{(4-D)/2}}\,(\ln\gamma)^{1/2} G^{D-2} E^*\,a'^{(4-D)/2}, \qquad
+/// F_e = \frac{D-1}{5-2D}\,\Delta F(a_L')\left[1 - \left(\frac{a'_c}{a'_L}\right)^{(5-2D)/2}\right],
 /// ```
 ///
-/// a plastic one touches over `a'` and carries `H a'`. Hence
-///
-/// ```math
-/// F_e = \frac{2^{(11-2D)/2}}{3\pi^{(4-D)/2}}\,\frac{D-1}{5-2D}\,(\ln\gamma)^{1/2} G^{D-2} E^*
-///   a_L'^{(4-D)/2}\left[1 - \left(\frac{a'_c}{a'_L}\right)^{(5-2D)/2}\right],
-/// ```
-///
-/// with a logarithm at D = 5/2, evaluated without loss through it. Without a critical area the
-/// load exists for D < 5/2 only.
+/// with a logarithm at D = 5/2. Without a critical area the load exists for D < 5/2 only.
 ///
 /// - `D`: dimension of the surface \[-\]; `G`: fractal roughness \[m\]; `gamma`: ratio of successive
 ///   frequencies \[-\]; `a'_L`, `a'_c`: largest and critical truncated area \[m²\].
@@ -59,7 +52,9 @@ impl YanKomvopoulos {
         }
         require::positive(MODEL, "fractal roughness", roughness)?;
         require::positive(MODEL, "nominal area", nominal_area)?;
-        let spots = SpotPopulation {
+        Ok(Self(FractalContact {
+            model: MODEL,
+            dimension,
             size_exponent: (d - 1.0) / 2.0,
             load_exponent: (4.0 - d) / 2.0,
             epsilon: 2.5 - d, // exact for every double near D = 5/2
@@ -67,9 +62,9 @@ impl YanKomvopoulos {
                 * modulus.pascals()
                 * (((11.0 - 2.0 * d) / 2.0).exp2() / (3.0 * PI.powf((4.0 - d) / 2.0)))
                 * FREQUENCY_RATIO.ln().sqrt(),
-        };
-        let (model, divergence, critical) = (MODEL, 2.5, None);
-        Ok(Self(FractalContact { model, dimension, divergence, spots, nominal_area, critical }))
+            nominal_area,
+            critical: None,
+        }))
     }
 
     /// Counts as elastic only spots of truncated area above `critical_area` (m²). Load is the
@@ -96,7 +91,7 @@ impl YanKomvopoulos {
     pub fn with_hardness(self, hardness: f64) -> Result<Self, ModelError> {
         require::positive(MODEL, "hardness", hardness)?;
         // c a^((4-D)/2) = H a  =>  a = (c/H)^(2/(D-2))
-        let ratio = self.0.spots.coefficient / hardness;
+        let ratio = self.0.coefficient / hardness;
         let area = ratio.powf(2.0 / (self.0.dimension - 2.0));
         let reason = "it is beyond the range of a double: D is too close to 2";
         self.0.with_hardness(hardness, area, reason).map(Self)
@@ -114,9 +109,8 @@ impl YanKomvopoulos {
 
     /// Real area of all spots: half the truncated area of the elastic ones, all of the plastic.
     fn real_area(&self, largest: Wide) -> Wide {
-        let Self(FractalContact { spots, critical, .. }) = self;
-        let truncated = largest * spots.area_share();
-        let Some(critical) = critical else {
+        let truncated = largest * self.0.area_share();
+        let Some(critical) = self.0.critical else {
             return truncated / 2.0;
         };
         let ratio = largest / critical.area;
@@ -124,7 +118,7 @@ impl YanKomvopoulos {
             return truncated;
         }
         // int_0^{a_c} n a' da' = s/(1-s) a_L (a_c/a_L)^(1-s)
-        let plastic = truncated / ratio.powf(1.0 - spots.size_exponent);
+        let plastic = truncated / ratio.powf(1.0 - self.0.size_exponent);
         (truncated + plastic) / 2.0
     }
 }

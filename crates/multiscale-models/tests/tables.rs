@@ -105,92 +105,66 @@ fn persson_gap_and_stiffness() {
     stiff.at_most(5e-14);
 }
 
+/// The rows of a model in the table of areas.
+fn areas(model: &str, of: impl Fn(&ReferenceRow<'_>) -> Box<dyn ContactModel>, limit: f64) {
+    let mut worst = Worst::of(model);
+    let table = ReferenceTable::read("multiscale_areas.csv");
+    for row in table.rows().filter(|row| row.text("model") == model) {
+        let area = of(&row).at_pressure(row.number("p")).expect("an answer").area_fraction;
+        worst.compare(area, row.number("A"), || format!("p/E* = {}", row.text("p")));
+    }
+    worst.at_most(limit);
+}
+
 #[test]
 fn stacked() {
-    let mut worst = Worst::of("stacked area");
-    for row in ReferenceTable::read("multiscale_areas.csv").rows() {
-        if row.text("model") == "stacked" {
-            let model = Stacked::new(row.number("B_max"), unit()).unwrap();
-            let area = model.at_pressure(row.number("p")).unwrap().area_fraction;
-            worst.compare(area, row.number("A"), || format!("p/E* = {}", row.text("p")));
-        }
-    }
-    worst.at_most(1e-15);
-}
-
-fn fractal(row: &ReferenceRow<'_>) -> MajumdarBhushan {
-    let surface =
-        FractalParameters { dimension: row.number("D"), roughness: row.number("G_over_sqrtAn") };
-    MajumdarBhushan::new(surface, 1.0, unit()).expect("the table has valid surfaces")
-}
-
-#[test]
-fn majumdar_bhushan_without_critical_area() {
-    let (mut load, mut area) = (Worst::of("MB load"), Worst::of("MB area"));
-    // The load has the factor 1/(3 - 2D): at D = 1.4999 the rounding of the decimal D to a double
-    // (2^-53 at most) is worth 1e-12, and no evaluation can undo it.
-    let (mut near_load, mut near_area) =
-        (Worst::of("MB load at D = 1.4999"), Worst::of("MB area at D = 1.4999"));
-    for row in ReferenceTable::read("majumdar_bhushan.csv").rows() {
-        let (model, a) = (fractal(&row), row.number("Ar_over_An"));
-        let place = || format!("D = {}, A = {a}", row.text("D"));
-        let (load, area) = if row.text("D") == "1.4999" {
-            (&mut near_load, &mut near_area)
-        } else {
-            (&mut load, &mut area)
-        };
-        load.compare(model.pressure_at_area(a).unwrap(), row.number("F_over_EAn"), place);
-        let state = model.at_pressure(row.number("F_over_EAn")).unwrap();
-        area.compare(state.area_fraction, a, place);
-    }
-    load.at_most(1e-14);
-    area.at_most(1e-14);
-    near_load.at_most(1e-12);
-    near_area.at_most(1e-12);
-}
-
-#[test]
-fn majumdar_bhushan_with_critical_area() {
-    let (mut load, mut area) = (Worst::of("MB load with a_c"), Worst::of("MB area with a_c"));
-    for row in ReferenceTable::read("majumdar_bhushan_critical_area.csv").rows() {
-        let model = fractal(&row).with_critical_area(row.number("ac_over_An")).unwrap();
-        let a = row.number("Ar_over_An");
-        let place = || format!("D = {}, A = {a}, a_c = {}", row.text("D"), row.text("ac_over_An"));
-        load.compare(model.pressure_at_area(a).unwrap(), row.number("Fe_over_EAn"), place);
-        if row.number("Fe_over_EAn") > 0.0 {
-            let state = model.at_pressure(row.number("Fe_over_EAn")).unwrap();
-            area.compare(state.area_fraction, a, place);
-        }
-    }
-    load.at_most(3e-14);
-    area.at_most(3e-14);
+    areas("stacked", |row| Box::new(Stacked::new(row.number("B_max"), unit()).unwrap()), 1e-15);
 }
 
 #[test]
 fn jackson_streator_recursion() {
-    let mut worst = Worst::of("Jackson-Streator area");
-    for row in ReferenceTable::read("multiscale_areas.csv").rows() {
-        if row.text("model") != "multiscale" {
-            continue;
+    let amplitudes = ReferenceTable::read("multiscale_amplitudes.csv");
+    let of = |row: &ReferenceRow<'_>| -> Box<dyn ContactModel> {
+        let waves = amplitudes.rows().filter(|w| w.text("surface") == row.text("surface"));
+        let wave = |w: ReferenceRow<'_>| Wave {
+            frequency: w.number("k") / w.number("length"),
+            amplitude: w.number("amplitude"),
+        };
+        let spectrum = AmplitudeSpectrum::new(waves.map(wave).collect(), 1.0).unwrap();
+        Box::new(JacksonStreator::new(spectrum, unit()).unwrap())
+    };
+    areas("multiscale", of, 1e-14);
+}
+
+/// Load at an area and area at a load, without and with a critical area.
+#[test]
+fn majumdar_bhushan() {
+    // The load has the factor 1/(3 - 2D): at D = 1.4999 the rounding of the decimal D to a double
+    // (2^-53 at most) is worth 1e-12, and no evaluation can undo it.
+    let is_near = |row: &ReferenceRow<'_>| row.text("D") == "1.4999";
+    let [plain, with_area] = ["majumdar_bhushan.csv", "majumdar_bhushan_critical_area.csv"];
+    for (table, column, near, limit) in [
+        (plain, "F_over_EAn", false, 1e-14),
+        (plain, "F_over_EAn", true, 1e-12),
+        (with_area, "Fe_over_EAn", false, 3e-14),
+    ] {
+        let mut worst = Worst::of(format!("{table}, D = 1.4999: {near}"));
+        for row in ReferenceTable::read(table).rows().filter(|row| is_near(row) == near) {
+            let [dimension, roughness, a, pressure] =
+                row.numbers(["D", "G_over_sqrtAn", "Ar_over_An", column]);
+            let surface = FractalParameters { dimension, roughness };
+            let mut model = MajumdarBhushan::new(surface, 1.0, unit()).unwrap();
+            if table == with_area {
+                model = model.with_critical_area(row.number("ac_over_An")).unwrap();
+            }
+            let place = || format!("D = {}, A = {a}", row.text("D"));
+            worst.compare(model.pressure_at_area(a).unwrap(), pressure, place);
+            if pressure > 0.0 {
+                worst.compare(model.at_pressure(pressure).unwrap().area_fraction, a, place);
+            }
         }
-        let amplitudes = ReferenceTable::read("multiscale_amplitudes.csv");
-        let waves: Vec<_> = amplitudes
-            .rows()
-            .filter(|w| w.text("surface") == row.text("surface"))
-            .map(|w| Wave {
-                frequency: w.number("k") / w.number("length"),
-                amplitude: w.number("amplitude"),
-            })
-            .collect();
-        let spectrum = AmplitudeSpectrum::new(waves, 1.0).unwrap();
-        let area = JacksonStreator::new(spectrum, unit())
-            .unwrap()
-            .at_pressure(row.number("p"))
-            .unwrap()
-            .area_fraction;
-        worst.compare(area, row.number("A"), || format!("p/E* = {}", row.text("p")));
+        worst.at_most(limit);
     }
-    worst.at_most(1e-14);
 }
 
 #[test]

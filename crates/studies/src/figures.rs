@@ -1,15 +1,12 @@
 //! Figures of what accuracy costs: the error of the real area against time, from closed forms to
 //! the solver; and the error of the pressure against time, method by method.
 
-use crate::tradeoff::{AreaOf, PAIR, STATISTICS, TradeoffRow, TradeoffTable, Way, is, ways};
+use crate::tradeoff::{AreaOf, TradeoffRow, TradeoffTable, Way, is, ways};
 use contact_accuracy::median;
 use contact_compare::find;
 use contact_report::numbers::{SPACE, duration, percent, power_of_ten};
 use contact_report::{CostLabel, CostPlot, Style, plot_style};
 use std::io::{self, Write};
-
-/// Tolerance at which the grids are compared: the solver's own default.
-const TOLERANCE: f64 = 1e-4;
 
 /// Smallest and largest of some values.
 fn span(values: impl Iterator<Item = f64>) -> [f64; 2] {
@@ -39,7 +36,7 @@ fn grid_name(scale: f64) -> &'static str {
 /// Whatever the writer reports.
 pub fn write_tradeoff_area(table: &TradeoffTable, out: &mut impl Write) -> io::Result<()> {
     let mut shown = ways(table.rows.iter());
-    shown.retain(is_shown);
+    shown.retain(|way| way.area == AreaOf::Model || way.row.is_default());
     let floor = median(table.rows.iter().filter_map(|r| Some(r.bar? / r.truth?))).unwrap_or(0.0);
     let times = span(shown.iter().map(|w| w.seconds));
     let errors = span(shown.iter().map(|w| w.error[1]).chain([floor]));
@@ -47,8 +44,7 @@ pub fn write_tradeoff_area(table: &TradeoffTable, out: &mut impl Write) -> io::R
     let limits = [[times[0] / 2.5, times[1] * 1.8], [100.0 * errors[0] / 2.0, 150.0 * highest]];
     let titles = ["Time per load", "|Error| of the real area (%)"];
     let mut plot = CostPlot::new(limits, titles, Some(floor));
-    let setup = table.rows.iter().filter(|r| r.method == STATISTICS).map(|r| r.seconds);
-    if let Some(seconds) = median(setup) {
+    if let Some(seconds) = table.statistics() {
         plot.mark(seconds, "statistics of a map, once", true);
     }
 
@@ -92,13 +88,6 @@ pub fn write_tradeoff_area(table: &TradeoffTable, out: &mut impl Write) -> io::R
         percent(floor)
     );
     plot.write_svg("tradeoff-area", "Error of the real area against time", description, out)
-}
-
-/// Models, and the fast method in double precision at the default tolerance.
-fn is_shown(way: &Way<'_>) -> bool {
-    let TradeoffRow { method, precision, tolerance, .. } = way.row;
-    let is_default = method == "chord" && precision.as_deref() == Some("f64");
-    way.area == AreaOf::Model || is_default && is(*tolerance, TOLERANCE)
 }
 
 fn style_of(area: AreaOf, method: &str) -> Style {
@@ -150,7 +139,7 @@ pub fn write_tradeoff_pressure(table: &TradeoffTable, out: &mut impl Write) -> i
     let rows: Vec<&TradeoffRow> =
         table.rows.iter().filter(full).filter(|r| r.pressure_error.is_some()).collect();
     let point = |r: &TradeoffRow| [r.seconds, r.pressure_error.unwrap_or(1.0).max(1e-13)];
-    let pair = table.rows.iter().filter(full).find(|r| r.method == PAIR).map(|r| r.seconds);
+    let pair = table.pair();
     let times = span(rows.iter().map(|r| r.seconds).chain(pair));
     let errors = span(rows.iter().map(|r| point(r)[1]));
     let limits = [[times[0] / 1.6, times[1] * 1.4], [errors[0] / 5.0, 1.0]];

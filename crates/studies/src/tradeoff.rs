@@ -106,6 +106,16 @@ impl TradeoffRow {
         })
     }
 
+    /// Whether the tolerance is the solver's default, at which grids are compared.
+    pub fn is_at_default(&self) -> bool {
+        is(self.tolerance, 1e-4)
+    }
+
+    /// Whether the fast method in double precision made it at that tolerance.
+    pub fn is_default(&self) -> bool {
+        self.method == "chord" && self.precision.as_deref() == Some("f64") && self.is_at_default()
+    }
+
     /// Signed relative error of an area of this row.
     pub fn error_of(&self, area: Option<f64>) -> Option<f64> {
         Some(area? / self.truth? - 1.0)
@@ -147,6 +157,16 @@ impl TradeoffTable {
             }
         }
         Ok(table)
+    }
+
+    /// Seconds of one FFT convolution on the given grid in double precision, which is the first.
+    pub fn pair(&self) -> Option<f64> {
+        self.rows.iter().find(|r| r.method == PAIR && is(r.scale, 1.0)).map(|r| r.seconds)
+    }
+
+    /// Median seconds of the statistics that models are made from.
+    pub fn statistics(&self) -> Option<f64> {
+        median(self.rows.iter().filter(|r| r.method == STATISTICS).map(|r| r.seconds))
     }
 }
 

@@ -1,9 +1,26 @@
-//! How one order is evaluated: Taylor series between tabled nodes, and the two far ends.
+//! The Gaussian, and how one order is evaluated: Taylor series between tabled nodes, and the two far ends.
 
 use super::far_field;
-use super::gaussian::{FRAC_1_SQRT_2PI, times_gaussian};
 use super::nodes::{self, Node};
-use crate::arithmetic::{clamp_to_finite, half_power, two_product};
+use crate::arithmetic::{clamp_to_finite, exp_half_square, half_power, two_product};
+
+/// The standard normal density φ(α).
+pub fn density(alpha: f64) -> f64 {
+    times_gaussian(FRAC_1_SQRT_2PI, alpha)
+}
+
+/// `factor` times exp(-α²/2), with no digit lost in α² and no underflow before the result itself
+/// underflows.
+pub fn times_gaussian(factor: f64, alpha: f64) -> f64 {
+    if alpha.abs() > 1e3 {
+        return 0.0;
+    }
+    let [outer, inner] = exp_half_square(alpha);
+    (factor * outer * inner) * outer
+}
+
+/// 1/√(2π).
+const FRAC_1_SQRT_2PI: f64 = 0.398_942_280_401_432_7;
 
 /// Where the Chebyshev series in 64/α² takes over.
 pub(super) const FAR: f64 = 8.0;
@@ -50,13 +67,6 @@ pub(super) static THREE_HALVES: Function = Function {
     far: &far_field::THREE_HALVES,
     factor: 0.530_330_085_889_910_6, // 3 sqrt(2)/8
     unity: Some(nodes::UNITY_THREE_HALVES),
-};
-pub(super) static FIVE_HALVES: Function = Function {
-    n: 2.5,
-    nodes: &nodes::FIVE_HALVES,
-    far: &far_field::FIVE_HALVES,
-    factor: 1.325_825_214_724_776_6, // 15 sqrt(2)/16
-    unity: Some(nodes::UNITY_FIVE_HALVES),
 };
 
 impl Function {

@@ -1,9 +1,8 @@
 //! The moments by order.
 
 use super::function::{
-    FAR, FIVE_HALVES, Function, HALF, NEAR, ONE, THREE_HALVES, ZERO, overlap_correction,
+    FAR, Function, HALF, NEAR, ONE, THREE_HALVES, ZERO, density, overlap_correction,
 };
-use super::gaussian::density;
 use crate::arithmetic::{clamp_to_finite, exp_half_square};
 
 /// Which partial moment: the power n of the overlap that is averaged.
@@ -17,17 +16,11 @@ pub enum Order {
     One,
     /// n = 3/2: load.
     ThreeHalves,
-    /// n = 5/2: elastic energy; the F_{5/2} of mixed-lubrication work.
-    FiveHalves,
 }
 
 impl Order {
-    /// All of them, by rising n.
-    pub const ALL: [Self; 5] =
-        [Self::Zero, Self::Half, Self::One, Self::ThreeHalves, Self::FiveHalves];
-
     /// The power n.
-    pub fn exponent(self) -> f64 {
+    pub(crate) fn exponent(self) -> f64 {
         self.function().n
     }
 
@@ -37,7 +30,6 @@ impl Order {
             Self::Half => &HALF,
             Self::One => &ONE,
             Self::ThreeHalves => &THREE_HALVES,
-            Self::FiveHalves => &FIVE_HALVES,
         }
     }
 }
@@ -96,18 +88,6 @@ pub fn ln(order: Order, alpha: f64) -> f64 {
     libm::log(f.value(alpha))
 }
 
-/// dJ_n/dα = -n J_{n-1}(α); for n = 0 minus the normal density.
-pub fn derivative(order: Order, alpha: f64) -> f64 {
-    let f = order.function();
-    match order {
-        Order::Zero => -density(alpha),
-        Order::Half => half_derivative(alpha),
-        Order::One => -f.n * ZERO.value(alpha),
-        Order::ThreeHalves => -f.n * HALF.value(alpha),
-        Order::FiveHalves => clamp_to_finite(-f.n * THREE_HALVES.value(alpha)),
-    }
-}
-
 /// d ln J_n/dα = -n J_{n-1}/J_n, also where both underflow: it tends to -α for large α and to
 /// -n/|α| for large negative α.
 pub fn ln_derivative(order: Order, alpha: f64) -> f64 {
@@ -122,7 +102,6 @@ pub fn ln_derivative(order: Order, alpha: f64) -> f64 {
             }
             Order::One => ZERO.far_series(alpha),
             Order::ThreeHalves => HALF.far_series(alpha),
-            Order::FiveHalves => THREE_HALVES.far_series(alpha),
         };
         return -alpha * below / f.far_series(alpha);
     }
@@ -131,17 +110,12 @@ pub fn ln_derivative(order: Order, alpha: f64) -> f64 {
         let below = overlap_correction(f.n - 1.0, x);
         return -f.n * (1.0 + below) / (1.0 + overlap_correction(f.n, x)) / x;
     }
-    derivative(order, alpha) / f.value(alpha)
-}
-
-/// dJ_1/2/dα = -J_{-1/2}/2. There is no table of J_{-1/2}.
-fn half_derivative(alpha: f64) -> f64 {
-    if alpha >= FAR {
-        let alpha = alpha.min(40.0); // where all moments are 0
-        -(THREE_HALVES.value(alpha) + alpha * HALF.value(alpha))
-    } else if alpha <= NEAR {
-        -0.5 * (1.0 + overlap_correction(-0.5, -alpha)) / libm::sqrt(-alpha)
-    } else {
-        HALF.slope(alpha)
-    }
+    // dJ_n/dα = -n J_{n-1}
+    let slope = match order {
+        Order::Zero => -density(alpha),
+        Order::Half => HALF.slope(alpha), // there is no table of J_{-1/2}
+        Order::One => -f.n * ZERO.value(alpha),
+        Order::ThreeHalves => -f.n * HALF.value(alpha),
+    };
+    slope / f.value(alpha)
 }

@@ -1,4 +1,4 @@
-//! Real area by Persson's law, its inverse, and the area seen at a magnification.
+//! Real area by Persson's law, and its inverse.
 
 use super::span::MODEL;
 use super::theory::{AreaLaw, Persson};
@@ -17,11 +17,8 @@ impl Persson {
         Ok(erf(self.area_argument(pressure)?))
     }
 
-    /// Fraction of the nominal area out of contact, `1 - A/A_0 = erfc(p / (E* sqrt(m2)))` \[-\].
-    /// Near full contact it has the digits that `1 - area_fraction` has lost.
-    ///
-    /// There one rounding of the argument x would be worth 2 x² roundings of the answer; what
-    /// the argument lost is therefore computed and given back.
+    /// Fraction of the nominal area out of contact, `1 - A/A_0 = erfc(p / (E* sqrt(m2)))` \[-\], with the
+    /// digits that `1 - area_fraction` has lost near full contact.
     ///
     /// # Errors
     /// [`ModelError::InvalidInput`] if the pressure is negative or not finite.
@@ -31,6 +28,7 @@ impl Persson {
         if self.area_law != AreaLaw::Diffusion || self.slope.is_zero() || pressure <= 0.0 {
             return Ok(open);
         }
+        // One rounding of x is worth 2 x² roundings of the answer: what x lost is given back.
         let modulus = Wide::from(self.modulus.pascals());
         let error = Wide::from(pressure).quotient_error(self.slope * modulus)
             - self.slope.product_error(modulus)
@@ -65,36 +63,18 @@ impl Persson {
         self.pressure_at_argument(erfc_inv(open_fraction), 1.0 - open_fraction)
     }
 
-    /// Area fraction seen when only roughness of wavenumbers up to `wavenumber` \[rad/m\] is
-    /// resolved: `A(q) = erf(p / (E* sqrt(m2(q))))`.
-    ///
-    /// # Errors
-    /// [`ModelError::InvalidInput`] for a pressure or wavenumber that is negative or not finite, or
-    /// if the model was made from moments, which do not say how roughness is distributed over
-    /// wavenumbers.
-    pub fn area_fraction_up_to(&self, pressure: f64, wavenumber: f64) -> Result<f64, ModelError> {
-        require::pressure(MODEL, pressure)?;
-        require::not_negative(MODEL, "wavenumber", wavenumber)?;
-        let part = self.spectrum()?.slope_fraction(wavenumber);
-        Ok(erf(self.argument_for(pressure, self.slope * part)))
-    }
-
+    /// Argument of the error function.
     fn area_argument(&self, pressure: f64) -> Result<f64, ModelError> {
         require::pressure(MODEL, pressure)?;
-        Ok(self.argument_for(pressure, self.slope))
-    }
-
-    /// Argument of the error function for the roughness of rms profile slope `slope`.
-    fn argument_for(&self, pressure: f64, slope: Wide) -> f64 {
-        let stiffness = slope * self.modulus.pascals();
+        let stiffness = self.slope * self.modulus.pascals();
         if stiffness.is_zero() {
-            return if pressure > 0.0 { f64::INFINITY } else { 0.0 }; // flat: all or nothing
+            return Ok(if pressure > 0.0 { f64::INFINITY } else { 0.0 }); // flat: all or nothing
         }
         let x = Wide::from(pressure) / stiffness;
-        match self.area_law {
+        Ok(match self.area_law {
             AreaLaw::Diffusion => x.value(),
             AreaLaw::ReducedDiffusion => reduced_argument(x, self.gamma),
-        }
+        })
     }
 
     fn pressure_at_argument(&self, argument: f64, area_fraction: f64) -> Result<f64, ModelError> {

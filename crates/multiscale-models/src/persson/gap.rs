@@ -1,7 +1,7 @@
-//! Mean gap, stiffness and elastic energy.
+//! Mean gap and stiffness.
 
 use super::scales::Scales;
-use super::span::{Decay, MODEL};
+use super::span::MODEL;
 use super::theory::Persson;
 use crate::answer::outside;
 use crate::special::{erf, half_e1_of_square, squared_erf_tail};
@@ -25,9 +25,7 @@ impl Persson {
     ///
     /// with `w = (pi int_{q0}^{q} q'^3 C dq')^(-1/2)`, evaluated as
     /// `(2/sqrt(pi)) sqrt(m2) int_0^1 I(x/rho)/q(rho) d rho`. It grows like `ln(1/p)` at light
-    /// load (a Gaussian surface has no highest point), so below the pressure at which a single
-    /// asperity of a finite sample would touch it says nothing about that sample. 0 where it is
-    /// below the smallest double.
+    /// load: a Gaussian surface has no highest point. 0 where it is below the smallest double.
     ///
     /// # Errors
     /// [`ModelError::InvalidInput`] unless the pressure is finite and positive, or if the model was
@@ -48,11 +46,10 @@ impl Persson {
         }
         let gamma = self.gamma;
         let x_used = x.max(LIGHT);
-        let mut integral =
-            scales.integrate(x_used, Decay::Gaussian, |rho| separation(x_used / rho, gamma));
+        let mut integral = scales.integrate(x_used, |rho| separation(x_used / rho, gamma));
         if x < LIGHT {
             // u = u0 ln(... / p): continue the logarithm exactly.
-            let share = scales.integrate(x_used, Decay::Gaussian, |_| 1.0);
+            let share = scales.integrate(x_used, |_| 1.0);
             integral += gamma * share * (LIGHT.ln() - load.ln());
         }
         let length = self.slope / scales.smallest_wavenumber();
@@ -77,7 +74,7 @@ impl Persson {
             0.0
         } else {
             let (x, gamma) = (x.max(LIGHT), self.gamma);
-            scales.integrate(x, Decay::Gaussian, |rho| {
+            scales.integrate(x, |rho| {
                 let y = x / rho;
                 (gamma + 3.0 * (1.0 - gamma) * erf(y).powi(2)) * (-y * y).exp()
             })
@@ -86,42 +83,6 @@ impl Persson {
         let stiffness =
             if length.is_zero() { f64::INFINITY } else { (Wide::from(pressure) / length).value() };
         require::representable(MODEL, "stiffness", stiffness)
-    }
-
-    /// Elastic energy per nominal area \[J/m²\] at nominal pressure `p` \[Pa\]:
-    ///
-    /// ```math
-    /// \frac{U}{A_0} = \frac{\pi E^*}{2}\int dq\,q^2 C\,P\,[\gamma+(1-\gamma)P^2],
-    /// \qquad P = \operatorname{erf}\frac{wp}{E^*}
-    /// ```
-    ///
-    /// It balances the work of the load: `int_0^p u dp' = U/A_0 + p u`.
-    ///
-    /// # Errors
-    /// [`ModelError::InvalidInput`] if the pressure is negative or not finite, or the model was made
-    /// from moments.
-    pub fn elastic_energy(&self, pressure: f64) -> Result<f64, ModelError> {
-        require::pressure(MODEL, pressure)?;
-        let scales = self.spectrum()?;
-        let Some(load) = self.load(pressure) else {
-            return Ok(0.0);
-        };
-        if load.is_zero() {
-            return Ok(0.0);
-        }
-        // Below LIGHT the energy is proportional to x; above 1e3 every wave is flattened.
-        let x = load.value().clamp(LIGHT, 1e3);
-        let gamma = self.gamma;
-        let integral = scales.integrate(x, Decay::None, |rho| {
-            let part = erf(x / rho);
-            rho * part * (gamma + (1.0 - gamma) * part * part)
-        });
-        let below = if load.value() < LIGHT { load / LIGHT } else { Wide::from(1.0) };
-        let energy = self.slope * self.slope / scales.smallest_wavenumber()
-            * self.modulus.pascals()
-            * integral
-            * below;
-        require::representable(MODEL, "elastic energy", energy.value())
     }
 
     /// The constants of the mean gap at light load, `u = u0 ln(b E* / p)`, as `[u0, b]` in m
@@ -142,9 +103,8 @@ impl Persson {
             let reason = "a flat surface has no gap at any load";
             return Err(outside(MODEL, "rms gradient", 0.0, f64::MIN_POSITIVE..=f64::MAX, reason));
         }
-        let share = scales.integrate(LIGHT, Decay::Gaussian, |_| 1.0);
-        let at_light =
-            scales.integrate(LIGHT, Decay::Gaussian, |rho| separation(LIGHT / rho, self.gamma));
+        let share = scales.integrate(LIGHT, |_| 1.0);
+        let at_light = scales.integrate(LIGHT, |rho| separation(LIGHT / rho, self.gamma));
         let u0 = self.slope / scales.smallest_wavenumber() * FRAC_2_SQRT_PI * self.gamma * share;
         // at_light = gamma share (ln b' - ln LIGHT) with b' = b / sqrt(m2)
         let b = self.slope * (at_light / (self.gamma * share) + LIGHT.ln()).exp();
@@ -165,47 +125,4 @@ impl Persson {
 fn separation(x: f64, gamma: f64) -> f64 {
     let persson = gamma * half_e1_of_square(x);
     if gamma < 1.0 { persson + 3.0 * (1.0 - gamma) * squared_erf_tail(x) } else { persson }
-}
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-    use approx::assert_relative_eq;
-    use contact_types::{ContactModulus, RoughnessSpectrum, Shell};
-
-    /// Mean gap of one wave `sqrt(2 S) cos(q x)` at load `x`, in closed form:
-    ///
-    /// ```math
-    /// \int_0^1 \tfrac12 E_1(x^2/\rho^2)\,d\rho = \tfrac12 E_1(x^2) - e^{-x^2} + x\sqrt\pi\operatorname{erfc}x
-    /// ```
-    fn single_wave(x: f64) -> f64 {
-        half_e1_of_square(x) - (-x * x).exp() + x * std::f64::consts::PI.sqrt() * libm::erfc(x)
-    }
-
-    /// A spectrum of one line: closed form. The cancellation of the closed form at x > 2 limits
-    /// the comparison there.
-    #[test]
-    fn one_line_has_its_closed_form() {
-        let (q, variance, e) = (3e5, 2e-14, 1e11);
-        let shells = vec![Shell { wavenumber: q, variance }];
-        let model = Persson::from_spectrum(
-            RoughnessSpectrum::new(shells).unwrap(),
-            ContactModulus::from_pascals(e).unwrap(),
-        )
-        .and_then(|model| model.with_gamma(1.0))
-        .unwrap();
-        let slope = q * f64::sqrt(variance / 2.0);
-        for (x, tolerance) in [
-            (1e-250, 1e-14),
-            (1e-9, 1e-14),
-            (1e-3, 1e-14),
-            (0.1, 1e-14),
-            (0.7, 1e-13),
-            (1.5, 2e-12),
-        ] {
-            let gap = model.mean_gap(x * slope * e).unwrap();
-            let expected = FRAC_2_SQRT_PI * slope / q * single_wave(x);
-            assert_relative_eq!(gap, expected, max_relative = tolerance);
-        }
-    }
 }

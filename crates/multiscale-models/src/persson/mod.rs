@@ -2,7 +2,6 @@
 
 mod area;
 mod gap;
-mod pressure_distribution;
 mod profile_amplitudes;
 mod scales;
 mod self_affine;
@@ -10,7 +9,6 @@ mod span;
 mod theory;
 mod with_yield;
 
-pub use pressure_distribution::PressureDistribution;
 pub use self_affine::SelfAffineSpectrum;
 pub use theory::{AreaLaw, Persson};
 pub use with_yield::{PerssonWithYield, YieldShares};

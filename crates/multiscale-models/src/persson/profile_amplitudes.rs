@@ -28,7 +28,7 @@ impl SelfAffineSpectrum {
     /// [`ModelError::OutsideDomain`] if it holds no wave of the spectrum, or more than a million.
     pub fn profile_amplitudes(&self, record_length: f64) -> Result<AmplitudeSpectrum, ModelError> {
         let length = require::positive(MODEL, "record length", record_length)?;
-        let [_, rolloff, cutoff] = self.wavenumbers();
+        let [_, rolloff, cutoff] = self.wavenumbers;
         let count = length * (cutoff / TAU) * (1.0 + 1e-12);
         if !(1.0..=MOST_WAVES).contains(&count) {
             let quantity = "record length over shortest wavelength";
@@ -38,7 +38,7 @@ impl SelfAffineSpectrum {
         let step = TAU / length / rolloff; // wavenumbers in units of the roll-off
         let waves = (1..=count as usize).map(|k| {
             // 2 pi C_1/(L m0), with C0 q_r^2 = m0 / (2 pi integral(0))
-            let variance = step * self.profile_psd(k as f64 * step) * self.m0();
+            let variance = step * self.profile_psd(k as f64 * step) * self.m0;
             Wave {
                 frequency: k as f64 / length,
                 amplitude: 0.5 * SQRT_2 * PI.sqrt() * variance.sqrt(),
@@ -51,13 +51,13 @@ impl SelfAffineSpectrum {
 
     /// `C_1(q) q_r / m0` at `x = q/q_r`.
     fn profile_psd(&self, x: f64) -> f64 {
-        let [lower, rolloff, cutoff] = self.wavenumbers();
+        let [lower, rolloff, cutoff] = self.wavenumbers;
         let (low, high) = (lower / rolloff, cutoff / rolloff);
         // t from r = a to r = b along the line at distance x, r^2 = x^2 + t^2
         let chord = |r: f64| ((r - x) * (r + x)).max(0.0).sqrt();
         let plateau = chord(1.0) - chord(low).min(chord(1.0));
         // r = x cosh s:  int r^(-2-2H) dt = x^(-1-2H) int cosh(s)^(-1-2H) ds
-        let exponent = -1.0 - 2.0 * self.hurst();
+        let exponent = -1.0 - 2.0 * self.hurst;
         let s_at = |r: f64| (r / x).max(1.0).acosh();
         let (from, to) = (s_at(1.0), s_at(high));
         let panels = ((to - from) / 0.5).ceil().max(1.0);
@@ -105,11 +105,11 @@ mod tests {
     /// `int C(t) dt` from q_L to q_s, elementary.
     fn line_through_the_centre() -> f64 {
         let s = spectrum();
-        let [lower, rolloff, cutoff] = s.wavenumbers();
+        let [lower, rolloff, cutoff] = s.wavenumbers;
         let plateau = 1.0 - lower / rolloff;
-        let e = 1.0 + 2.0 * s.hurst();
+        let e = 1.0 + 2.0 * s.hurst;
         let power = (1.0 - (cutoff / rolloff).powf(-e)) / e;
-        let c0 = s.m0() / (TAU * rolloff * rolloff * s.integral(0));
+        let c0 = s.m0 / (TAU * rolloff * rolloff * s.integral(0));
         c0 * rolloff * (plateau + power)
     }
 

@@ -9,7 +9,7 @@
 //! ```
 
 use super::self_affine::SelfAffineSpectrum;
-use super::span::{Decay, MODEL, Range, check_span};
+use super::span::{MODEL, Range, check_span};
 use crate::wide::Wide;
 use contact_types::{ModelError, Shell};
 
@@ -68,25 +68,14 @@ impl Scales {
     pub(super) fn smallest_wavenumber(&self) -> f64 {
         match self {
             Self::Shells(steps) => steps.first().map_or(1.0, |s| s.wavenumber),
-            Self::SelfAffine(spectrum) => spectrum.smallest_wavenumber(),
+            Self::SelfAffine(spectrum) => spectrum.wavenumbers[0],
         }
     }
 
-    /// `rho(q)`.
-    pub(super) fn slope_fraction(&self, wavenumber: f64) -> f64 {
-        match self {
-            Self::Shells(steps) => {
-                let below = steps.partition_point(|s| s.wavenumber <= wavenumber);
-                if below == 0 { 0.0 } else { steps[below - 1].rho }
-            }
-            Self::SelfAffine(spectrum) => spectrum.slope_fraction(wavenumber),
-        }
-    }
-
-    /// `int_0^1 f(rho) q_0/q(rho) d rho`, where `f` depends on `rho` through `x / rho` and falls
-    /// towards 0 as `decay` says. Relative error about 1e-14 (measured) at any `x > 0`.
-    pub(super) fn integrate(&self, x: f64, decay: Decay, f: impl Fn(f64) -> f64) -> f64 {
-        let range = Range { x, decay };
+    /// `int_0^1 f(rho) q_0/q(rho) d rho`, where `f` falls as `exp(-(x/rho)^2)`
+    /// towards small `rho`. Relative error about 1e-14 (measured) at any `x > 0`.
+    pub(super) fn integrate(&self, x: f64, f: impl Fn(f64) -> f64) -> f64 {
+        let range = Range { x };
         match self {
             Self::Shells(steps) => {
                 let q0 = self.smallest_wavenumber();

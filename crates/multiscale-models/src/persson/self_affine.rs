@@ -16,9 +16,8 @@ pub(super) const MODEL: &str = "self-affine spectrum";
 /// C(q) = C_0 (q/q_r)^{-2-2H} \text{ for } q_r \le q \le q_s,
 /// ```
 ///
-/// with `m0 = 2 pi int q C dq`. All moments are elementary; the cases in which a power turns
-/// into a logarithm (H = 0 for m0, H = 1 for m2) are continuous limits here, evaluated without
-/// loss on either side of them.
+/// with `m0 = 2 pi int q C dq`. All moments are elementary; where a power turns into a logarithm (H = 0 for m0,
+/// H = 1 for m2) they are continuous, without loss of digits.
 ///
 /// ```
 /// use multiscale_models::SelfAffineSpectrum;
@@ -30,14 +29,15 @@ pub(super) const MODEL: &str = "self-affine spectrum";
 #[derive(Debug, Clone, Copy, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize))]
 pub struct SelfAffineSpectrum {
-    hurst: f64,
-    wavenumbers: [f64; 3],
-    m0: f64,
+    pub(super) hurst: f64,
+    /// `[q_L, q_r, q_s]`.
+    pub(super) wavenumbers: [f64; 3],
+    pub(super) m0: f64,
     /// `q_L / q_r`, at most 1.
     plateau: f64,
     /// `ln(q_s / q_r)`, at least 0.
     decades: f64,
-    /// `(1 - (q_L/q_r)^n)/n`-like factor `1 - q_L/q_r` without cancellation.
+    /// `1 - q_L/q_r` without cancellation.
     plateau_width: f64,
 }
 
@@ -116,42 +116,6 @@ impl SelfAffineSpectrum {
     pub(super) fn slope(&self) -> Wide {
         let shape = 0.5 * self.integral(2) / self.integral(0);
         Wide::from(self.m0).sqrt() * self.wavenumbers[1] * shape.sqrt()
-    }
-
-    pub(super) fn hurst(&self) -> f64 {
-        self.hurst
-    }
-
-    pub(super) fn m0(&self) -> f64 {
-        self.m0
-    }
-
-    /// `[q_L, q_r, q_s]`.
-    pub(super) fn wavenumbers(&self) -> [f64; 3] {
-        self.wavenumbers
-    }
-
-    pub(super) fn smallest_wavenumber(&self) -> f64 {
-        self.wavenumbers[0]
-    }
-
-    /// `rho(q)`: root of the share of m2 from below `q`.
-    pub(super) fn slope_fraction(&self, wavenumber: f64) -> f64 {
-        let [lower, rolloff, cutoff] = self.wavenumbers;
-        if wavenumber <= lower {
-            return 0.0;
-        }
-        if wavenumber >= cutoff {
-            return 1.0;
-        }
-        let below = if wavenumber < rolloff {
-            let y = wavenumber / rolloff;
-            let width = (wavenumber - lower) / rolloff;
-            width * (y + self.plateau) * (y * y + self.plateau * self.plateau) / 4.0
-        } else {
-            self.plateau_slope() + self.power(((wavenumber - rolloff) / rolloff).ln_1p(), 2)
-        };
-        (below / self.integral(2)).sqrt().min(1.0)
     }
 
     /// `int q^(n+1) C dq / (C0 q_r^(n+2))` over the whole spectrum, n = 0, 2, 4.

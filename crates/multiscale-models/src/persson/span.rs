@@ -7,44 +7,31 @@ use contact_types::ModelError;
 /// Name of the theory in errors.
 pub(super) const MODEL: &str = "Persson";
 
-/// How an integrand falls towards small `rho`.
-#[derive(Clone, Copy, PartialEq, Eq)]
-pub(super) enum Decay {
-    /// As exp(-(x/rho)^2): long waves are flattened out completely.
-    Gaussian,
-    /// Not at all, only with the weight.
-    None,
-}
-
-/// Where an integrand of `x / rho` matters and how fast it changes.
+/// Where an integrand that falls as `exp(-(x/rho)^2)` towards small `rho` matters, and how fast it
+/// changes: long waves are flattened out completely.
 #[derive(Clone, Copy)]
 pub(super) struct Range {
     pub(super) x: f64,
-    pub(super) decay: Decay,
 }
 
 /// An integrand whose exponent is this far above the smallest is less than rounding, even if
 /// its waves are 1e18 times longer.
 const NEGLIGIBLE: f64 = 80.0;
 
-/// Beyond this exponent the error function is 1 to rounding.
-const ERF_IS_ONE: f64 = 40.0;
-
 impl Range {
     /// Exponent `(x/rho)^2` of the integrand.
-    pub(super) fn exponent(self, rho: f64) -> f64 {
+    fn exponent(self, rho: f64) -> f64 {
         (self.x / rho) * (self.x / rho)
     }
 
     /// True if nothing at or below `rho` matters.
     pub(super) fn is_negligible(self, rho: f64) -> bool {
-        self.decay == Decay::Gaussian && self.exponent(rho) > self.exponent(1.0) + NEGLIGIBLE
+        self.exponent(rho) > self.exponent(1.0) + NEGLIGIBLE
     }
 
-    /// Change of the exponent from `hi` down to `lo`, as far as it can still be seen.
+    /// Change of the exponent from `hi` down to `lo`.
     pub(super) fn steepness(self, lo: f64, hi: f64) -> f64 {
-        let top = self.exponent(hi);
-        if self.decay == Decay::None && top > ERF_IS_ONE { 0.0 } else { self.exponent(lo) - top }
+        self.exponent(lo) - self.exponent(hi)
     }
 
     /// `int_lo^hi f d rho` in panels that halve `rho` or change the exponent by at most 8.

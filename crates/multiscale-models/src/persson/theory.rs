@@ -18,10 +18,9 @@ pub enum AreaLaw {
     /// `A/A_0 = erf(p / (E* sqrt(m2)))`, Persson's law.
     #[default]
     Diffusion,
-    /// The variance that drives the diffusion is reduced where the contact is already partial,
-    /// `dV_eff = [gamma + (1 - gamma) A^2] dV`, as an open implementation of the theory has it;
-    /// `A/A_0 = erf(p / sqrt(2 V_eff))`. With gamma = 1 it is the same as [`Self::Diffusion`].
-    /// The mean gap does not change with this option.
+    /// The variance is reduced where the contact is already partial,
+    /// `dV_eff = [gamma + (1 - gamma) A^2] dV`; `A/A_0 = erf(p / sqrt(2 V_eff))`. The mean gap stays the
+    /// same, and with gamma = 1 the area.
     ReducedDiffusion,
 }
 
@@ -35,12 +34,10 @@ pub enum AreaLaw {
 /// ```
 ///
 /// - `p`: nominal pressure \[Pa\]; `E*`: contact modulus \[Pa\];
-/// - `g_rms`: rms gradient of the surface, `g_rms^2 = 2 m2` \[-\]; mind that the root of 2 goes
-///   with `g_rms`, not with `sqrt(m2)`;
+/// - `g_rms`: rms gradient of the surface, `g_rms^2 = 2 m2` \[-\];
 /// - `V`: variance of the pressure in full contact \[Pa²\].
 ///
-/// Made from moments it knows the area only; made from a spectrum also the mean gap, its
-/// stiffness, the elastic energy and the area seen at a given resolution.
+/// Made from moments it knows the area only; made from a spectrum also the mean gap and its stiffness.
 ///
 /// ```
 /// use contact_types::{ContactModel, ContactModulus, SpectralMoments};
@@ -73,8 +70,7 @@ impl Persson {
     /// gamma of Yang & Persson (2008), the default: a test of the crate `compare` holds it against solutions.
     pub const GAMMA: f64 = 0.45;
 
-    /// The theory of a surface of which only the mean square slope is known: area and pressures,
-    /// no mean gap. Of the moments, only `m2` is used.
+    /// From the mean square slope `m2` alone: no mean gap.
     ///
     /// # Errors
     /// [`ModelError::InvalidInput`] if `m2` is negative or not finite. `m2 = 0`, a flat surface,
@@ -152,8 +148,7 @@ impl Persson {
         self
     }
 
-    /// `x = p / (E* sqrt(m2))`, the argument of the error function, beyond the range of a
-    /// double; `None` for a flat surface.
+    /// `x = p / (E* sqrt(m2))`; `None` for a flat surface.
     pub(super) fn load(&self, pressure: f64) -> Option<Wide> {
         let stiffness = self.slope * self.modulus.pascals();
         (!stiffness.is_zero()).then(|| Wide::from(pressure) / stiffness)

@@ -3,14 +3,11 @@
 use libm::{erf, erfc};
 use std::f64::consts::PI;
 
-/// `y` with `erf(y) = a`, for `0 <= a <= 1`; `erf_inv(1)` is infinite. NaN outside.
+/// `y` with `erf(y) = a`, for `0 <= a <= 1`; `erf_inv(1)` is infinite.
 ///
 /// Newton on `erf` for `a <= 1/2` and on `erfc` above, where `1 - a` is exact: the relative
 /// error is at most 2e-16 (measured over all magnitudes).
 pub(crate) fn erf_inv(a: f64) -> f64 {
-    if !(0.0..=1.0).contains(&a) {
-        return f64::NAN;
-    }
     if a > 0.5 {
         return erfc_inv(1.0 - a);
     }
@@ -26,13 +23,10 @@ pub(crate) fn erf_inv(a: f64) -> f64 {
     y
 }
 
-/// `y` with `erfc(y) = b`, for `0 <= b <= 1`; `erfc_inv(0)` is infinite. NaN outside.
+/// `y` with `erfc(y) = b`, for `0 <= b <= 1`; `erfc_inv(0)` is infinite.
 ///
 /// Use it near full contact: `1 - A` keeps the digits that `A` has lost.
 pub(crate) fn erfc_inv(b: f64) -> f64 {
-    if !(0.0..=1.0).contains(&b) {
-        return f64::NAN;
-    }
     if b > 0.5 {
         return erf_inv(1.0 - b);
     }
@@ -80,7 +74,6 @@ fn winitzki(a: f64) -> f64 {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use ::special::{Error, Gamma};
     use approx::assert_relative_eq;
 
     #[test]
@@ -99,27 +92,5 @@ mod tests {
         }
         assert!((erf(erf_inv(0.3)) - 0.3).abs() < 1e-16);
         assert!(erf_inv(1.0).is_infinite() && erfc_inv(0.0).is_infinite());
-        assert!(erf_inv(-0.1).is_nan() && erfc_inv(1.1).is_nan());
-    }
-
-    /// Against the crate `special`, whose code has nothing in common with ours here: its incomplete gamma
-    /// function gives `erf x = P(1/2, x^2)`, its inverse error function is a fit with one step of Halley's.
-    /// (Its `erf` and `erfc` themselves are those of `libm`, as ours are: no second opinion.)
-    #[test]
-    fn another_implementation_agrees() {
-        let [mut direct, mut complement, mut inverse] = [0.0f64; 3];
-        for i in 1..=1600 {
-            let x = f64::from(i) / 320.0; // to 5
-            let other = (x * x).inc_gamma(0.5);
-            direct = direct.max((erf(x) / other - 1.0).abs());
-            complement = complement.max((erfc(x) - (1.0 - other)).abs());
-            let y = f64::from(i) / 1601.0;
-            inverse = inverse.max((erf_inv(y) / y.inv_error() - 1.0).abs());
-        }
-        // Measured: 8.7e-15, 7.2e-15, 1.3e-15.
-        assert!(
-            direct < 2e-14 && complement < 2e-14 && inverse < 3e-15,
-            "{direct} {complement} {inverse}"
-        );
     }
 }

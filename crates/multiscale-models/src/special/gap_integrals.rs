@@ -68,34 +68,7 @@ fn chebyshev(c: &[f64], t: f64) -> f64 {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::special::erf;
     use approx::assert_relative_eq;
-
-    /// Trapezoidal rule in ln y from x to y = 9 + x after a double-exponential end: a plain,
-    /// independent evaluation.
-    fn tail(x: f64, f: impl Fn(f64) -> f64) -> f64 {
-        // y = x + exp(s - exp(-s)): both ends decay double-exponentially in s.
-        let h = 1.0 / 64.0;
-        (-400..=400)
-            .map(|i| {
-                let s = f64::from(i) * h;
-                let d = (s - (-s).exp()).exp();
-                let y = x + d;
-                if d > 0.0 { h * f(y) * (-y * y).exp() / y * d * (1.0 + (-s).exp()) } else { 0.0 }
-            })
-            .sum()
-    }
-
-    #[test]
-    fn both_agree_with_quadrature() {
-        for x in
-            [0.02, 0.3, 0.9, 0.999, 1.0, 1.001, 1.7, 2.4, 2.449, 2.45, 3.0, 5.0, 9.0, 20.0, 26.0]
-        {
-            assert_relative_eq!(half_e1_of_square(x), tail(x, |_| 1.0), max_relative = 3e-13);
-            let squared = tail(x, |y| erf(y) * erf(y));
-            assert_relative_eq!(squared_erf_tail(x), squared, max_relative = 3e-13);
-        }
-    }
 
     #[test]
     fn small_arguments_follow_their_limits() {

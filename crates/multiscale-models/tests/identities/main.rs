@@ -4,7 +4,6 @@ mod archard_and_fractals;
 mod jackson_streator;
 mod persson_area;
 mod persson_gap;
-mod persson_stiffness;
 mod quadrature;
 mod spectrum;
 

@@ -1,35 +1,11 @@
-//! Persson's area and pressure distribution.
+//! Persson's area.
 
 use crate::pascals;
-use crate::quadrature::integral;
-use crate::spectrum::Definition;
 use approx::assert_relative_eq;
-use contact_types::{ContactModel, RoughnessSpectrum, Shell, SpectralMoments};
+use contact_types::{ContactModel, SpectralMoments};
 use libm::erf;
-use multiscale_models::{AreaLaw, Persson, SelfAffineSpectrum};
+use multiscale_models::{AreaLaw, Persson};
 use std::f64::consts::PI;
-
-#[test]
-fn pressure_distribution_has_its_moments() {
-    let (e, m2) = (5e9, 0.013);
-    let model =
-        Persson::from_moments(SpectralMoments { m0: 1.0, m2, m4: 1.0 }, pascals(e)).unwrap();
-    let deviation = e * f64::sqrt(m2 / 2.0);
-    for x in [1e-6, 0.1, 1.0, 4.0] {
-        let p = x * deviation;
-        let distribution = model.pressure_distribution(p).unwrap();
-        let moment = |n: i32| {
-            let top = p + 12.0 * deviation;
-            integral(0.0, top, |s| (s / p).powi(n) * distribution.density(s))
-        };
-        let area = model.at_pressure(p).unwrap().area_fraction;
-        assert_relative_eq!(moment(0), area, max_relative = 1e-13);
-        assert_relative_eq!(moment(1), 1.0, max_relative = 1e-13);
-        let mean_square = distribution.mean_square().unwrap() / (p * p);
-        assert_relative_eq!(moment(2), mean_square, max_relative = 1e-13);
-        assert_relative_eq!(distribution.open_fraction(), 1.0 - area, epsilon = 1e-15);
-    }
-}
 
 #[test]
 fn light_load_slope_of_the_area() {
@@ -79,31 +55,4 @@ fn reduced_diffusion_solves_its_equation() {
     }
     let plain = model.clone().with_gamma(1.0).unwrap();
     assert_relative_eq!(plain.area_fraction(0.3).unwrap(), erf(0.3), max_relative = 1e-15);
-}
-
-#[test]
-fn magnification_cuts_the_spectrum() {
-    let q = [2.0, 5.0, 60.0];
-    let definition = Definition::new(0.8, q, 1.0);
-    let spectrum = SelfAffineSpectrum::from_wavenumbers(0.8, q, 1.0).unwrap();
-    let model = Persson::from_self_affine(spectrum, pascals(1.0)).unwrap();
-    for zeta in [1.5, 2.4, 7.0, 29.0] {
-        let m2 = PI * definition.moment(3, zeta * q[0]);
-        let area = model.area_fraction_up_to(0.5, zeta * q[0]).unwrap();
-        assert_relative_eq!(area, erf(0.5 / m2.sqrt()), max_relative = 1e-13);
-    }
-    let all = model.area_fraction(0.5).unwrap();
-    for (zeta, expected) in [(0.5, 1.0), (1.0, 1.0), (30.0, all), (1e9, all)] {
-        let area = model.area_fraction_up_to(0.5, zeta * q[0]).unwrap();
-        assert_relative_eq!(area, expected, max_relative = 1e-15);
-    }
-    // Shells: a wavenumber on a shell includes it.
-    let shells =
-        vec![Shell { wavenumber: 1.0, variance: 2.0 }, Shell { wavenumber: 3.0, variance: 2.0 }];
-    let model =
-        Persson::from_spectrum(RoughnessSpectrum::new(shells).unwrap(), pascals(1.0)).unwrap();
-    for (wavenumber, x) in [(2.9, 0.5), (3.0, 0.5 / f64::sqrt(10.0))] {
-        let area = model.area_fraction_up_to(0.5, wavenumber).unwrap();
-        assert_relative_eq!(area, erf(x), max_relative = 1e-15);
-    }
 }

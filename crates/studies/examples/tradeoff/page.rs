@@ -1,19 +1,16 @@
 //! What the book says of the measurements, from their table: figures, what to use for a given
 //! error, and the numbers.
 
-use contact_accuracy::median;
 use contact_compare::find;
 use std::error::Error;
 use std::fmt::Write as _;
 use std::fs::{self, File};
 use std::path::Path;
 use studies::figures::{write_tradeoff_area, write_tradeoff_pressure};
-use studies::tradeoff::{AreaOf, PAIR, STATISTICS, TradeoffRow, TradeoffTable, Way, is, ways};
+use studies::tradeoff::{AreaOf, TradeoffRow, TradeoffTable, Way, is, ways};
 
 /// Errors a reader may want to stay below.
 const WANTED: [f64; 6] = [0.5, 0.3, 0.15, 0.05, 0.025, 0.015];
-/// Tolerance at which grids are compared: the solver's default.
-const DEFAULT: f64 = 1e-4;
 
 /// Writes `tradeoff-area.svg`, `tradeoff-pressure.svg` and `tradeoff.md` into `folder`.
 pub(crate) fn write(table: &Path, folder: &Path) -> Result<(), Box<dyn Error>> {
@@ -33,8 +30,7 @@ fn page(table: &TradeoffTable) -> String {
     for line in &table.origin {
         let _ = writeln!(page, "{line}  ");
     }
-    let one_pair = pair(table).unwrap_or(f64::NAN);
-    let statistics = table.rows.iter().filter(|r| r.method == STATISTICS).map(|r| r.seconds);
+    let one_pair = table.pair().unwrap_or(f64::NAN);
     let bars = table.rows.iter().filter_map(|r| Some(r.bar? / r.truth?));
     let [low, high] = bars.fold([f64::INFINITY, 0.0_f64], |[l, h], b| [l.min(b), h.max(b)]);
     let _ = writeln!(
@@ -42,7 +38,7 @@ fn page(table: &TradeoffTable) -> String {
         "One FFT convolution on the given grid, f64: {}. Statistics of a map: {}. The truth is known to \
          ±{} to ±{} of itself.\n",
         duration(one_pair),
-        duration(median(statistics).unwrap_or(f64::NAN)),
+        duration(table.statistics().unwrap_or(f64::NAN)),
         percent(low),
         percent(high)
     );
@@ -50,14 +46,6 @@ fn page(table: &TradeoffTable) -> String {
     spread(&mut page, &everywhere, one_pair);
     close_up(&mut page, table, one_pair);
     page
-}
-
-/// Seconds of one FFT convolution on the given grid in double precision.
-fn pair(table: &TradeoffTable) -> Option<f64> {
-    let is_it = |r: &&TradeoffRow| {
-        r.method == PAIR && r.precision.as_deref() == Some("f64") && is(r.scale, 1.0)
-    };
-    table.rows.iter().find(is_it).map(|r| r.seconds)
 }
 
 /// Ways that were measured in all cases.
@@ -71,7 +59,7 @@ fn everywhere<'a>(found: &'a [Way<'a>]) -> Vec<&'a Way<'a>> {
 /// choice does not hang on the last per cent of a clock.
 fn cheapest<'a>(found: &'a [Way<'a>]) -> Vec<(f64, Option<&'a Way<'a>>)> {
     let mut fits = everywhere(found);
-    fits.retain(|w| w.area == AreaOf::Model || is_default(w.row));
+    fits.retain(|w| w.area == AreaOf::Model || w.row.is_default());
     let best = |wanted: f64| {
         let good = fits.iter().copied().filter(|w| w.worst <= wanted);
         good.min_by(|a, b| a.seconds.total_cmp(&b.seconds))
@@ -100,11 +88,6 @@ fn choice(page: &mut String, found: &[Way<'_>]) {
             duration(best.seconds)
         );
     }
-}
-
-/// The fast method in double precision at the default tolerance.
-fn is_default(row: &TradeoffRow) -> bool {
-    row.method == "chord" && row.precision.as_deref() == Some("f64") && is(row.tolerance, DEFAULT)
 }
 
 fn name(way: &Way<'_>) -> String {
@@ -154,8 +137,7 @@ fn spread(page: &mut String, found: &[&Way<'_>], one_pair: f64) {
             digits(way.seconds / one_pair)
         );
     }
-    let solved =
-        found.iter().filter(|w| w.area == AreaOf::Corrected && is(w.row.tolerance, DEFAULT));
+    let solved = found.iter().filter(|w| w.area == AreaOf::Corrected && w.row.is_at_default());
     for way in solved {
         let count = found
             .iter()
@@ -192,7 +174,7 @@ fn close_up(page: &mut String, table: &TradeoffTable, one_pair: f64) {
     let decade = |r: &TradeoffRow| r.tolerance.is_some_and(|t| (t.log10().round() as i32) % 2 == 0);
     let is_told = |r: &&&TradeoffRow| {
         r.precision.as_deref() == Some("f64")
-            && (is(r.tolerance, DEFAULT) || is(r.scale, 1.0) && decade(r))
+            && (r.is_at_default() || is(r.scale, 1.0) && decade(r))
     };
     for row in rows.iter().filter(is_told) {
         let signed = |area| row.error_of(area).map_or("–".into(), signed_percent);
@@ -272,7 +254,7 @@ mod tests {
         run(&Plan::TINY, &mut |row| text += &(row.line() + "\n")).unwrap();
         let table = TradeoffTable::parse(&text).unwrap();
         let found = ways(table.rows.iter());
-        let at = |area| found.iter().find(|w| w.area == area && is_default(w.row)).unwrap();
+        let at = |area| found.iter().find(|w| w.area == area && w.row.is_default()).unwrap();
         assert!(at(AreaOf::Corrected).error[1] < 0.5 * at(AreaOf::Count).error[1]);
         let close: Vec<&TradeoffRow> =
             table.rows.iter().filter(|r| r.pressure_error.is_some()).collect();

@@ -2,7 +2,7 @@
 //! `examples/costs.rs`, which prints the table.
 
 use allocation_counter::{AllocationInfo, measure};
-use asperity_models::{BushGibsonThomas, GreenwoodElliptical, MeanCurvature};
+use asperity_models::{SummitLaw, SummitModel};
 use contact_compare::{Comparison, Registry, Settings, Surface, built_in_recipes};
 use contact_types::{
     ContactModel, ContactModulus, FractalParameters, Grid, HeightMap, SeparationModel,
@@ -98,9 +98,10 @@ fn closed_forms() -> Vec<Case> {
     let expected = "inputs inside the domain";
 
     let gw = GreenwoodWilliamson::from_moments(moments, steel()).expect(expected);
-    let bgt = BushGibsonThomas::new(moments, steel()).expect(expected);
-    let elliptical = GreenwoodElliptical::new(moments, steel()).expect(expected);
-    let mean = MeanCurvature::new(moments, steel()).expect(expected);
+    let bgt = SummitModel::new(SummitLaw::BushGibsonThomas, moments, steel()).expect(expected);
+    let elliptical =
+        SummitModel::new(SummitLaw::GreenwoodElliptical, moments, steel()).expect(expected);
+    let mean = SummitModel::new(SummitLaw::MeanCurvature, moments, steel()).expect(expected);
     let persson = Persson::from_moments(moments, steel()).expect(expected);
     let with_gap = Persson::from_self_affine(spectrum, steel()).expect(expected);
     let stacked = Stacked::from_amplitudes(&waves, steel()).expect(expected);
