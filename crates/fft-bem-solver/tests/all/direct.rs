@@ -10,8 +10,13 @@ use fft_bem_solver::{Load, Method, Solver};
 
 #[test]
 fn every_method_finds_the_dense_solution() {
-    let shapes =
-        [([8, 8], [1.0, 1.0]), ([7, 5], [0.3, 1.0]), ([1, 16], [5.0, 1.0]), ([11, 1], [1.0, 2.0])];
+    let shapes = [
+        ([8, 8], [1.0, 1.0]),
+        ([7, 5], [0.3, 1.0]),
+        ([1, 16], [5.0, 1.0]),
+        ([11, 1], [1.0, 2.0]),
+        ([6, 7], [1e3, 1.0]),
+    ];
     for (seed, (shape, pixel)) in shapes.into_iter().enumerate() {
         let grid = Grid::new(shape, pixel).unwrap();
         let mut random = Uniform(seed as u64);
@@ -19,7 +24,9 @@ fn every_method_finds_the_dense_solution() {
         let map = HeightMap::new(grid, heights).unwrap();
         for load in [1e-3, 0.03, 0.2, 0.6, 3.0] {
             let known = dense::solution(&map, load);
-            for method in [Method::Auto, Method::PolonskyKeer, Method::StanleyKato] {
+            // Steepest descent takes as many steps as the stiffest wave is stiffer than the softest.
+            let methods = [Method::Auto, Method::PolonskyKeer, Method::StanleyKato];
+            for &method in &methods[..if pixel[0] > 100.0 { 2 } else { 3 }] {
                 let mut solver = Solver::builder()
                     .method(method)
                     .tolerance(1e-11)

@@ -165,18 +165,6 @@ proptest! {
         assert_same_field(&original.gap, &gap, 10.0 * TOLERANCE);
     }
 
-    /// One thread or four: the same bits.
-    #[test]
-    fn threads_change_nothing(seed in 0u64..10000, method in any_method(), boundary in any_boundary()) {
-        let grid = Grid::new([67, 70], [1.0, 1.0]).unwrap();
-        let map = HeightMap::new(grid, heights(grid.len(), seed)).unwrap();
-        let builder = Solver::builder().method(method).boundary(boundary);
-        let [one, four] = [1, 4].map(|n| common::solve(&map, builder.clone().threads(n), 0.03));
-        prop_assert_eq!(one.pressure, four.pressure);
-        prop_assert_eq!(one.gap, four.gap);
-        prop_assert_eq!(one.diagnostics.transforms.to_bits(), four.diagnostics.transforms.to_bits());
-    }
-
     /// What the load gives, the gap asks for: control by mean gap and approach return the load.
     #[test]
     fn controls_agree(seed in 0u64..10000, log_load in -3.0..0.0f64, method in any_method()) {

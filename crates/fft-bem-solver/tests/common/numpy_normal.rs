@@ -21,11 +21,6 @@ impl Pcg64 {
         }
     }
 
-    /// Where the generator stands: equal after as many draws as numpy made.
-    pub(crate) const fn state(&self) -> u128 {
-        self.state
-    }
-
     /// The next 64 bits: a step of the congruential generator, its halves combined and rotated.
     pub(crate) fn next_bits(&mut self) -> u64 {
         const MULTIPLIER: u128 = 0x2360_ed05_1fc6_5da4_4385_df64_9fcc_f645;
