@@ -20,18 +20,18 @@
 //!
 //! The bound says nothing about the contact area.
 
-use crate::methods::{Ceiling, Compliance, NoCeiling, State, Top, passes, under};
+use crate::methods::{Ceiling, Compliance, NoCeiling, State, Top, level_under, under};
 use crate::row_work::{Partial, TASK};
 use crate::{End, Real, fields};
 use std::f64::consts::FRAC_PI_2;
 
 /// `displacement - heights` in contact, averaged with the pressure as weight; under a ceiling, that of
-/// [`passes::level_under`].
+/// [`level_under`].
 pub(crate) fn level<T: Real>(state: &State<T>, heights: &[T], ceiling: Top<'_, T>) -> f64 {
     let (p, u) = (&state.pressure, &state.displacement);
     if ceiling.is_finite() {
         let mut partial = vec![Partial::default(); p.len().div_ceil(TASK)];
-        return under!(ceiling, top => passes::level_under(top, [p, u, heights], &mut partial));
+        return under!(ceiling, top => level_under(top, [p, u, heights], &mut partial));
     }
     let [sum, weight] = fields::weighted_difference(p, [u, heights]);
     if weight > 0.0 { sum / weight } else { 0.0 }

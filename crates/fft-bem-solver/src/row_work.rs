@@ -1,6 +1,8 @@
 //! How work on fields is cut into pieces: for tasks, and in blocks of rows, while they are in cache,
 //! around an application of `K`; and the sums that come of it.
 
+use grid_fft::parallel::prelude::*;
+
 /// Pixels that one task of a parallel loop handles, about.
 pub(crate) const TASK: usize = 1 << 14;
 
@@ -16,6 +18,18 @@ pub(crate) fn total<const N: usize>(partial: &[Partial]) -> [f64; N] {
         }
     }
     sum
+}
+
+/// Adds up what `of(first pixel, piece)` makes of the pieces of a field.
+pub(crate) fn sums<T: Sync, const N: usize>(
+    field: &[T],
+    of: &(dyn Fn(usize, &[T]) -> Partial + Sync),
+    partial: &mut [Partial],
+) -> [f64; N] {
+    let partial = &mut partial[..field.len().div_ceil(TASK)];
+    let pieces = partial.par_iter_mut().zip(field.par_chunks(TASK)).enumerate();
+    pieces.for_each(|(task, (partial, piece))| *partial = of(task * TASK, piece));
+    total(partial)
 }
 
 /// From first pixel, factor, pressure and displacement, and a third field to sums over them.

@@ -13,7 +13,7 @@
 //!   of `displacement - heights`.
 //! - Memory is allocated by the method's constructor; iterations allocate nothing.
 //! - Under a ceiling, which only the chord iteration knows, `pressure <= ceiling` as well, and `level` is that of
-//!   [`passes::level_under`](super::passes::level_under).
+//!   [`level_under`](super::level::level_under).
 //! - `watch` is called once per iteration and may end the run.
 //! - `transforms` counts applications of `K` (or `K^-1`) at full size as 1; work on coarser grids
 //!   in proportion `m log m / (n log n)`.
@@ -22,9 +22,8 @@
 
 use super::ceiling::Top;
 use super::compliance::Compliance;
-use super::passes;
 use crate::problem::Problem;
-use crate::{End, Fallbacks, Real};
+use crate::{End, Fallbacks, Real, fields};
 use std::ops::ControlFlow;
 
 /// What is prescribed, in scaled units.
@@ -73,8 +72,8 @@ impl<T: Real> State<T> {
 
     /// Multiplies pressure and displacement: K is linear.
     pub(crate) fn scale(&mut self, factor: f64) {
-        passes::scale(factor, &mut self.pressure);
-        passes::scale(factor, &mut self.displacement);
+        fields::scale(factor, &mut self.pressure);
+        fields::scale(factor, &mut self.displacement);
     }
 }
 

@@ -1,11 +1,9 @@
 //! What the cheap inverse of the chord iteration makes of a fixed contact set: `E^T S E` and `E^T 1`, pass by
 //! pass as in the iteration, with fields of their own.
 
-use super::extension::{Pyramid, pull_rows};
+use super::extension::Pyramid;
 use super::node::NodeState;
-use super::passes;
 use super::stiffness::Stiffness;
-use crate::simd::vectorised;
 use contact_types::Grid;
 use grid_fft::parallel::prelude::*;
 
@@ -47,10 +45,9 @@ impl SetInverse {
         for (k, i) in on.iter().enumerate() {
             self.residual[*i] = r(k) as f32;
         }
-        self.weigh();
-        self.pyramid.extend_above();
+        self.extend();
         let Self { nodes, columns, pyramid, stiffness, residual, extended } = self;
-        passes::push(nodes, residual, pyramid, *columns, stiffness, extended);
+        pyramid.push(nodes, residual, *columns, stiffness, extended);
         stiffness.apply_to_filled(extended, residual);
         self.restrict(on, z);
     }
@@ -58,28 +55,22 @@ impl SetInverse {
     /// `z = E^T 1`: a uniform pressure, swept onto the set. Nearly that below a flat punch of its shape.
     pub(crate) fn sweep_uniform(&mut self, on: &[usize], z: &mut [f64]) {
         self.residual.fill(0.0);
-        self.weigh();
-        self.pyramid.extend_above();
+        self.extend();
         self.residual.fill(1.0);
         self.restrict(on, z);
     }
 
-    /// The first level of the pyramid over the set and the residual.
-    fn weigh(&mut self) {
-        let Some(first) = self.pyramid.levels.first_mut() else { return };
-        let (t, capacity, rows) = (first.transfer, first.capacity, first.rows_per_task());
-        let (fine, coarse) = (rows * t.rows_per_coarse_row() * t.fine[1], rows * t.coarse[1]);
-        let set = self.nodes.par_chunks(fine).zip(self.residual.par_chunks(fine));
-        let above = first.weight.par_chunks_mut(coarse).zip(first.value.par_chunks_mut(coarse));
-        set.zip(above).for_each(|((w, v), (weight, value))| {
-            vectorised!(pull_rows(&t, capacity, w, v, weight, value));
-        });
+    /// The pyramid over the set and the residual.
+    fn extend(&mut self) {
+        if let Some(first) = self.pyramid.levels.first_mut() {
+            first.pull(&self.nodes, &self.residual);
+        }
+        self.pyramid.extend_above();
     }
 
     /// `z = E^T` of the residual field.
     fn restrict(&mut self, on: &[usize], z: &mut [f64]) {
-        passes::gather(&self.nodes, &self.residual, &mut self.pyramid);
-        self.pyramid.restrict_above();
+        self.pyramid.restrict(&self.nodes, &self.residual);
         let Self { columns, pyramid, residual, .. } = self;
         if let Some(first) = pyramid.levels.first() {
             residual.par_chunks_mut(*columns).enumerate().for_each(|(iy, y)| {

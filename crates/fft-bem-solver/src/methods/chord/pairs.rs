@@ -1,8 +1,7 @@
 //! The pressures of a step with their displacements, and the memory that is free meanwhile.
 
-use crate::Real;
 use crate::methods::contract::State;
-use crate::methods::passes;
+use crate::{Real, fields};
 
 /// A pressure and the displacement it causes.
 pub(crate) struct Pair<T> {
@@ -70,8 +69,8 @@ impl<T: Real> Pairs<T> {
         // The step before must stay one that changes no load.
         let Pair { pressure, displacement } = &mut self.before;
         iterate.scale(factor);
-        passes::scale(factor, pressure);
-        passes::scale(factor, displacement);
+        fields::scale(factor, pressure);
+        fields::scale(factor, displacement);
     }
 
     /// Makes the trial the iterate and, where there is room, the iterate the one before.

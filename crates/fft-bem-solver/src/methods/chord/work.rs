@@ -1,13 +1,12 @@
 //! What a chord iteration works with, allocated once: fields, pyramid, coarse grids.
 
 use super::pairs::Pairs;
-use crate::methods::extension::Pyramid;
+use crate::methods::extension::{Pyramid, PyramidLevel};
 use crate::methods::node::NodeState;
-use crate::methods::passes;
 use crate::methods::stiffness::Stiffness;
 use crate::methods::sweep::Sweep;
 use crate::methods::thin_pixels;
-use crate::row_work::Partial;
+use crate::row_work::{Partial, TASK};
 use crate::{HalfSpace, Real};
 use contact_types::Grid;
 
@@ -42,8 +41,12 @@ impl<T: Real> Work<T> {
     pub(super) fn new(scaled: Grid, stiffness: Stiffness) -> Self {
         let (shape, n) = (scaled.shape(), scaled.len());
         let pyramid = Pyramid::new(shape, scaled.pixel());
-        let rows = passes::rows_per_task(&pyramid, shape);
-        let pieces = passes::tasks(n, rows, shape[1]).max(HalfSpace::<T>::pieces(shape));
+        // Whole rows of cells of the first level.
+        let whole =
+            |level: &PyramidLevel| level.rows_per_task() * level.transfer.rows_per_coarse_row();
+        let rows = pyramid.levels.first().map_or(shape[0], whole);
+        let tasks = n.div_ceil(rows * shape[1]).max(n.div_ceil(TASK));
+        let pieces = tasks.max(HalfSpace::<T>::pieces(shape));
         Self {
             rows,
             columns: shape[1],
