@@ -207,7 +207,7 @@ fn attempt(task: &Task<'_>, factor: f64, sink: &mut dyn Sink) -> Result<Attempt,
     if let Aim::Within(request) = task.aim {
         builder = builder.tolerance(request.tolerance()).precision(request.precision());
     }
-    let (precision, tolerance) = (builder.has_precision(), builder.has_tolerance());
+    let (precision, tolerance) = (builder.precision, builder.tolerance);
     let is_given = grid == task.map.grid();
     let finer = if is_given { task.setup.finer } else { Finer::Never };
     let setup = Setup { builder, finer, ..task.setup.clone() };

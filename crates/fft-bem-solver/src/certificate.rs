@@ -89,12 +89,9 @@ pub(crate) const CAUTION: f64 = 2.0;
 
 /// When a method without an error estimate of its own pays a convolution for one.
 ///
-/// The plain residual of every iteration is free: `|r| / |p|` times the largest stiffness on the
-/// grid, pi/2 per finer pixel, exceeds the relative pressure error the residual stands for. Where
-/// that could be small enough the bound is evaluated; while it is not, the wait for the next
-/// evaluation is set by how much is missing.
-///
-/// Where rounding keeps the bound from falling further the wait ends as well.
+/// `|r| / |p|` times the largest stiffness on the grid, pi/2 per finer pixel, exceeds the relative pressure error and is
+/// free. Where it could be small enough, or rounding keeps it from falling, the bound is evaluated; how much that lacks
+/// sets the wait for the next evaluation.
 pub(crate) struct Patience {
     tolerance: f64,
     worthwhile: f64,

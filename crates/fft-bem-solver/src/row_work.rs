@@ -32,10 +32,8 @@ pub(crate) fn sums<T: Sync, const N: usize>(
     total(partial)
 }
 
-/// From first pixel, factor, pressure and displacement, and a third field to sums over them.
-pub(crate) trait Finish<T>: Fn(usize, T, [&mut [T]; 2], &mut [f32]) -> Partial {}
-
-impl<T, F: Fn(usize, T, [&mut [T]; 2], &mut [f32]) -> Partial> Finish<T> for F {}
+/// Rows of a block of work around an application of `K`.
+pub(crate) const BLOCK_ROWS: usize = grid_fft::Convolution::<f64>::BLOCK_ROWS;
 
 /// What is done with the fields around an application of `K`, in blocks of whole rows while they are
 /// in cache. Each is given the first pixel of the block.
@@ -45,7 +43,7 @@ pub(crate) struct RowWork<'a, T> {
     /// From these sums: by what the displacement is to be multiplied; `None` stops here.
     pub(crate) factor: &'a mut dyn FnMut(&[Partial]) -> Option<f64>,
     /// Sees that factor, pressure and displacement, and a third field once the displacement is there.
-    pub(crate) finish: &'a (dyn Finish<T> + Sync),
+    pub(crate) finish: &'a (dyn Fn(usize, T, [&mut [T]; 2], &mut [f32]) -> Partial + Sync),
     /// Pixels of a block, where the operator has none of its own.
     pub(crate) pixels: usize,
 }

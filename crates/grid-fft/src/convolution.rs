@@ -15,10 +15,7 @@ const TILE_ROWS: usize = 16;
 /// The three passes are: real transforms of blocks of 16 rows, whose spectra are stored in
 /// transposed tiles of two cache lines width; then for each column of the spectrum the forward
 /// transform, the symbol and the inverse transform, while it is in cache; then the inverse row
-/// transforms. A field is read once and written once, its half spectrum read and written twice.
-/// Running allocates nothing.
-///
-/// The convention is that of [`GridFft`](crate::GridFft); the mean of the field is the wave (0, 0).
+/// transforms. Running allocates nothing.
 pub struct Convolution<T: Float> {
     shape: [usize; 2],
     /// Shape of the transforms, at least `shape`.
@@ -65,8 +62,7 @@ impl<T: Float> Convolution<T> {
 
     /// As [`new`](Self::new), for fields that are continued with zeros to `padded = [py, px]`
     /// before the transform, and cut back to `shape` after it. Rows of zeros are neither stored nor
-    /// transformed: with both sides doubled this costs three times the transform of the field, not
-    /// four, and stores two times its spectrum.
+    /// transformed.
     ///
     /// # Panics
     /// If a side is 0 or padded to less than its length.

@@ -6,7 +6,7 @@ use super::contract::{
     ContactMethod, ContactTask, IterateObserver, IterateView, Outcome, Start, State, Target,
 };
 use crate::certificate::{self, Patience};
-use crate::{Boundary, End, Fallbacks, Real, fields};
+use crate::{Boundary, End, Real, fields};
 use std::marker::PhantomData;
 
 /// The iteration of one baseline, with what it remembers from step to step.
@@ -92,7 +92,7 @@ impl<T: Real, S: BaselineStep<T>> ContactMethod<T> for Baseline<T, S> {
             end = End::Converged;
         }
         state.level = certificate::level(state, heights, Top::NONE);
-        Outcome { end, iterations, transforms, residual, fallbacks: Fallbacks::default() }
+        Outcome { end, iterations, transforms, residual, ..Outcome::NOTHING }
     }
 }
 

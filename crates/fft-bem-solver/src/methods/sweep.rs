@@ -6,17 +6,14 @@
 //! elastic body does when it loses a support. Nodes that were just released are swept likewise.
 //!
 //! What `E^T` adds is the same for all nodes below one cell of the first level, so a sweep works
-//! on that level alone; the finest grid is visited only where a node changes sides. A round looks for
-//! tension, drops the nodes that bear it and hands their load up in one pass, before it is known how
-//! much it is: if it was not worth a round, the nodes would have been clipped, which is the same.
+//! on that level alone; the finest grid is visited only where a node changes sides.
 //!
-//! Under a ceiling, what a node would carry beyond it is handed on likewise, and the node stays there. That
-//! waits until little tension is left: while much load is still moved, nobody knows how much it will carry.
+//! Under a ceiling, what a node would carry beyond it is handed on likewise, once little tension is left.
 
 use super::ceiling::Ceiling;
 use super::extension::{Pyramid, PyramidLevel};
 use super::node::NodeState;
-use super::tension::{Added, Bounds, CellRows, Handed};
+use super::tension::{Added, CellRows};
 use crate::Real;
 use crate::simd::vectorised;
 use grid_fft::parallel::prelude::*;
@@ -102,9 +99,8 @@ impl Sweep {
         let (mut left, mut has_more) = (active, has_released);
         let mut fills = false;
         for _ in 0..=(if C::IS_FINITE { 2 * ROUNDS } else { ROUNDS }) {
-            let bounds = Bounds { ceiling, fills };
             let (excess, count) =
-                self.drop_beyond(bounds, pyramid, trial, nodes, smallest, has_more);
+                self.drop_beyond(ceiling, fills, pyramid, trial, nodes, smallest, has_more);
             let is_all = !C::IS_FINITE || fills;
             fills |= C::IS_FINITE && excess <= little;
             if (excess <= negligible && is_all) || count >= left {
@@ -163,9 +159,11 @@ impl Sweep {
     /// Takes the nodes beyond a bound out of the contact, lowers the weights above and hands up what they
     /// would carry beyond it. Returns that and their number. With `has_more`, what the first level hands
     /// down is added before.
+    #[allow(clippy::too_many_arguments, reason = "a pass over three fields")]
     fn drop_beyond<T: Real, C: Ceiling<T>>(
         &mut self,
-        bounds: Bounds<C>,
+        ceiling: C,
+        fills: bool,
         pyramid: &mut Pyramid,
         trial: &[T],
         nodes: &mut [NodeState],
@@ -190,7 +188,6 @@ impl Sweep {
             .enumerate()
             .for_each(|(task, (cells, (nodes, trial)))| {
                 let (((((found, smallest), added), beyond), value), weight) = cells;
-                let bounds = Bounds { ceiling: bounds.ceiling.after(task * fine), ..bounds };
                 vectorised!({
                     if has_more {
                         if is_first {
@@ -200,14 +197,18 @@ impl Sweep {
                             *a += share * more;
                         }
                     }
-                    let handed = Handed { t: &t, value, beyond };
+                    let ceiling = ceiling.after(task * fine);
+                    let t = &t;
                     let mut rows = CellRows {
-                        bounds,
+                        t,
                         capacity,
+                        ceiling,
+                        fills,
                         trial,
                         nodes,
                         weight,
-                        handed,
+                        value,
+                        beyond,
                         found: (0.0, 0),
                     };
                     let lines = smallest.chunks_exact_mut(mx).zip(added.chunks_exact(mx));

@@ -4,9 +4,9 @@ use crate::common;
 use crate::dense;
 
 use approx::assert_relative_eq;
-use common::{Uniform, unit_modulus};
+use common::Uniform;
 use contact_types::{Grid, HeightMap};
-use fft_bem_solver::{Load, Method, Solver};
+use fft_bem_solver::{Method, Solver};
 
 #[test]
 fn every_method_finds_the_dense_solution() {
@@ -27,12 +27,8 @@ fn every_method_finds_the_dense_solution() {
             // Steepest descent takes as many steps as the stiffest wave is stiffer than the softest.
             let methods = [Method::Auto, Method::PolonskyKeer, Method::StanleyKato];
             for &method in &methods[..if pixel[0] > 100.0 { 2 } else { 3 }] {
-                let mut solver = Solver::builder()
-                    .method(method)
-                    .tolerance(1e-11)
-                    .build(grid, unit_modulus())
-                    .unwrap();
-                let found = solver.solve(&map, Load::MeanPressure(load)).unwrap();
+                let builder = Solver::builder().method(method).tolerance(1e-11);
+                let found = common::solve(&map, builder, load);
                 assert_relative_eq!(found.approach, known.approach, max_relative = 1e-9);
                 let scale = found.diagnostics.max_pressure;
                 for (p, q) in found.pressure.iter().zip(&known.pressure) {

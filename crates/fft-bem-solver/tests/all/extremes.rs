@@ -8,6 +8,7 @@ use contact_types::{ContactModulus, Grid, HeightMap};
 use fft_bem_solver::{
     Boundary, End, Iteration, Load, Method, Precision, Solution, Solver, SolverError,
 };
+use std::f64::consts::PI;
 use std::ops::ControlFlow;
 
 const METHODS: [Method; 3] = [Method::Auto, Method::PolonskyKeer, Method::StanleyKato];
@@ -48,12 +49,8 @@ fn from_one_pixel_to_beyond_full_contact() {
     let map = self_affine(unit_grid(40, 36), 0.8, 18.0, 4.0, 3);
     for method in METHODS {
         for precision in [Precision::Double, Precision::Single] {
-            let mut solver = Solver::builder()
-                .method(method)
-                .precision(precision)
-                .tolerance(1e-4)
-                .build(map.grid(), unit_modulus())
-                .unwrap();
+            let builder = Solver::builder().method(method).precision(precision);
+            let mut solver = builder.build(map.grid(), unit_modulus()).unwrap();
             let first = solver.solve(&map, Load::MeanPressure(1e-9)).unwrap();
             assert_eq!(first.diagnostics.exact, Some("single pixel in contact"));
             assert_eq!(first.diagnostics.contact_pixels, 1);
@@ -88,7 +85,8 @@ fn a_single_pixel_map() {
     assert!(found.pressure == [7.0] && found.gap == [0.0]);
     let mut free = Solver::builder().boundary(Boundary::Free).build(grid, modulus(1e9)).unwrap();
     let found = free.solve(&map, Load::MeanPressure(7.0)).unwrap();
-    let dent = fft_bem_solver::love([0.0, 0.0], grid.pixel()) * 7.0 / 1e9;
+    // Under the middle of a uniformly loaded rectangle (Johnson 1985, eq. 3.25).
+    let dent = 2.0 / PI * (1e-6 * 2f64.asinh() + 2e-6 * 0.5f64.asinh()) * 7.0 / 1e9;
     assert!((found.approach / dent - 1.0).abs() < 1e-12);
 }
 
@@ -144,25 +142,21 @@ fn bad_loads_are_refused_by_name() {
 #[test]
 fn bad_settings_and_wrong_grids_are_refused_by_name() {
     let grid = unit_grid(8, 8);
-    let build = |b: fft_bem_solver::SolverBuilder| b.build(grid, unit_modulus()).map(|_| ());
-    for tolerance in [0.0, -1.0, 1.0, f64::NAN, f64::INFINITY] {
-        let error = build(Solver::builder().tolerance(tolerance)).unwrap_err();
-        assert!(matches!(error, SolverError::BadSetting { setting: "tolerance", .. }));
+    let with = Solver::builder;
+    let tolerances = [0.0, -1.0, 1.0, f64::NAN, f64::INFINITY].map(|t| with().tolerance(t));
+    let others = [with().max_iterations(0), with().threads(0), with().section(Some(8))];
+    for builder in tolerances.into_iter().chain(others) {
+        let error = builder.build(grid, unit_modulus()).unwrap_err();
+        assert!(matches!(error, SolverError::BadSetting { .. }), "{error}");
     }
-    for error in [
-        build(Solver::builder().max_iterations(0)).unwrap_err(),
-        build(Solver::builder().threads(0)).unwrap_err(),
-    ] {
-        assert!(matches!(error, SolverError::BadSetting { .. }));
-    }
-    let mut solver = Solver::builder().build(grid, unit_modulus()).unwrap();
-    let other = HeightMap::new(unit_grid(8, 9), vec![0.0; 72]).unwrap();
-    let error = solver.solve(&other, Load::MeanPressure(1.0)).unwrap_err();
-    assert!(matches!(error, SolverError::Shape { expected: 64, found: 72 }));
+    let mut solver = with().build(grid, unit_modulus()).unwrap();
+    let mut on = |grid: Grid| {
+        let map = HeightMap::new(grid, vec![0.0; grid.len()]).unwrap();
+        solver.solve(&map, Load::MeanPressure(1.0)).unwrap_err()
+    };
+    assert!(matches!(on(unit_grid(8, 9)), SolverError::Shape { expected: 64, found: 72 }));
     let stretched = Grid::new([8, 8], [1.0, 2.0]).unwrap();
-    let other = HeightMap::new(stretched, vec![0.0; 64]).unwrap();
-    let error = solver.solve(&other, Load::MeanPressure(1.0)).unwrap_err();
-    assert!(matches!(error, SolverError::Grid { .. }));
+    assert!(matches!(on(stretched), SolverError::Grid { .. }));
 }
 
 /// Running out of iterations and being stopped both hand over what was reached.
@@ -170,15 +164,12 @@ fn bad_settings_and_wrong_grids_are_refused_by_name() {
 fn nothing_is_lost_when_a_run_ends_early() {
     let map = self_affine(unit_grid(64, 64), 0.8, 16.0, 2.0, 6);
     for method in METHODS {
-        let build = |limit: usize| {
-            Solver::builder()
-                .method(method)
-                .tolerance(1e-12)
-                .max_iterations(limit)
-                .build(map.grid(), unit_modulus())
-                .unwrap()
+        let load = Load::MeanPressure(0.05);
+        let build = |limit| {
+            let builder = Solver::builder().method(method).tolerance(1e-12).max_iterations(limit);
+            builder.build(map.grid(), unit_modulus()).unwrap()
         };
-        let error = build(3).solve(&map, Load::MeanPressure(0.05)).unwrap_err();
+        let error = build(3).solve(&map, load).unwrap_err();
         assert!(matches!(error, SolverError::NotConverged(_)));
         let reached = error.solution().unwrap();
         assert_eq!(reached.diagnostics.iterations, 3);
@@ -194,8 +185,7 @@ fn nothing_is_lost_when_a_run_ends_early() {
             seen.push((iteration.number, iteration.transforms));
             if iteration.number >= 2 { ControlFlow::Break(()) } else { ControlFlow::Continue(()) }
         };
-        let error =
-            build(100).solve_observed(&map, Load::MeanPressure(0.05), &mut observer).unwrap_err();
+        let error = build(100).solve_observed(&map, load, &mut observer).unwrap_err();
         assert!(matches!(error, SolverError::Stopped(_)));
         assert_eq!(error.solution().unwrap().diagnostics.iterations, 2);
         assert!(seen.windows(2).all(|w| w[0].0 <= w[1].0 && w[0].1 <= w[1].1));
@@ -209,13 +199,9 @@ fn tolerances_below_rounding_end() {
     for boundary in [Boundary::Periodic, Boundary::Free] {
         for (precision, limit) in [(Precision::Double, 1e-11), (Precision::Single, 3e-5)] {
             for method in [Method::Auto, Method::PolonskyKeer] {
-                let mut solver = Solver::builder()
-                    .method(method)
-                    .boundary(boundary)
-                    .precision(precision)
-                    .tolerance(1e-18)
-                    .build(map.grid(), unit_modulus())
-                    .unwrap();
+                let builder = Solver::builder().method(method).boundary(boundary);
+                let builder = builder.precision(precision).tolerance(1e-18);
+                let mut solver = builder.build(map.grid(), unit_modulus()).unwrap();
                 let error = solver.solve(&map, Load::MeanPressure(0.3)).unwrap_err();
                 assert!(matches!(error, SolverError::Rounding(_)), "{error}");
                 let found = error.into_solution().unwrap().diagnostics;

@@ -146,14 +146,9 @@ proptest! {
         let original = solve(&HeightMap::new(grid, h.clone()).unwrap(), method, boundary, load);
         let grid = Grid::new([9, 12], [d0, 1.5 * d0]).unwrap();
         let map = HeightMap::new(grid, h.iter().map(|h| h * h0).collect()).unwrap();
-        let scaled = Solver::builder()
-            .method(method)
-            .boundary(boundary)
-            .tolerance(TOLERANCE)
-            .build(grid, ContactModulus::from_pascals(e0).unwrap())
-            .unwrap()
-            .solve(&map, Load::MeanPressure(load * p0))
-            .unwrap();
+        let builder = Solver::builder().method(method).boundary(boundary).tolerance(TOLERANCE);
+        let mut solver = builder.build(grid, ContactModulus::from_pascals(e0).unwrap()).unwrap();
+        let scaled = solver.solve(&map, Load::MeanPressure(load * p0)).unwrap();
         let pressure: Vec<f64> = scaled.pressure.iter().map(|p| p / p0).collect();
         let gap: Vec<f64> = scaled.gap.iter().map(|g| g / h0).collect();
         if is_exact {
@@ -174,11 +169,8 @@ proptest! {
         let by_load = solve(&map, method, Boundary::Periodic, load);
         let gap = by_load.state.mean_gap.unwrap();
         prop_assume!(gap > 1e-3);
-        let mut solver = Solver::builder()
-            .method(method)
-            .tolerance(TOLERANCE)
-            .build(grid, unit_modulus())
-            .unwrap();
+        let builder = Solver::builder().method(method).tolerance(TOLERANCE);
+        let mut solver = builder.build(grid, unit_modulus()).unwrap();
         for control in [Load::MeanGap(gap), Load::Approach(by_load.approach)] {
             let found = solver.solve(&map, control).unwrap();
             prop_assert!((found.state.mean_pressure / load - 1.0).abs() < 1e-6, "{control:?}");

@@ -86,7 +86,7 @@ impl<T: Real, C: Ceiling<T>> Run<'_, T, C> {
         let work = &mut *self.work;
         let (nx, chunk) = (work.columns, work.rows * work.columns);
         let State { pressure: p, displacement: u, .. } = &*self.iterate;
-        let extended = work.pairs.spare();
+        let extended = work.pairs.trial_and_spare().1;
         let classify = Classify {
             ceiling: self.ceiling,
             fields: [u, self.heights],
@@ -132,7 +132,7 @@ impl<T: Real, C: Ceiling<T>> Run<'_, T, C> {
         let pairs = &mut self.work.pairs;
         let State { pressure, displacement, .. } = &*self.iterate;
         control.guess([pressure, displacement], self.memory.residual);
-        let rise = fields::mean(pairs.spare());
+        let rise = fields::mean(pairs.trial_and_spare().1);
         let factor = control.factor(level + rise, self.load, self.memory.residual);
         pairs.scale(factor, self.iterate);
         self.load *= factor;

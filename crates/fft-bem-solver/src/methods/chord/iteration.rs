@@ -92,7 +92,7 @@ impl<T: Real> ContactMethod<T> for Chord<T> {
     /// trial from the constant pressure, without what is swept: `S E g` is kept for it.
     fn suspected_closing_load(&mut self, problem: &Problem<T>) -> (f64, f64) {
         let work = &mut self.work;
-        let gap = work.pairs.spare();
+        let gap = work.pairs.trial_and_spare().1;
         let (h, mean) = (&problem.heights, problem.mean_height);
         fields::write(gap, |i, _: f32| (mean - h[i].wide()) as f32);
         work.stiffness.apply(gap, &mut work.residual);
@@ -155,7 +155,7 @@ impl<T: Real> Chord<T> {
         let Run { transforms, fallbacks, .. } = run;
         let level = || certificate::level(state, &task.problem.heights, Top::NONE);
         state.level = yielding.unwrap_or_else(level);
-        Outcome { end, iterations: iteration, transforms, residual, fallbacks }
+        Outcome { exact: None, end, iterations: iteration, transforms, residual, fallbacks }
     }
 }
 

@@ -3,12 +3,12 @@
 use super::memory::{Known, StepKind};
 use super::run::Run;
 use super::trial::{end_trial, is_rough};
+use crate::Real;
 use crate::methods::ceiling::Ceiling;
 use crate::methods::contract::State;
 use crate::methods::level::{contact_sums, mean_of_sums};
-use crate::row_work::{Partial, RowWork, TASK, total};
+use crate::row_work::{BLOCK_ROWS, Partial, RowWork, TASK, total};
 use crate::simd::{LANES, four, rest, vectorised};
-use crate::{HalfSpace, Real};
 use fearless_simd::{Fallback, Select, Simd, SimdBase, SimdFloat, f64x4};
 use grid_fft::parallel::prelude::*;
 use std::sync::atomic::{AtomicBool, Ordering};
@@ -111,7 +111,7 @@ impl<T: Real, C: Ceiling<T>> Run<'_, T, C> {
             prepare: &prepare,
             factor: &mut factor,
             finish: &finish,
-            pixels: HalfSpace::<T>::BLOCK_ROWS * nx,
+            pixels: BLOCK_ROWS * nx,
         };
         let (trial, gap) = (&mut work.pairs.trial, &mut work.residual);
         let (q, v) = (&mut trial.pressure, &mut trial.displacement);
@@ -149,7 +149,7 @@ impl<T: Real, C: Ceiling<T>> Run<'_, T, C> {
         let b = if let Some((b, level)) = step {
             self.memory.length = 1.0;
             self.memory.known = Known::Level(level);
-            self.work.pairs.take_combined(self.iterate);
+            std::mem::swap(&mut self.work.pairs.before, self.iterate);
             b
         } else {
             let is_whole = (length - 1.0).abs() < f64::EPSILON;

@@ -35,7 +35,7 @@ impl<T: Real, C: Ceiling<T>> Run<'_, T, C> {
     /// finest grid, which [`make_trial`](Self::make_trial) does.
     pub(crate) fn precondition(&mut self) {
         let work = &mut *self.work;
-        let extended = work.pairs.spare();
+        let extended = work.pairs.trial_and_spare().1;
         work.stiffness.apply_to_filled(extended, &mut work.residual);
         work.pyramid.restrict(&work.nodes, &work.residual);
         self.transforms += work.stiffness.cost;

@@ -1,13 +1,13 @@
 //! What a chord iteration works with, allocated once: fields, pyramid, coarse grids.
 
 use super::pairs::Pairs;
+use crate::Real;
 use crate::methods::extension::{Pyramid, PyramidLevel};
 use crate::methods::node::NodeState;
 use crate::methods::stiffness::Stiffness;
 use crate::methods::sweep::Sweep;
 use crate::methods::thin_pixels;
-use crate::row_work::{Partial, TASK};
-use crate::{HalfSpace, Real};
+use crate::row_work::{BLOCK_ROWS, Partial, TASK};
 use contact_types::Grid;
 
 /// The trial and the iterate before, one field in single precision, the contact set, the pyramid
@@ -46,7 +46,7 @@ impl<T: Real> Work<T> {
             |level: &PyramidLevel| level.rows_per_task() * level.transfer.rows_per_coarse_row();
         let rows = pyramid.levels.first().map_or(shape[0], whole);
         let tasks = n.div_ceil(rows * shape[1]).max(n.div_ceil(TASK));
-        let pieces = tasks.max(HalfSpace::<T>::pieces(shape));
+        let pieces = tasks.max(shape[0].div_ceil(BLOCK_ROWS));
         Self {
             rows,
             columns: shape[1],
