@@ -36,8 +36,8 @@ impl<T: Real> Engine<T> {
                 let error = under!(ceiling, top => {
                     certificate::energy_error(top, state, gap, &mut scratch, operator)
                 });
-                transforms += error.transforms;
-                error.relative.is_finite().then_some(error.relative)
+                transforms += error.map_or(0.0, |_| 1.0);
+                error.filter(|error| error.is_finite())
             }
         };
         let (units, settings, state) = (problem.units, &self.settings, &self.state);
@@ -146,10 +146,8 @@ impl<T: Real> Engine<T> {
     }
 }
 
-/// Edges between a pixel in contact and a neighbour (of four) that is not. Across the edge of the
-/// map the neighbour is the opposite pixel; with a free boundary there is none, and no edge: the
-/// body ends there, so that the contact line cuts no pixel. And of these, the edges of pixels at the
-/// ceiling: the pressure drops from there at once, whatever the pixel.
+/// Edges between a pixel in contact and a neighbour (of four) that is not, across the edge of the map only if that
+/// repeats; and of these, the edges of pixels at the ceiling, where the pressure drops at once, whatever the pixel.
 fn edges<T: Real>(
     grid: Grid,
     pressure: &[T],

@@ -184,25 +184,18 @@ impl<T: Real> Engine<T> {
                     way_out: "prescribe the approach or the mean pressure",
                 });
             }
-            Load::MeanGap(gap) if yields => {
-                if gap <= 0.0 {
-                    return bad(
-                        "with a hardness no least load that closes every gap is looked for; \
-                                prescribe a wider gap or the mean pressure",
-                    );
-                }
+            Load::MeanGap(gap) if gap <= 0.0 && yields => {
+                return bad("with a hardness no least load that closes every gap is looked for; \
+                            prescribe a wider gap or the mean pressure");
+            }
+            Load::MeanGap(gap) if gap <= 0.0 => return Ok(LoadMeaning::Closed),
+            Load::MeanGap(gap) => {
                 let gap = gap / problem.units.height;
-                if gap < most {
+                if yields && gap < most {
                     let guess = first_guess(problem, (most - gap).min(0.999 * most));
                     return Ok(LoadMeaning::Target(Target::OpenGap(gap, guess)));
                 }
                 most - gap
-            }
-            Load::MeanGap(gap) => {
-                if gap <= 0.0 {
-                    return Ok(LoadMeaning::Closed);
-                }
-                most - gap / problem.units.height
             }
             Load::Approach(approach) => approach / problem.units.height,
         };

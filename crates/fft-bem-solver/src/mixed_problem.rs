@@ -2,15 +2,12 @@
 //!
 //! Pressed a little deeper, every point of a frictionless contact set C goes down by the same amount, and
 //! outside nothing presses: `K p = c` on C, `p = 0` elsewhere, `mean p = 1`. The incremental stiffness per
-//! nominal area is `1/c`. Two half spaces that touch on C and carry a current obey the same equations, with
-//! the potential in place of the displacement and the current density in place of the pressure (Barber
-//! 2003): one solution serves stiffness, electrical and thermal conductance, and the pressure is the map
-//! of the current density. That holds for any set C, however it came about; the stiffness of a
+//! nominal area is `1/c`. A current through C obeys the same equations, with the potential in place of the
+//! displacement and the current density in place of the pressure (Barber 2003). The stiffness of a
 //! *loading curve* is that of C only while nothing yields.
 //!
-//! The equations are those of an energy to be minimised on a fixed set: conjugate gradients, with the
-//! cheap inverse of the [chord iteration](crate::Method::Chord) as preconditioner, from a uniform pressure
-//! swept onto the set.
+//! Conjugate gradients on the set, with the cheap inverse of the [chord iteration](crate::Method::Chord) as
+//! preconditioner, from a uniform pressure swept onto it.
 //!
 //! Source: Barber (2003), *Proc. R. Soc. A* 459, 53–66.
 

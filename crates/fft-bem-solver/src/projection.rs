@@ -9,9 +9,8 @@ use std::ops::Range;
 /// Replaces `field` by `max(field + c, 0)` with the `c` that gives it the mean `load`: its
 /// projection on the admissible pressures.
 ///
-/// The load carried is a convex, piecewise linear function of `c`; Newton's method from the side
-/// where too much is carried follows it to the end in a few passes. It is there when a step leaves
-/// the carrying pixels as they were: on one piece the step is exact.
+/// The load carried is a convex, piecewise linear function of `c`: Newton's method from the side where too much is
+/// carried, until a step leaves the carrying pixels as they were.
 pub(crate) fn onto_admissible<T: Real>(field: &mut [T], load: f64) {
     let n = field.len();
     let total = load * n as f64;

@@ -245,22 +245,6 @@ impl Solver {
 
 /// How stiff any contact set is, given row by row: see [`SetStiffness`].
 ///
-/// ```
-/// use fft_bem_solver::{Boundary, ContactModulus, Grid, set_stiffness};
-///
-/// // One spot in an infinite plane: k A = 2 E* a, here on 32 x 32 pixels to a per cent.
-/// let grid = Grid::new([32, 32], [1e-6, 1e-6])?;
-/// let from_middle = |i: usize| i as f64 - 15.5;
-/// let spot: Vec<bool> =
-///     (0..1024).map(|i| from_middle(i / 32).hypot(from_middle(i % 32)) < 12.0).collect();
-/// let modulus = ContactModulus::from_pascals(110e9)?;
-/// let stiffness = set_stiffness(grid, modulus, Boundary::Free, &spot)?;
-/// let total = stiffness.per_area * 32e-6 * 32e-6; // N/m
-/// let radius = (spot.iter().filter(|on| **on).count() as f64 / std::f64::consts::PI).sqrt() * 1e-6;
-/// assert!((total / (2.0 * 110e9 * radius) - 1.0).abs() < 0.03);
-/// # Ok::<(), Box<dyn std::error::Error>>(())
-/// ```
-///
 /// # Errors
 /// [`SolverError::Shape`] if the set does not have the pixels of the grid; [`SolverError::Range`] if the grid cannot
 /// be used, [`SolverError::Memory`] if the machine does not have the memory.

@@ -1,7 +1,5 @@
 //! What an answer says of its fields, taken in one pass: sums, extremes, means over blocks.
-//!
-//! In the scaled units of the iteration. Every sum is made block row by block row, in an order that does not
-//! depend on the number of threads.
+//! In the scaled units of the iteration, block row by block row: in an order that does not depend on the threads.
 
 use crate::methods::Ceiling;
 use crate::simd::{LANES, four, rest, vectorised};

@@ -1,8 +1,7 @@
 //! Cells of several pixels along an axis, all equally wide, for any number of pixels.
 //!
-//! If the factor does not divide the number of pixels, the cells are a little wider or narrower than
-//! it, and pixels are cut where one cell ends and the next begins. So the axis keeps its length and
-//! has no seam.
+//! If the factor does not divide the number of pixels, pixels are cut where one cell ends and the next begins. So the
+//! axis keeps its length and has no seam.
 
 /// The cells of one axis.
 pub(super) struct EqualCells {

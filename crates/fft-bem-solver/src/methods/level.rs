@@ -50,7 +50,7 @@ const NEWTON_STEPS: usize = 60;
 /// The level of the flat under a pressure with a ceiling: that at which the gap has no mean over the
 /// nodes that have still to give way, those between the bounds, those at the ceiling that stand off and
 /// those without load that overlap. Where there is none, any level is right that parts the loaded from
-/// the others, and this one does. The sums it searches by Newton's method fall as the level rises.
+/// the others, and this one does. By Newton's method.
 pub(crate) fn level_under<T: Real, C: Ceiling<T>>(
     ceiling: C,
     [p, u, h]: [&[T]; 3],

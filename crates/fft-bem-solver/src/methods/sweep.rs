@@ -72,11 +72,10 @@ impl Sweep {
         }
     }
 
-    /// Sweeps released nodes, then negative pressures, until no more than a `negligible` tension is
-    /// left. `trial` and `nodes` are on the finest grid, `smallest` holds the smallest trial pressure below each
-    /// cell of the first level; `active` nodes are in contact. With no more than a `little` tension left
-    /// the ceiling counts as well.
-    /// On return a node carries the trial and what is added to it, clipped, if it is still in contact.
+    /// Sweeps released nodes, then negative pressures, until no more than a `negligible` tension is left; from a
+    /// `little` on the ceiling counts as well. `smallest` holds the smallest trial pressure below each cell of the first
+    /// level; `active` nodes are in contact. On return a node carries the trial and what is added to it, clipped, if it
+    /// is still in contact.
     #[allow(clippy::too_many_arguments, reason = "a pass over four fields")]
     pub(crate) fn run<T: Real, C: Ceiling<T>>(
         &mut self,

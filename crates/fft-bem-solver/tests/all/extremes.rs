@@ -204,7 +204,7 @@ fn tolerances_below_rounding_end() {
                 let mut solver = builder.build(map.grid(), unit_modulus()).unwrap();
                 let error = solver.solve(&map, Load::MeanPressure(0.3)).unwrap_err();
                 assert!(matches!(error, SolverError::Rounding(_)), "{error}");
-                let found = error.into_solution().unwrap().diagnostics;
+                let found = &error.solution().unwrap().diagnostics;
                 assert_eq!(found.end, End::Rounding);
                 let residual = found.residuals.preconditioned;
                 assert!(residual <= limit, "{boundary:?} {precision:?} {method}: {residual:e}");

@@ -39,8 +39,7 @@ impl<T: Real, C: Ceiling<T>> Run<'_, T, C> {
     /// The level of the iterate, from which the residual gap g is counted; its contact set F; and `E g`.
     ///
     /// The level is the plain mean of `u - h` in contact, so that g has no mean there, which no
-    /// pressure could remove. (The [contract](crate::methods::contract) wants that of the answer
-    /// weighted with the pressure. Both are the same once g is zero.)
+    /// pressure could remove.
     pub(crate) fn look(&mut self, known: Known, release: f64) -> (f64, ContactSet) {
         let (level, excess) = match known {
             Known::Level(level) if !C::IS_FINITE => (level, None),

@@ -8,7 +8,6 @@ use crate::methods::extension::{Pyramid, PyramidLevel};
 use crate::methods::node::NodeState;
 use crate::methods::sweep::{self, Sweep};
 use crate::methods::tension::Added;
-use crate::methods::transfer::Transfer;
 use crate::row_work::{Partial, total};
 use crate::simd::{LANES, Lane, four, rest, vectorised};
 use crate::{Real, fields, projection};
@@ -59,44 +58,33 @@ impl<T: Real, C: Ceiling<T>> Run<'_, T, C> {
             .zip(work.residual.par_chunks(chunk))
             .zip(work.nodes.par_chunks(chunk))
             .zip(trial.par_chunks_mut(chunk));
-        if let Some(t) = level.map(|level| level.transfer) {
-            let (height, mx) = (t.rows_per_coarse_row(), t.coarse[1]);
-            fields.zip(smallest.par_chunks_mut(rows / height * mx)).enumerate().for_each(
-                |(task, ((((partial, y), nodes), trial), smallest))| {
-                    *partial = vectorised!(x => {
-                        let mut sums = [f64x4::splat(x, 0.0); 4];
-                        let below = y.chunks(height * nx).zip(nodes.chunks(height * nx));
-                        let cells = below.zip(trial.chunks_mut(height * nx));
-                        let cells = cells.zip(smallest.chunks_mut(mx)).enumerate();
-                        for (j, (((y, nodes), trial), smallest)) in cells {
-                            let row = task * rows + j * height;
-                            step.cells(x, row, y, nodes, trial, Some((&t, smallest)), &mut sums);
-                        }
-                        totals(sums)
-                    });
-                },
-            );
-        } else {
-            fields.enumerate().for_each(|(task, (((partial, y), nodes), trial))| {
+        // Without a level each pixel is a cell.
+        let (height, mx) =
+            level.map_or((1, nx), |l| (l.transfer.rows_per_coarse_row(), l.transfer.coarse[1]));
+        fields.zip(smallest.par_chunks_mut(rows / height * mx)).enumerate().for_each(
+            |(task, ((((partial, y), nodes), trial), smallest))| {
                 *partial = vectorised!(x => {
                     let mut sums = [f64x4::splat(x, 0.0); 4];
-                    step.cells(x, task * rows, y, nodes, trial, None, &mut sums);
-                    totals(sums)
+                    let below = y.chunks(height * nx).zip(nodes.chunks(height * nx));
+                    let cells = below.zip(trial.chunks_mut(height * nx));
+                    let cells = cells.zip(smallest.chunks_mut(mx)).enumerate();
+                    for (j, (((y, nodes), trial), smallest)) in cells {
+                        step.cells(x, task * rows + j * height, y, nodes, trial, smallest, &mut sums);
+                    }
+                    let [a, b, c, d] = sums.map(|sum| sum.iter().sum());
+                    [a, b, c, d, 0.0, 0.0, 0.0, 0.0]
                 });
-            });
-        }
+            },
+        );
         let [z, z2, off2, p2] = total(partial);
         let mean = z / set.size.max(1) as f64;
         work.sweep.begin((tau * mean) as f32);
         StepEstimate { residual: (((z2 - mean * z).max(0.0) + off2) / p2).sqrt(), p2 }
     }
 
-    /// Sweeps the trial that was just made. What it then carries is what
-    /// [`end_trial`] makes of it.
-    ///
-    /// The tension that is left is clipped, and the load that takes spread over the whole map. That is
-    /// an error of the softest wave, and must be small beside the present error, `residual`, at most 1. The
-    /// softest wave of a slender map is as much softer than that of a square.
+    /// Sweeps the trial that was just made. The tension that is left will be clipped, and the load that takes spread
+    /// over the whole map: an error of the softest wave, which must be small beside the present error, `residual`, at
+    /// most 1. The softest wave of a slender map is as much softer than that of a square.
     pub(crate) fn sweep_trial(&mut self, set: ContactSet, residual: f64) {
         let (total, work) = (self.total(), &mut *self.work);
         let negligible = sweep::NEGLIGIBLE * total * residual / work.slenderness;
@@ -188,13 +176,6 @@ pub(super) fn is_rough(sum: f64, total: f64) -> bool {
     sum > (1.0 + 2.0 * sweep::NEGLIGIBLE) * total
 }
 
-/// The sums of the lanes.
-#[inline(always)]
-fn totals<S: Simd>(sums: [f64x4<S>; 4]) -> Partial {
-    let [a, b, c, d] = sums.map(|sum| sum.iter().sum());
-    [a, b, c, d, 0.0, 0.0, 0.0, 0.0]
-}
-
 /// What the rows of a trial have in common.
 #[derive(Clone, Copy)]
 struct PressureStep<'a, T, C> {
@@ -206,8 +187,7 @@ struct PressureStep<'a, T, C> {
 }
 
 impl<T: Real, C: Ceiling<T>> PressureStep<'_, T, C> {
-    /// The rows from `row` on, those below one row of cells if there are cells: the trial, and the smallest of it
-    /// below each cell. Adds up `z`, `z^2` on F, `p^2` off F (of those that are to carry the ceiling, what they
+    /// The rows from `row` on, below one row of cells: the trial, and the smallest of it below each cell. Adds up `z`, `z^2` on F, `p^2` off F (of those that are to carry the ceiling, what they
     /// lack), `p^2`.
     #[inline(always)]
     #[allow(clippy::too_many_arguments, reason = "a pass over five fields")]
@@ -218,7 +198,7 @@ impl<T: Real, C: Ceiling<T>> PressureStep<'_, T, C> {
         y: &[f32],
         nodes: &[NodeState],
         trial: &mut [T],
-        mut cells: Option<(&Transfer, &mut [f32])>,
+        smallest: &mut [f32],
         sums: &mut [f64x4<S>; 4],
     ) {
         let nx = self.nx;
@@ -236,9 +216,8 @@ impl<T: Real, C: Ceiling<T>> PressureStep<'_, T, C> {
                 let (nodes, trial) = (&nodes[here..][..n], &mut trial[ix..][..n]);
                 self.tile(vectors, row * nx + ix, z, nodes, trial, least, sums);
             }
-            if let Some((t, smallest)) = &mut cells {
-                smallest_below(t, ix, least, smallest);
-            }
+            let is_halved = self.level.is_some_and(|level| level.transfer.halved[1]);
+            smallest_below(is_halved, ix, least, smallest);
         }
     }
 
@@ -320,8 +299,8 @@ impl<T: Real, C: Ceiling<T>> PressureStep<'_, T, C> {
 
 /// From the smallest of each column to the smallest below each cell, from column `ix` on.
 #[inline(always)]
-fn smallest_below(t: &Transfer, ix: usize, least: &[f32], smallest: &mut [f32]) {
-    if !t.halved[1] {
+fn smallest_below(is_halved: bool, ix: usize, least: &[f32], smallest: &mut [f32]) {
+    if !is_halved {
         smallest[ix..][..least.len()].copy_from_slice(least);
         return;
     }
