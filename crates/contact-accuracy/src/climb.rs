@@ -195,7 +195,7 @@ fn attempt(task: &Task<'_>, factor: f64, sink: &mut dyn Sink) -> Result<Attempt,
     if let Aim::Within(request) = aim {
         builder = builder.tolerance(request.tolerance()).precision(request.precision());
     }
-    let (precision, tolerance) = (builder.has_precision(), builder.has_tolerance());
+    let (precision, tolerance) = (builder.precision, builder.tolerance);
     let finer = setup.finer && grid == given.grid();
     let mut ladder = Ladder::new(
         map,

@@ -1,42 +1,43 @@
 //! From a scaled state to the solution in SI units with its diagnostics.
 
-use crate::engine::{Engine, StateOrigin};
-use crate::methods::{Top, under};
+use crate::engine::Engine;
+use crate::methods::{Outcome, Top, under};
 use crate::problem::Problem;
 use crate::simd::vectorised;
-use crate::tally::{AnswerFields, tally};
+use crate::tally::{Tally, tally};
 use crate::{
     Boundary, Diagnostics, Load, Maps, PERIMETER_CORRECTION, Real, Residuals, Solution, Yielded,
     certificate, fields,
     solution::{Section, coarse},
 };
-use contact_types::{ContactState, Grid};
+use contact_types::{Clock, ContactState, Grid};
 use grid_fft::parallel::prelude::*;
 
 impl<T: Real> Engine<T> {
     pub(crate) fn solution(
         &mut self,
         problem: &Problem<T>,
-        run: &StateOrigin,
+        run: &Outcome,
         load: Load,
+        clock: Clock,
     ) -> Solution {
-        let mut transforms = run.outcome.transforms;
-        let ceilings = self.ceilings();
+        let mut transforms = run.transforms;
+        let ceilings = self.ceilings.clone();
         let ceiling = self.top(problem, &ceilings);
         let hardness_map = self.settings.hardness_map.clone();
         let energy_bound = match run.exact {
             _ if !self.settings.certified => None,
             Some(_) => Some(0.0),
             None => {
-                let (operator, state) = self.parts();
+                let (operator, state) = (self.operator.as_mut(), &self.state);
                 let mut scratch = vec![T::zero(); state.pressure.len()];
                 let (u, h, level) = (&state.displacement, &problem.heights, T::of(state.level));
                 let gap = |i: usize| u[i] - h[i] - level;
                 let error = under!(ceiling, top => {
                     certificate::energy_error(top, state, gap, &mut scratch, operator)
                 });
-                transforms += error.transforms;
-                error.relative.is_finite().then_some(error.relative)
+                transforms += error.map_or(0.0, |_| 1.0);
+                error.filter(|error| error.is_finite())
             }
         };
         let (units, settings, state) = (problem.units, &self.settings, &self.state);
@@ -52,20 +53,20 @@ impl<T: Real> Engine<T> {
         let grid = problem.given;
         let blocks = coarse(grid).shape();
         let mut coarse_gap = vec![0.0; blocks[0] * blocks[1]];
-        let fields = AnswerFields { pressure: p, displacement: u, heights: h, level };
         let (shape, boundary) = (grid.shape(), settings.boundary);
-        let found = under!(ceiling, top => {
-            tally(top, fields, boundary, shape, blocks, &mut coarse_gap)
+        let Tally { sums, extremes: [lowest, highest, largest] } = under!(ceiling, top => {
+            tally(top, [p, u, h], level, boundary, shape, blocks, &mut coarse_gap)
         });
+        let [below, contact, full, borne, work, complementarity, duality, open, depth] = sums;
         for gap in &mut coarse_gap {
             *gap *= units.height;
         }
-        let borne = match (found.full > 0.0, &hardness_map) {
+        let borne = match (full > 0.0, &hardness_map) {
             (false, _) => 0.0,
-            (true, None) => found.full * settings.hardness,
-            (true, Some(_)) => found.borne * units.pressure,
+            (true, None) => full * settings.hardness,
+            (true, Some(_)) => borne * units.pressure,
         };
-        let load_sum = found.load * units.pressure + borne;
+        let load_sum = below * units.pressure + borne;
         let [perimeter, sharp] = edges(problem.grid, p, ceiling, settings.boundary);
         let (contact_perimeter, cut) = (perimeter as f64 / n, (perimeter - sharp) as f64 / n);
         let hardest = hardness_map
@@ -73,51 +74,47 @@ impl<T: Real> Engine<T> {
             .map_or(settings.hardness, |map| map.iter().copied().fold(0.0, f64::max));
         let yielded = ceiling.is_finite().then(|| Yielded {
             hardness: hardest,
-            area_fraction: found.full / n,
+            area_fraction: full / n,
             load_share: if load_sum > 0.0 { borne / load_sum } else { 0.0 },
-            mean_flattening: found.depth * units.height / n,
+            mean_flattening: depth * units.height / n,
         });
-        let touching = found.contact / n;
+        let touching = contact / n;
         // No pressure exceeds the hardness: whatever the line, it takes this area to carry the load.
         let least = (load_sum / n / hardest).min(touching);
-        let work = found.work / n;
-        let gap_rounding = problem.rounding + T::EPSILON * (found.highest + 1.0) * units.height;
+        let gap_rounding = problem.rounding + T::EPSILON * (highest + 1.0) * units.height;
         let residuals = Residuals {
-            preconditioned: run.outcome.residual,
+            preconditioned: run.residual,
             complementarity: if load_sum > 0.0 {
-                found.complementarity * units.pressure / load_sum
+                complementarity * units.pressure / load_sum
             } else {
                 0.0
             },
-            penetration: (-found.lowest).max(0.0),
+            penetration: (-lowest).max(0.0),
         };
-        let duality = if ceiling.is_finite() {
-            found.duality
-        } else {
-            // The gap counted from its lowest point; rounding may leave less than nothing.
-            (found.duality - found.lowest * found.load).max(0.0)
-        };
+        // Without a ceiling the gap counts from its lowest point; rounding may leave less than nothing.
+        let from_lowest = (duality - lowest * below).max(0.0);
+        let duality = if ceiling.is_finite() { duality } else { from_lowest };
         let duality_gap = duality * units.pressure * units.height / n;
         let diagnostics = Diagnostics {
             method: settings.method,
             boundary: settings.boundary,
             precision: settings.precision,
             exact: run.exact,
-            end: run.outcome.end,
-            iterations: run.outcome.iterations,
+            end: run.end,
+            iterations: run.iterations,
             transforms,
-            fallbacks: run.outcome.fallbacks,
+            fallbacks: run.fallbacks,
             residuals,
             duality_gap,
             energy_bound,
             height_rounding: problem.rounding,
             gap_rounding,
-            seconds: run.clock.elapsed().as_secs_f64(),
-            contact_pixels: found.contact as usize,
+            seconds: clock.elapsed().as_secs_f64(),
+            contact_pixels: contact as usize,
             contact_perimeter,
             yielded,
-            max_pressure: (found.largest * units.pressure).max(0.0).min(hardest),
-            elastic_energy: 0.5 * work * units.pressure * units.height,
+            max_pressure: (largest * units.pressure).max(0.0).min(hardest),
+            elastic_energy: 0.5 * (work / n) * units.pressure * units.height,
         };
         let mean_pressure = match load {
             Load::MeanPressure(p) => p,
@@ -140,7 +137,7 @@ impl<T: Real> Engine<T> {
             area_fraction: (touching - PERIMETER_CORRECTION * cut).max(least),
             separation: Some(-(problem.mean_height + state.level) * units.height),
             // Near full contact what is left of the residual may outweigh the gap; bodies do not overlap.
-            mean_gap: Some((found.open * units.height / n).max(0.0)),
+            mean_gap: Some((open * units.height / n).max(0.0)),
             caveat: None,
         };
         let approach = self.state.level * units.height;
@@ -149,10 +146,8 @@ impl<T: Real> Engine<T> {
     }
 }
 
-/// Edges between a pixel in contact and a neighbour (of four) that is not. Across the edge of the
-/// map the neighbour is the opposite pixel; with a free boundary there is none, and no edge: the
-/// body ends there, so that the contact line cuts no pixel. And of these, the edges of pixels at the
-/// ceiling: the pressure drops from there at once, whatever the pixel.
+/// Edges between a pixel in contact and a neighbour (of four) that is not, across the edge of the map only if that
+/// repeats; and of these, the edges of pixels at the ceiling, where the pressure drops at once, whatever the pixel.
 fn edges<T: Real>(
     grid: Grid,
     pressure: &[T],

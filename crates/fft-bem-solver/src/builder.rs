@@ -8,8 +8,10 @@ use std::sync::Arc;
 pub struct SolverBuilder {
     pub(crate) method: Method,
     pub(crate) boundary: Boundary,
-    pub(crate) precision: Precision,
-    pub(crate) tolerance: f64,
+    /// As set with [`precision`](Self::precision).
+    pub precision: Precision,
+    /// As set with [`tolerance`](Self::tolerance).
+    pub tolerance: f64,
     pub(crate) max_iterations: Option<usize>,
     pub(crate) threads: Option<usize>,
     pub(crate) certified: bool,
@@ -63,8 +65,7 @@ impl SolverBuilder {
 
     /// Relative rms error of the pressure to reach, between 0 and 1 (excluded); default 1e-4.
     ///
-    /// Rounding lets every method reach 1e-11 in double and 3e-5 in single precision. On self-affine
-    /// maps it ends below 1e-12 and 3e-6. Where it ends an iteration before the tolerance is reached,
+    /// Every method reaches 1e-11 in double and 3e-5 in single precision. Where rounding ends an iteration earlier,
     /// that is [`SolverError::Rounding`](crate::SolverError), with the solution and the residual reached.
     #[must_use]
     pub fn tolerance(mut self, tolerance: f64) -> Self {
@@ -81,9 +82,8 @@ impl SolverBuilder {
 
     /// Threads to use, at least 1; default all there are. The results do not depend on it.
     ///
-    /// A solver has threads of its own, or uses those of the pool of rayon on whose thread it is called
-    /// if no number is given; it never starts rayon's global ones. Threads do not survive a `fork`: a child
-    /// process builds its own solver.
+    /// Without a number a solver uses the pool of rayon on whose thread it is called, never the global one. Threads do
+    /// not survive a `fork`: a child process builds its own solver.
     #[must_use]
     pub fn threads(mut self, threads: usize) -> Self {
         self.threads = Some(threads);
@@ -98,16 +98,14 @@ impl SolverBuilder {
         self
     }
 
-    /// Which maps each solution carries; default both. Without, a large solve needs 16 bytes per
-    /// pixel less.
+    /// Which maps each solution carries; default both.
     #[must_use]
     pub fn maps(mut self, maps: Maps) -> Self {
         self.maps = maps;
         self
     }
 
-    /// Row of the map whose pressure and gap each solution carries, whatever its [maps](Self::maps) are; default
-    /// none.
+    /// Row whose pressure and gap each solution carries, whatever its [maps](Self::maps); default none.
     #[must_use]
     pub fn section(mut self, row: Option<usize>) -> Self {
         self.section = row;
@@ -117,9 +115,9 @@ impl SolverBuilder {
     /// Highest pressure the softer body bears before it yields (Pa): its hardness, the pressure of an
     /// indentation, about 2.8 times the yield stress. Infinite means elastic bodies, the default.
     ///
-    /// The contact is then that of `0 <= p <= H`: where the pressure is H, the surface is flattened
-    /// by as much as the gap of the [`Solution`](crate::Solution) is negative. H is the same everywhere (else see
-    /// [`hardness_map`](Self::hardness_map)) and constant; no material piles up beside what is flattened; loading only. Only with [`Method::Chord`].
+    /// The contact is then that of `0 <= p <= H`: where the pressure is H, the surface is flattened by as much as the
+    /// gap of the [`Solution`](crate::Solution) is negative. H is constant, no material piles up beside what is
+    /// flattened, loading only, only with [`Method::Chord`].
     #[must_use]
     pub fn hardness(mut self, pascals: f64) -> Self {
         self.hardness = pascals;
@@ -127,9 +125,8 @@ impl SolverBuilder {
         self
     }
 
-    /// [`hardness`](Self::hardness) of each pixel (Pa), row by row: two materials side by side, islands of a
-    /// coating. Every one of them finite: for a part that stays elastic, one well above its pressures. The
-    /// contact bears no more than their mean.
+    /// [`hardness`](Self::hardness) of each pixel (Pa), row by row, all finite: for a part that stays elastic, one well
+    /// above its pressures. The contact bears no more than their mean.
     #[must_use]
     pub fn hardness_map(mut self, pascals: &[f64]) -> Self {
         let lowest = pascals.iter().copied().fold(f64::INFINITY, f64::min);
@@ -139,15 +136,5 @@ impl SolverBuilder {
         self.hardness = if highest <= lowest { lowest } else { mean };
         self.hardness_map = Some(pascals.into());
         self
-    }
-
-    /// The tolerance that was set.
-    pub fn has_tolerance(&self) -> f64 {
-        self.tolerance
-    }
-
-    /// The precision that was set.
-    pub fn has_precision(&self) -> Precision {
-        self.precision
     }
 }

@@ -20,30 +20,21 @@
 //!
 //! The bound says nothing about the contact area.
 
-use crate::methods::{Ceiling, Compliance, NoCeiling, State, Top, passes, under};
+use crate::methods::{Ceiling, Compliance, NoCeiling, State, Top, level_under, under};
 use crate::row_work::{Partial, TASK};
 use crate::{End, Real, fields};
 use std::f64::consts::FRAC_PI_2;
 
 /// `displacement - heights` in contact, averaged with the pressure as weight; under a ceiling, that of
-/// [`passes::level_under`].
+/// [`level_under`].
 pub(crate) fn level<T: Real>(state: &State<T>, heights: &[T], ceiling: Top<'_, T>) -> f64 {
     let (p, u) = (&state.pressure, &state.displacement);
     if ceiling.is_finite() {
         let mut partial = vec![Partial::default(); p.len().div_ceil(TASK)];
-        return under!(ceiling, top => passes::level_under(top, [p, u, heights], &mut partial));
+        return under!(ceiling, top => level_under(top, [p, u, heights], &mut partial));
     }
     let [sum, weight] = fields::weighted_difference(p, [u, heights]);
     if weight > 0.0 { sum / weight } else { 0.0 }
-}
-
-/// A bound on the error in the energy norm.
-#[derive(Debug, Clone, Copy)]
-pub(crate) struct EnergyError {
-    /// Upper bound of `|p - p*|_K / |p|_K`; infinite if the operator has no cheap inverse.
-    pub(crate) relative: f64,
-    /// Pairs spent.
-    pub(crate) transforms: f64,
 }
 
 /// `g - mu = min(g, p / 1.2)`: the part of the gap that should not be there. Under a ceiling, no less than
@@ -57,19 +48,19 @@ fn violation<T: Real, C: Ceiling<T>>(ceiling: C, node: usize, pressure: T, gap: 
     violation
 }
 
-/// The bound of the module documentation; one convolution. `gap` is `displacement - heights` less any
-/// constant; `scratch` is overwritten.
+/// The bound of the module documentation of `|p - p*|_K / |p|_K`; one convolution. `None`, and no convolution, if the
+/// operator has no cheap inverse. `gap` is `displacement - heights` less any constant; `scratch` is overwritten.
 pub(crate) fn energy_error<T: Real, C: Ceiling<T>>(
     ceiling: C,
     state: &State<T>,
     gap: impl Fn(usize) -> T + Sync,
     scratch: &mut [T],
     operator: &mut dyn Compliance<T>,
-) -> EnergyError {
+) -> Option<f64> {
     let p = &state.pressure;
     fields::write(scratch, |i, _| violation(ceiling, i, p[i], gap(i)));
     if !operator.invert(scratch) {
-        return EnergyError { relative: f64::INFINITY, transforms: 0.0 };
+        return None;
     }
     let twice_bound = fields::sum_of(p.len(), |i| {
         let r = violation(ceiling, i, p[i], gap(i));
@@ -78,8 +69,7 @@ pub(crate) fn energy_error<T: Real, C: Ceiling<T>>(
         r.wide() * scratch[i].wide() + 2.0 * room.wide() * mu.wide()
     });
     let energy = fields::dot(p, &state.displacement).abs();
-    let relative = if twice_bound > 0.0 { (twice_bound / energy).sqrt() } else { 0.0 };
-    EnergyError { relative, transforms: 1.0 }
+    Some(if twice_bound > 0.0 { (twice_bound / energy).sqrt() } else { 0.0 })
 }
 
 /// Relative rms pressure error per bound of the relative energy error, on the cautious side: the
@@ -89,12 +79,9 @@ pub(crate) const CAUTION: f64 = 2.0;
 
 /// When a method without an error estimate of its own pays a convolution for one.
 ///
-/// The plain residual of every iteration is free: `|r| / |p|` times the largest stiffness on the
-/// grid, pi/2 per finer pixel, exceeds the relative pressure error the residual stands for. Where
-/// that could be small enough the bound is evaluated; while it is not, the wait for the next
-/// evaluation is set by how much is missing.
-///
-/// Where rounding keeps the bound from falling further the wait ends as well.
+/// `|r| / |p|` times the largest stiffness on the grid, pi/2 per finer pixel, exceeds the relative pressure error and is
+/// free. Where it could be small enough, or rounding keeps it from falling, the bound is evaluated; how much that lacks
+/// sets the wait for the next evaluation.
 pub(crate) struct Patience {
     tolerance: f64,
     worthwhile: f64,
@@ -134,7 +121,8 @@ impl Patience {
             return Judgement { end: None, residual: None, transforms: 0.0 };
         }
         let bound = energy_error(NoCeiling, state, |i| gap[i], scratch, operator);
-        let relative = if bound.relative.is_finite() { CAUTION * bound.relative } else { plain };
+        let relative =
+            bound.filter(|bound| bound.is_finite()).map_or(plain, |bound| CAUTION * bound);
         self.since += 1;
         if relative <= 0.5 * self.best {
             (self.best, self.since) = (relative, 0);
@@ -150,7 +138,7 @@ impl Patience {
         if relative <= T::ATTAINABLE {
             self.worthwhile = 2.0 * plain; // near rounding: look every time
         }
-        Judgement { end, residual: Some(relative), transforms: bound.transforms }
+        Judgement { end, residual: Some(relative), transforms: bound.map_or(0.0, |_| 1.0) }
     }
 }
 

@@ -32,10 +32,9 @@ pub(crate) fn solve<T: Real>(
         }
         Target::Level(level, guess) | Target::OpenGap(level, guess) => (level, guess),
     };
-    let nothing =
-        Outcome { end: End::Exhausted, residual: f64::INFINITY, ..Outcome::without_iterating(0.0) };
     if !method.controls_level() {
-        return by_loads(method, task, (level, guess), operator, start, state, watch, nothing);
+        let before = Outcome::NOTHING;
+        return by_loads(method, task, (level, guess), operator, start, state, watch, before);
     }
     let native =
         ContactTask { max_iterations: task.max_iterations.min(NATIVE_ITERATIONS), ..*task };

@@ -18,23 +18,16 @@ pub(crate) struct Engine<T> {
     modulus: ContactModulus,
     scaled: Grid,
     method: Box<dyn ContactMethod<T>>,
-    operator: Box<dyn Compliance<T>>,
+    pub(crate) operator: Box<dyn Compliance<T>>,
     pub(crate) state: State<T>,
     problem: Option<Arc<Problem<T>>>,
     /// Hardness of each pixel in units of the problem, if it is not the same everywhere.
-    ceilings: Arc<[T]>,
+    pub(crate) ceilings: Arc<[T]>,
     /// Mean pressure that closes every gap of the problem, once it is known.
     closing_load: Option<f64>,
     /// Mean pressure below which the method does not expect that, once it was asked.
     suspected_closing_load: Option<f64>,
     is_warm: bool,
-}
-
-/// How a state came about.
-pub(crate) struct StateOrigin {
-    pub(crate) exact: Option<&'static str>,
-    pub(crate) outcome: Outcome,
-    pub(crate) clock: Clock,
 }
 
 /// An engine, whatever the type it computes in.
@@ -115,17 +108,14 @@ impl<T: Real> AnyEngine for Engine<T> {
         let start = if self.is_warm { Start::Warm } else { Start::Cold };
         self.is_warm = false; // until this solve has left a useful state behind
         let found = match prescribed {
-            LoadMeaning::Apart(level) => self.apart(level, clock),
-            LoadMeaning::Closed => self.closed(problem, clock),
-            LoadMeaning::Yielded => self.yielded(problem, ceiling, clock),
-            LoadMeaning::Target(target) => {
-                self.target(problem, ceiling, target, start, observer, clock)
-            }
+            LoadMeaning::Apart(level) => self.apart(level),
+            LoadMeaning::Closed => self.closed(problem),
+            LoadMeaning::Yielded => self.yielded(problem, ceiling),
+            LoadMeaning::Target(target) => self.target(problem, ceiling, target, start, observer),
         };
-        let end = found.outcome.end;
-        let solution = self.solution(problem, &found, load);
+        let solution = self.solution(problem, &found, load, clock);
         self.is_warm = solution.diagnostics.contact_pixels > 0;
-        match end {
+        match found.end {
             End::Converged => Ok(solution),
             End::Rounding => Err(SolverError::Rounding(Box::new(solution))),
             End::Exhausted => Err(SolverError::NotConverged(Box::new(solution))),
@@ -144,11 +134,6 @@ impl<T: Real> Engine<T> {
     pub(crate) fn top<'a>(&self, problem: &Problem<T>, ceilings: &'a [T]) -> Top<'a, T> {
         let mean = self.settings.hardness / problem.units.pressure;
         if ceilings.is_empty() { Top::Same(mean) } else { Top::Map(ceilings, mean) }
-    }
-
-    /// What each pixel bears, in units of the problem; empty where it is the same everywhere.
-    pub(crate) fn ceilings(&self) -> Arc<[T]> {
-        self.ceilings.clone()
     }
 
     /// Checks the load and says what it means for this problem.
@@ -199,25 +184,18 @@ impl<T: Real> Engine<T> {
                     way_out: "prescribe the approach or the mean pressure",
                 });
             }
-            Load::MeanGap(gap) if yields => {
-                if gap <= 0.0 {
-                    return bad(
-                        "with a hardness no least load that closes every gap is looked for; \
-                                prescribe a wider gap or the mean pressure",
-                    );
-                }
+            Load::MeanGap(gap) if gap <= 0.0 && yields => {
+                return bad("with a hardness no least load that closes every gap is looked for; \
+                            prescribe a wider gap or the mean pressure");
+            }
+            Load::MeanGap(gap) if gap <= 0.0 => return Ok(LoadMeaning::Closed),
+            Load::MeanGap(gap) => {
                 let gap = gap / problem.units.height;
-                if gap < most {
+                if yields && gap < most {
                     let guess = first_guess(problem, (most - gap).min(0.999 * most));
                     return Ok(LoadMeaning::Target(Target::OpenGap(gap, guess)));
                 }
                 most - gap
-            }
-            Load::MeanGap(gap) => {
-                if gap <= 0.0 {
-                    return Ok(LoadMeaning::Closed);
-                }
-                most - gap / problem.units.height
             }
             Load::Approach(approach) => approach / problem.units.height,
         };
@@ -241,23 +219,23 @@ impl<T: Real> Engine<T> {
     }
 
     /// Nothing carries load: the undeformed surface, its highest point at `-level` from the flat.
-    fn apart(&mut self, level: f64, clock: Clock) -> StateOrigin {
+    fn apart(&mut self, level: f64) -> Outcome {
         self.state.pressure.fill(T::zero());
         self.state.displacement.fill(T::zero());
         self.state.level = level;
-        exact("no load", 0.0, clock)
+        Outcome::exact("no load", 0.0)
     }
 
     /// The least load that closes every gap.
-    fn closed(&mut self, problem: &Problem<T>, clock: Clock) -> StateOrigin {
+    fn closed(&mut self, problem: &Problem<T>) -> Outcome {
         let (operator, state) = (self.operator.as_mut(), &mut self.state);
         let least = special_cases::flattening_pressure(problem, operator, &mut state.pressure);
         special_cases::full_contact(problem, least.unwrap_or(0.0), state);
-        exact("full contact", 1.0, clock)
+        Outcome::exact("full contact", 1.0)
     }
 
     /// Everything at the ceiling. The flat is where the lowest point still touches it.
-    fn yielded(&mut self, problem: &Problem<T>, ceiling: Top<'_, T>, clock: Clock) -> StateOrigin {
+    fn yielded(&mut self, problem: &Problem<T>, ceiling: Top<'_, T>) -> Outcome {
         let State { pressure, displacement, level } = &mut self.state;
         fields::write(pressure, |i, _| ceiling.at(i));
         let mut spent = 0.0;
@@ -270,7 +248,7 @@ impl<T: Real> Engine<T> {
         }
         let rise = |i: usize| (displacement[i] - problem.heights[i]).wide();
         *level = fields::largest_of(displacement.len(), rise);
-        exact("all of the surface yields", spent, clock)
+        Outcome::exact("all of the surface yields", spent)
     }
 
     fn target(
@@ -278,15 +256,13 @@ impl<T: Real> Engine<T> {
         problem: &Problem<T>,
         ceiling: Top<'_, T>,
         target: Target,
-        start: Start,
+        mut start: Start,
         observer: &mut Observe<'_>,
-        clock: Clock,
-    ) -> StateOrigin {
+    ) -> Outcome {
         let mut spent = 0.0;
-        let mut start = start;
         if let Target::Pressure(load) = target {
             match self.without_iterating(problem, load, ceiling, &mut start) {
-                (Some(reason), transforms) => return exact(reason, transforms, clock),
+                (Some(reason), transforms) => return Outcome::exact(reason, transforms),
                 (None, transforms) => spent += transforms,
             }
         }
@@ -328,7 +304,7 @@ impl<T: Real> Engine<T> {
         if outcome.end == End::Exhausted && outcome.residual <= T::ATTAINABLE && is_patient {
             outcome.end = End::Rounding;
         }
-        StateOrigin { exact: None, outcome, clock }
+        outcome
     }
 
     /// Tries the answers that need no iteration. Returns which it was, and the convolutions spent.
@@ -394,11 +370,6 @@ impl<T: Real> Engine<T> {
         }
         (None, spent)
     }
-
-    /// The operator and the state, for the certificate.
-    pub(crate) fn parts(&mut self) -> (&mut dyn Compliance<T>, &State<T>) {
-        (self.operator.as_mut(), &self.state)
-    }
 }
 
 /// What a load means for a problem.
@@ -410,11 +381,6 @@ enum LoadMeaning {
     /// Everything at the ceiling.
     Yielded,
     Target(Target),
-}
-
-fn exact(reason: &'static str, transforms: f64, clock: Clock) -> StateOrigin {
-    let outcome = Outcome::without_iterating(transforms);
-    StateOrigin { exact: Some(reason), outcome, clock }
 }
 
 /// A rough mean pressure for a level: slope times the fraction of the surface above the flat.

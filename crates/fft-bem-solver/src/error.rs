@@ -156,19 +156,6 @@ fn residual(solution: &Solution) -> f64 {
 }
 
 impl SolverError {
-    /// The same as [`solution`](Self::solution), to keep. The error itself, if there is none.
-    ///
-    /// # Errors
-    /// This error, if it carries no solution.
-    pub fn into_solution(self) -> Result<Solution, Self> {
-        match self {
-            Self::NotConverged(solution) | Self::Rounding(solution) | Self::Stopped(solution) => {
-                Ok(*solution)
-            }
-            other => Err(other),
-        }
-    }
-
     /// The iterate reached, if the run got that far.
     pub fn solution(&self) -> Option<&Solution> {
         match self {

@@ -86,7 +86,18 @@ pub(crate) fn write<T: Real>(field: &mut [T], new: impl Fn(usize, T) -> T + Sync
     });
 }
 
-/// The same for two fields at a time.
+/// Makes a field constant.
+pub(crate) fn fill<T: Real>(value: f64, field: &mut [T]) {
+    field.par_chunks_mut(BLOCK).for_each(|block| block.fill(T::of(value)));
+}
+
+/// Multiplies a field.
+pub(crate) fn scale<T: Real>(factor: f64, field: &mut [T]) {
+    let factor = T::of(factor);
+    write(field, |_, x| x * factor);
+}
+
+/// Replaces the values of two fields at a time.
 pub(crate) fn write_both<T: Real>(
     [a, b]: [&mut [T]; 2],
     new: impl Fn(usize, [T; 2]) -> [T; 2] + Sync + Send,

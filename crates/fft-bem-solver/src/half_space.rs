@@ -1,7 +1,7 @@
 //! Pressure to displacement on a periodic half space.
 
 use crate::methods::Compliance;
-use crate::row_work::{Partial, RowWork, total};
+use crate::row_work::{BLOCK_ROWS, Partial, RowWork, total};
 use crate::simd::vectorised;
 use crate::{Boundary, Real, SolverError};
 use contact_types::{ContactModulus, Grid};
@@ -81,14 +81,6 @@ impl<T: Real> HalfSpace<T> {
         Ok(())
     }
 
-    /// Rows that work around an application is done on at a time.
-    pub(crate) const BLOCK_ROWS: usize = Convolution::<T>::BLOCK_ROWS;
-
-    /// Number of these blocks.
-    pub(crate) fn pieces(shape: [usize; 2]) -> usize {
-        shape[0].div_ceil(Self::BLOCK_ROWS)
-    }
-
     /// Square of the wavenumber along x of the waves `kx`.
     fn qx2(&self, kx: usize) -> T {
         T::of(self.grid.wavenumber(0, kx).powi(2))
@@ -128,7 +120,7 @@ impl<T: Real> Compliance<T> for HalfSpace<T> {
         partial: &mut [Partial],
     ) -> Option<Partial> {
         let [ny, nx] = self.grid.shape();
-        let partial = &mut partial[..Self::pieces([ny, nx])];
+        let partial = &mut partial[..ny.div_ceil(BLOCK_ROWS)];
         let RowWork { prepare, factor, finish, .. } = work;
         self.transform.apply_around(
             pressure,

@@ -128,7 +128,7 @@ impl<T: Real> Compliance<T> for FreeHalfSpace<T> {
 ///
 /// # Source
 /// Love (1929); Johnson (1985), *Contact Mechanics*, eq. (3.25).
-pub fn love([y, x]: [f64; 2], [dy, dx]: [f64; 2]) -> f64 {
+pub(crate) fn love([y, x]: [f64; 2], [dy, dx]: [f64; 2]) -> f64 {
     let (a, b) = (0.5 * dx, 0.5 * dy);
     let r2 = x * x + y * y;
     if r2 > (40.0 * dx.max(dy)).powi(2) {

@@ -56,8 +56,9 @@ pub use contact_types::{
 };
 pub use error::SolverError;
 pub use half_space::HalfSpace;
-pub use half_space_free::{FreeHalfSpace, love};
-pub use mixed_problem::{Conductors, SetStiffness};
+pub use half_space_free::FreeHalfSpace;
+use half_space_free::love;
+pub use mixed_problem::SetStiffness;
 pub use observer::{Iteration, ObserverResult};
 pub use perimeter_correction::PERIMETER_CORRECTION;
 pub use real::Real;

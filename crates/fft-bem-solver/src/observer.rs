@@ -1,9 +1,4 @@
-//! Looking on while a solve runs.
-//!
-//! An observer is a closure. It is called on a thread of the solver, not on that of the caller, which
-//! waits meanwhile: it must be `Send`, and what is local to a thread is another's there. If it panics,
-//! the panic comes out of the call that solves, and the solver can be used as before: the next solve
-//! starts from nothing.
+//! Looking on while a solve runs: closures, called on a thread of the solver while the caller waits.
 
 use std::ops::ControlFlow;
 

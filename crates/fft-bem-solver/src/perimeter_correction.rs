@@ -20,8 +20,7 @@
 /// Area by which a count of points is too large, in pixels per edge of the contact line, for straight edges of all
 /// directions and the periodic half-space: derived in this module.
 ///
-/// On rough maps 0.104 fits best (68 %: 0.092 to 0.122; `examples/coverage` of `contact-accuracy`). The constant
-/// for a *given* region whose points are counted, (π − 1 + ln 2)/24 = 0.118 (Yastrebov, Anciaux & Molinari
-/// 2017, doi:10.1016/j.triboint.2017.04.023), is another: the contact of a discrete solution is not the region
-/// sampled.
+/// On rough maps 0.104 fits best (68 %: 0.092 to 0.122; `examples/coverage` of `contact-accuracy`). That of a *given*
+/// region whose points are counted is another, (π − 1 + ln 2)/24 = 0.118 (Yastrebov, Anciaux & Molinari 2017,
+/// doi:10.1016/j.triboint.2017.04.023).
 pub const PERIMETER_CORRECTION: f64 = 0.1013;

@@ -2,9 +2,8 @@
 
 use crate::SolverError;
 
-/// Threads that belong to one solver alone, or those of the pool of rayon in which it is used. The
-/// threads that rayon shares between all its users are never started: where they were, a forked child
-/// that asks for them waits for ever.
+/// Threads of one solver alone, or those of the pool of rayon in which it is used. Rayon's global threads are never
+/// started: a forked child that asks for them would wait for ever.
 pub(crate) struct Pool {
     #[cfg(all(feature = "parallel", not(target_family = "wasm")))]
     own: std::sync::OnceLock<rayon::ThreadPool>,

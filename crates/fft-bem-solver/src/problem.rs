@@ -1,9 +1,7 @@
 //! The contact problem in its own units.
 //!
 //! Heights are counted from the highest point in units of their range `h0`, lengths in units of
-//! the finer pixel side `d`, pressures in units of `E* h0 / d`. So `K` has the symbol `2 / |q|`,
-//! a change of physical units changes nothing but rounding, and an offset of the heights costs no
-//! more digits than the heights themselves had lost.
+//! the finer pixel side `d`, pressures in units of `E* h0 / d`. So `K` has the symbol `2 / |q|`.
 
 use crate::simd::vectorised;
 use crate::{Real, SolverError};

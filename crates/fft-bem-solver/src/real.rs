@@ -10,9 +10,8 @@ pub trait Real:
 {
     /// Distance from 1 to the next number.
     const EPSILON: f64;
-    /// Relative pressure error below which rounding may keep a method from going: of the surfaces of
-    /// `tests/certificate.rs` the worst, with the free boundary. What is said of it elsewhere stands in
-    /// `docs/src/solver/errors.md`.
+    /// Relative pressure error below which rounding may keep a method from going: the worst of the surfaces of
+    /// `tests/certificate.rs`, with the free boundary.
     const ATTAINABLE: f64;
     /// The nearest number of this type.
     fn of(value: f64) -> Self;

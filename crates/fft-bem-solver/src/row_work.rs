@@ -1,6 +1,8 @@
 //! How work on fields is cut into pieces: for tasks, and in blocks of rows, while they are in cache,
 //! around an application of `K`; and the sums that come of it.
 
+use grid_fft::parallel::prelude::*;
+
 /// Pixels that one task of a parallel loop handles, about.
 pub(crate) const TASK: usize = 1 << 14;
 
@@ -18,10 +20,20 @@ pub(crate) fn total<const N: usize>(partial: &[Partial]) -> [f64; N] {
     sum
 }
 
-/// From first pixel, factor, pressure and displacement, and a third field to sums over them.
-pub(crate) trait Finish<T>: Fn(usize, T, [&mut [T]; 2], &mut [f32]) -> Partial {}
+/// Adds up what `of(first pixel, piece)` makes of the pieces of a field.
+pub(crate) fn sums<T: Sync, const N: usize>(
+    field: &[T],
+    of: &(dyn Fn(usize, &[T]) -> Partial + Sync),
+    partial: &mut [Partial],
+) -> [f64; N] {
+    let partial = &mut partial[..field.len().div_ceil(TASK)];
+    let pieces = partial.par_iter_mut().zip(field.par_chunks(TASK)).enumerate();
+    pieces.for_each(|(task, (partial, piece))| *partial = of(task * TASK, piece));
+    total(partial)
+}
 
-impl<T, F: Fn(usize, T, [&mut [T]; 2], &mut [f32]) -> Partial> Finish<T> for F {}
+/// Rows of a block of work around an application of `K`.
+pub(crate) const BLOCK_ROWS: usize = grid_fft::Convolution::<f64>::BLOCK_ROWS;
 
 /// What is done with the fields around an application of `K`, in blocks of whole rows while they are
 /// in cache. Each is given the first pixel of the block.
@@ -31,7 +43,7 @@ pub(crate) struct RowWork<'a, T> {
     /// From these sums: by what the displacement is to be multiplied; `None` stops here.
     pub(crate) factor: &'a mut dyn FnMut(&[Partial]) -> Option<f64>,
     /// Sees that factor, pressure and displacement, and a third field once the displacement is there.
-    pub(crate) finish: &'a (dyn Finish<T> + Sync),
+    pub(crate) finish: &'a (dyn Fn(usize, T, [&mut [T]; 2], &mut [f32]) -> Partial + Sync),
     /// Pixels of a block, where the operator has none of its own.
     pub(crate) pixels: usize,
 }

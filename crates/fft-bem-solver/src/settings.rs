@@ -14,8 +14,7 @@ pub enum Method {
     /// The fastest method available for the problem.
     #[default]
     Auto,
-    /// Extension-preconditioned chord iteration: about one FFT convolution per step and one digit per
-    /// step.
+    /// Extension-preconditioned chord iteration: about one FFT convolution and one digit per step.
     Chord,
     /// Constrained conjugate gradients of Polonsky & Keer (1999),
     /// doi:10.1016/S0043-1648(99)00113-1.
@@ -67,8 +66,7 @@ impl std::fmt::Display for Boundary {
     }
 }
 
-/// Floating-point type of the fields during a solve. Results are always `f64`. How small a
-/// tolerance each can reach: [`SolverBuilder::tolerance`](crate::SolverBuilder::tolerance).
+/// Floating-point type of the fields during a solve. Results are always `f64`.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash, Default)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 #[non_exhaustive]
@@ -92,8 +90,7 @@ impl std::fmt::Display for Precision {
     }
 }
 
-/// Which maps a solution carries, at 8 bytes per pixel each. The numbers of a solution do not need
-/// them.
+/// Which maps a solution carries, at 8 bytes per pixel each; its numbers do not need them.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
 #[non_exhaustive]
 pub enum Maps {
@@ -116,8 +113,7 @@ pub enum Load {
     /// Mean gap after deformation (m), at least 0; periodic boundary only. A gap wider than that
     /// at first touch leaves the surfaces apart.
     MeanGap(f64),
-    /// How far the flat has moved towards the body since it touched the highest point (m). In a
-    /// periodic problem the distance is measured to the mean plane of the deformed surface, in a
-    /// free one to points far away.
+    /// How far the flat has moved since it touched the highest point (m): periodic towards the mean plane of the
+    /// deformed surface, free towards points far away.
     Approach(f64),
 }

@@ -6,13 +6,10 @@ use fearless_simd::{Level, Simd, SimdBase, SimdFloat, f32x4, f64x4};
 
 /// Evaluates an expression in the version for the widest vectors that this processor has.
 ///
-/// The versions differ in how many numbers one instruction handles and in nothing else: each
-/// operation and the order of sums are those of the source, so that the results are the same to the
-/// last bit. What the expression calls belongs to a version only if it is inlined. With a name before
-/// it, the expression is given the vectors of its version.
-///
-/// Loops from field to field need no more than this. Loops that sum are written in vectors of four
-/// ([`four`]), since the order of additions is not for the compiler to change.
+/// Each operation and the order of sums are those of the source: the results are the same to the last bit. What the
+/// expression calls belongs to a version only if it is inlined. With a name before it, the expression is given the
+/// vectors of its version. Loops that sum are written in vectors of four ([`four`]), since the order of additions is
+/// not for the compiler to change.
 macro_rules! vectorised {
     ($pass:expr) => {
         fearless_simd::dispatch!($crate::simd::level(), _vectors => $pass)

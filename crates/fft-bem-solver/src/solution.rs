@@ -11,24 +11,20 @@ pub struct Solution {
     /// The grid it was found on.
     pub grid: Grid,
     /// Mean pressure, area fraction, mean gap. The area is the pixels that carry pressure less those that the contact
-    /// line cuts, `A - 0.1013 S_d` ([`PERIMETER_CORRECTION`](crate::PERIMETER_CORRECTION)), not below 0, nor below
-    /// load over hardness; edges of pixels at the hardness do not count. With a free boundary the gap of pixels in contact counts as the 0 it stands for, not as what the iteration left of it; so does
-    /// that of pixels at the hardness with any.
+    /// line cuts, `A - 0.1013 S_d` ([`PERIMETER_CORRECTION`](crate::PERIMETER_CORRECTION)), at least load over
+    /// hardness; edges of pixels at the hardness do not count. The gap is 0 in contact with a free boundary, and at the
+    /// hardness with any.
     pub state: ContactState,
     /// How far the flat has moved since first touch (m); see [`Load::Approach`](crate::Load).
     pub approach: f64,
-    /// Pressure (Pa), row-major, `ny * nx`; 0 outside the contact. Empty if [`Maps`](crate::Maps)
-    /// says so.
+    /// Pressure (Pa), row-major, `ny * nx`; 0 outside the contact. Empty if [`Maps`](crate::Maps) says so.
     pub pressure: Vec<f64>,
-    /// Gap (m), row-major, `ny * nx`, counted so that its pressure-weighted mean is 0. What is
-    /// left of it in contact, and negative values, are the residual of the iteration; where the pressure is the
-    /// [hardness](crate::SolverBuilder::hardness), minus the depth by which the surface was flattened. Empty if
-    /// [`Maps`](crate::Maps) says so.
+    /// Gap (m), likewise, its pressure-weighted mean 0. In contact it is the residual of the iteration; where the
+    /// pressure is the [hardness](crate::SolverBuilder::hardness), minus the depth by which the surface was flattened.
     pub gap: Vec<f64>,
     /// Pressure and gap along one row, if the solver was [asked](crate::SolverBuilder::section) for one.
     pub section: Option<Section>,
-    /// Mean gap of the blocks of the map (m), row-major, on [`coarse_grid`](Self::coarse_grid); in contact it
-    /// counts as 0. There whatever maps are.
+    /// Mean gap (m) of the blocks of [`coarse_grid`](Self::coarse_grid), row-major; in contact it counts as 0.
     pub coarse_gap: Vec<f64>,
     /// How the answer was found and how accurate it is.
     pub diagnostics: Diagnostics,
@@ -101,8 +97,7 @@ pub struct Residuals {
 pub struct Yielded {
     /// Highest pressure the surface bears anywhere (Pa).
     pub hardness: f64,
-    /// Fraction of all pixels whose pressure is the hardness: not corrected for the contact line, for it
-    /// converges from below.
+    /// Fraction of all pixels whose pressure is the hardness, not corrected for the contact line.
     pub area_fraction: f64,
     /// Part of the load that they carry.
     pub load_share: f64,
@@ -124,8 +119,7 @@ pub enum End {
     Stopped,
 }
 
-/// Steps that a method took because its own did not help: they cost time, not accuracy. The
-/// baselines have none.
+/// Steps that the chord iteration took because its own did not help: they cost time, not accuracy.
 #[derive(Debug, Clone, Copy, Default, PartialEq, Eq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize))]
 #[non_exhaustive]
@@ -153,38 +147,32 @@ pub struct Diagnostics {
     pub end: End,
     /// Iterations done.
     pub iterations: usize,
-    /// FFT convolutions spent: one forward and one inverse transform of the whole map count 1, coarser
-    /// ones in proportion to their cost.
+    /// FFT convolutions (a forward and an inverse transform) of the whole map, coarser ones in proportion.
     pub transforms: f64,
-    /// Steps that were taken because the method's own did not help.
+    /// Steps of another kind.
     pub fallbacks: Fallbacks,
-    /// What is left of the residuals.
+    /// What is left of the conditions of contact.
     pub residuals: Residuals,
     /// Upper bound of the energy error per nominal area, `mean p (g - min g)` (J/m²), and with a hardness H
     /// `mean (p max(g, 0) + (H - p) max(-g, 0))`. Rigorous but loose.
     pub duality_gap: f64,
-    /// Rigorous and tight upper bound of the relative error in the energy norm; computed if the
-    /// solver was built with [`certified`](crate::SolverBuilder::certified).
+    /// Rigorous and tight bound of the relative error in the energy norm, if [asked](crate::SolverBuilder::certified)
+    /// for.
     pub energy_bound: Option<f64>,
-    /// How far the heights may be off because they were given in `f64`: the distance between
-    /// neighbouring numbers at the largest (m). It is large beside the surface where an offset was left on
-    /// it.
+    /// Distance between neighbouring numbers of `f64` at the largest height (m).
     pub height_rounding: f64,
-    /// How far a gap may be off by rounding: of the heights, and of the displacement in the
-    /// floating-point type of the solve (m).
+    /// Rounding of a gap (m): of the heights, and of the displacement in the type of the solve.
     pub gap_rounding: f64,
     /// Wall-clock time (s).
     pub seconds: f64,
     /// Pixels that carry pressure.
     pub contact_pixels: usize,
-    /// Edges between contact and gap (4-neighbour) per pixel, S_d (-). With a free boundary the edge
-    /// of the map is none: the body ends there, and no pixel is cut.
+    /// Edges between contact and gap (4-neighbour) per pixel, S_d (-); the edge of a free map is none.
     pub contact_perimeter: f64,
-    /// What has yielded, if a hardness was given.
+    /// If a hardness was given.
     pub yielded: Option<Yielded>,
     /// Highest pressure of a pixel (Pa): a grid quantity.
     pub max_pressure: f64,
-    /// Elastic energy per nominal area, `mean p u / 2` (J/m²); in a periodic problem without the
-    /// energy of the uniform compression.
+    /// Elastic energy per nominal area, `mean p u / 2` (J/m²); periodic: without the uniform compression.
     pub elastic_energy: f64,
 }

@@ -46,12 +46,8 @@ impl SolverBuilder {
         }
         if let Some(map) = &self.hardness_map {
             if map.len() != grid.len() {
-                let n = map.len() as f64;
-                return bad(
-                    "length of hardness_map",
-                    n,
-                    "it must have one number for each pixel of the grid",
-                );
+                let (setting, n) = ("length of hardness_map", map.len() as f64);
+                return bad(setting, n, "it must have one number for each pixel of the grid");
             }
             if let Some(h) = map.iter().find(|h| !(**h > 0.0 && h.is_finite())) {
                 return bad("hardness_map", *h, "each must be a pressure above 0 Pa, and finite");
@@ -95,10 +91,8 @@ fn boxed<T: Real>(
     Ok(Box::new(Engine::<T>::new(settings, modulus, scaled)?))
 }
 
-/// Finds the contact of a rough surface with a flat, one of them rigid or both elastic.
-///
-/// Built for one grid and modulus. Solving again on the same surface starts from the last
-/// solution, which changes the answer only within the tolerance.
+/// Finds the contact of a rough surface with a flat, for one grid and modulus. Solving again on the same surface starts
+/// from the last solution, which changes the answer only within the tolerance.
 pub struct Solver {
     grid: Grid,
     modulus: ContactModulus,
@@ -135,11 +129,9 @@ impl Solver {
     /// Solves the contact under `load`.
     ///
     /// # Errors
-    /// [`SolverError::Shape`] or [`SolverError::Grid`] if the surface does not stand on the
-    /// solver's grid, [`SolverError::BadLoad`] if the load is no number or cannot be carried,
-    /// [`SolverError::NotConverged`], with the last iterate, if the iterations ran out, and
-    /// [`SolverError::Rounding`], with the solution, if it is as good as rounding allows but not
-    /// to the tolerance.
+    /// [`SolverError::Shape`] or [`SolverError::Grid`] if the surface does not stand on the solver's grid,
+    /// [`SolverError::BadLoad`] if the load is no number or cannot be carried, [`SolverError::NotConverged`] if the
+    /// iterations ran out, [`SolverError::Rounding`] if rounding ended them; both with the last iterate.
     pub fn solve(&mut self, surface: &HeightMap, load: Load) -> Result<Solution, SolverError> {
         self.solve_observed(surface, load, |_| ())
     }
@@ -147,8 +139,8 @@ impl Solver {
     /// Solves the contact under `load` while `observer` looks on: a closure that is called after each
     /// iteration and returns nothing, or `ControlFlow::Break(())` to stop.
     ///
-    /// It is called on a thread of the solver while the caller waits. If it panics, so does this call;
-    /// the solver can be used as before, and the next solve starts from nothing.
+    /// It is called on a thread of the solver. If it panics, so does this call, and the next solve starts from
+    /// nothing.
     ///
     /// # Errors
     /// As [`solve`](Self::solve), and [`SolverError::Stopped`], with the iterate reached, if the
@@ -164,9 +156,7 @@ impl Solver {
         self.solve_kept(load, &mut |iteration: &Iteration<'_>| observer(iteration).flow(), clock)
     }
 
-    /// Takes a surface over, for [`solve_again`](Self::solve_again): it is kept as the solver needs
-    /// it, in single precision if it iterates in that, and the map itself is freed. A large solve
-    /// needs 8 bytes per pixel less this way.
+    /// Takes a surface over, for [`solve_again`](Self::solve_again), and frees the map: 8 bytes per pixel less.
     ///
     /// # Errors
     /// As [`solve`](Self::solve), of the surface.
@@ -198,11 +188,9 @@ impl Solver {
         self.solve_kept(load, &mut |iteration: &Iteration<'_>| observer(iteration).flow(), clock)
     }
 
-    /// Solves for each of `mean_pressures` (Pa), given in any order, and returns the results in that
-    /// order. Loads are visited in rising order. Each starts from the one before, scaled; the answers are
-    /// those of cold starts, to the tolerance. An error of one load does not keep the others from being solved.
-    ///
-    /// All solutions are kept, with their [maps](SolverBuilder::maps).
+    /// Solves for each of `mean_pressures` (Pa), in rising order, each from the one before; the answers, in the order
+    /// given, are those of cold starts, to the tolerance. All solutions are kept, with their
+    /// [maps](SolverBuilder::maps).
     pub fn curve(
         &mut self,
         surface: &HeightMap,
@@ -218,9 +206,9 @@ impl Solver {
         found.into_iter().flatten().collect()
     }
 
-    /// How stiff the contact of the last solution is against a little more load, and how well it conducts: the
-    /// [mixed problem](SetStiffness) on the pixels that carry pressure, whatever made them do so. About ten FFT
-    /// convolutions, in double precision. Meanwhile it takes memory for four fields, and six more of the pixels in contact.
+    /// Stiffness of the contact of the last solution: the [mixed problem](SetStiffness) on the pixels that carry
+    /// pressure. About ten FFT convolutions in double precision, and memory for four fields and six more of the pixels in
+    /// contact.
     ///
     /// # Errors
     /// [`SolverError::NoSurface`] if there is no last solution; [`SolverError::Memory`] if the machine does not have
@@ -231,20 +219,7 @@ impl Solver {
     }
 
     fn keep(&mut self, surface: &HeightMap) -> Result<(), SolverError> {
-        self.check_grid(surface.grid())?;
-        self.pool.run(|| self.engine.keep(surface))?
-    }
-
-    fn solve_kept(
-        &mut self,
-        load: Load,
-        observer: &mut Observe<'_>,
-        clock: Clock,
-    ) -> Result<Solution, SolverError> {
-        self.pool.run(|| self.engine.solve(load, observer, clock))?
-    }
-
-    fn check_grid(&self, found: Grid) -> Result<(), SolverError> {
+        let found = surface.grid();
         if found.len() != self.grid.len() {
             return Err(SolverError::Shape { expected: self.grid.len(), found: found.len() });
         }
@@ -256,28 +231,20 @@ impl Solver {
                 found: found.pixel(),
             });
         }
-        Ok(())
+        self.pool.run(|| self.engine.keep(surface))?
+    }
+
+    fn solve_kept(
+        &mut self,
+        load: Load,
+        observer: &mut Observe<'_>,
+        clock: Clock,
+    ) -> Result<Solution, SolverError> {
+        self.pool.run(|| self.engine.solve(load, observer, clock))?
     }
 }
 
-/// How stiff any contact set is against a little more load, and how well it conducts: see [`SetStiffness`]. The set
-/// is given row by row.
-///
-/// ```
-/// use fft_bem_solver::{Boundary, ContactModulus, Grid, set_stiffness};
-///
-/// // One spot in an infinite plane: k A = 2 E* a, here on 32 x 32 pixels to a per cent.
-/// let grid = Grid::new([32, 32], [1e-6, 1e-6])?;
-/// let from_middle = |i: usize| i as f64 - 15.5;
-/// let spot: Vec<bool> =
-///     (0..1024).map(|i| from_middle(i / 32).hypot(from_middle(i % 32)) < 12.0).collect();
-/// let modulus = ContactModulus::from_pascals(110e9)?;
-/// let stiffness = set_stiffness(grid, modulus, Boundary::Free, &spot)?;
-/// let total = stiffness.per_area * 32e-6 * 32e-6; // N/m
-/// let radius = (spot.iter().filter(|on| **on).count() as f64 / std::f64::consts::PI).sqrt() * 1e-6;
-/// assert!((total / (2.0 * 110e9 * radius) - 1.0).abs() < 0.03);
-/// # Ok::<(), Box<dyn std::error::Error>>(())
-/// ```
+/// How stiff any contact set is, given row by row: see [`SetStiffness`].
 ///
 /// # Errors
 /// [`SolverError::Shape`] if the set does not have the pixels of the grid; [`SolverError::Range`] if the grid cannot

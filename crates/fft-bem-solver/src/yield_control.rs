@@ -1,9 +1,8 @@
 //! Control of the level of the flat, or of the open gap, under a ceiling of the pressure: loads are tried
 //! until it is right, each from the answer before.
 //!
-//! The iteration cannot change the load on its way, as it does for elastic bodies: what stands at the
-//! ceiling may not be scaled. The unknown is `y = ln(P / (H - P))`, which no load between 0 and H leaves
-//! out; the level rises with it, the open gap falls. A secant, kept inside a bracket.
+//! What stands at the ceiling may not be scaled, so that the iteration cannot change the load on its way. The unknown
+//! is `y = ln(P / (H - P))`; the level rises with it, the open gap falls. A secant, kept inside a bracket.
 
 use crate::methods::{
     Compliance, ContactMethod, ContactTask, IterateObserver, IterateView, Outcome, RISE, Start,
@@ -60,8 +59,7 @@ pub(crate) fn solve<T: Real>(
     let [mut low, mut high] = [f64::NEG_INFINITY, f64::INFINITY];
     let mut last: Option<[f64; 2]> = None; // y, progress
     let mut slope = None;
-    let mut all =
-        Outcome { end: End::Exhausted, residual: f64::INFINITY, ..Outcome::without_iterating(0.0) };
+    let mut all = Outcome::NOTHING;
     for _ in 0..MOST_LOADS {
         let load = load_of(y);
         let sub = ContactTask {

@@ -1,6 +1,12 @@
 //! Potentials in a network of conductances, by conjugate gradients behind Cholesky's factorisation of its matrix.
 
-use crate::cholesky::{Cholesky, Symbolic};
+#[cfg(feature = "cholesky")]
+pub(crate) use crate::cholesky::{Cholesky, Symbolic};
+
+/// What the factorisations of all networks of the same links share: nothing.
+#[cfg(not(feature = "cholesky"))]
+#[derive(Default)]
+pub(crate) struct Symbolic;
 
 /// Error over the potential in the energy norm, as the factorisation estimates it, at which the iteration ends.
 const TOLERANCE: f64 = 1e-14;
@@ -20,21 +26,13 @@ pub(crate) struct Network<'a> {
 /// What approximates the inverse of the matrix.
 enum Factor {
     /// Cholesky's factors of the matrix.
+    #[cfg(feature = "cholesky")]
     Whole(Cholesky),
     /// Pivots of the factorisation that keeps the pattern of the matrix.
     Incomplete(Vec<f64>),
 }
 
 impl Network<'_> {
-    fn diagonal(&self) -> Vec<f64> {
-        let mut sums: Vec<f64> = self.ends.iter().map(|[inlet, outlet]| inlet + outlet).collect();
-        for (&[a, b], c) in self.links.iter().zip(&self.conductances) {
-            sums[a] += c;
-            sums[b] += c;
-        }
-        sums
-    }
-
     /// The matrix times potentials: what flows away from each node, inlet and outlet at 0.
     fn outflow(&self, potentials: &[f64], out: &mut [f64]) {
         for ((out, p), [inlet, outlet]) in out.iter_mut().zip(potentials).zip(self.ends) {
@@ -88,7 +86,14 @@ impl Network<'_> {
     }
 
     fn factor(&self, symbolic: &mut Symbolic) -> Factor {
-        let mut pivots = self.diagonal();
+        let mut pivots: Vec<f64> = self.ends.iter().map(|[inlet, outlet]| inlet + outlet).collect();
+        for (&[a, b], c) in self.links.iter().zip(&self.conductances) {
+            pivots[a] += c;
+            pivots[b] += c;
+        }
+        #[cfg(not(feature = "cholesky"))]
+        let _ = symbolic;
+        #[cfg(feature = "cholesky")]
         if let Some(whole) = Cholesky::of((self.links, &self.conductances), &pivots, symbolic) {
             return Factor::Whole(whole);
         }
@@ -100,6 +105,7 @@ impl Network<'_> {
 
     fn precondition(&self, factor: &Factor, residual: &[f64]) -> Vec<f64> {
         match factor {
+            #[cfg(feature = "cholesky")]
             Factor::Whole(cholesky) => cholesky.solve(residual),
             Factor::Incomplete(pivots) => {
                 let mut out = residual.to_vec();

@@ -3,9 +3,6 @@
 mod channel;
 #[cfg(feature = "cholesky")]
 mod cholesky;
-#[cfg(not(feature = "cholesky"))]
-#[path = "no_cholesky.rs"]
-mod cholesky;
 mod conjugate_gradients;
 mod gap;
 mod network;

@@ -1,8 +1,7 @@
 //! Reynolds' equation on a map of the gap.
 
 use crate::channel::Bottleneck;
-use crate::cholesky::Symbolic;
-use crate::conjugate_gradients::Network;
+use crate::conjugate_gradients::{Network, Symbolic};
 use crate::gap::Gap;
 use contact_types::Axis;
 
@@ -150,11 +149,9 @@ impl Gap<'_> {
     /// # Errors
     /// [`NotSolved`].
     pub fn flow(&self, axis: Axis) -> Result<Flow, NotSolved> {
-        let Some(channel) = self.channel(axis) else {
-            let (permeability, arithmetic, imbalance) = (0.0, 0.0, 0.0);
-            let (bottleneck, flux) = (None, Vec::new());
-            return Ok(Flow { permeability, arithmetic, imbalance, bottleneck, flux });
-        };
+        let (bottleneck, flux) = (None, Vec::new());
+        let closed = Flow { permeability: 0.0, arithmetic: 0.0, imbalance: 0.0, bottleneck, flux };
+        let Some(channel) = self.channel(axis) else { return Ok(closed) };
         let mesh = self.mesh(axis, &channel.open);
         let mut symbolic = Symbolic::default();
         let arithmetic = mesh.network(ARITHMETIC);

@@ -15,17 +15,14 @@ const TILE_ROWS: usize = 16;
 /// The three passes are: real transforms of blocks of 16 rows, whose spectra are stored in
 /// transposed tiles of two cache lines width; then for each column of the spectrum the forward
 /// transform, the symbol and the inverse transform, while it is in cache; then the inverse row
-/// transforms. A field is read once and written once, its half spectrum read and written twice.
-/// Running allocates nothing.
-///
-/// The convention is that of [`GridFft`](crate::GridFft); the mean of the field is the wave (0, 0).
+/// transforms. Running allocates nothing.
 pub struct Convolution<T: Float> {
     shape: [usize; 2],
     /// Shape of the transforms, at least `shape`.
     padded: [usize; 2],
     tile_columns: usize,
     plans: Plans<T>,
-    /// Tile (block of rows, group of columns) at `block * groups + group`, column-major inside.
+    /// Tile (group of columns, block of rows) at `group * blocks + block`, column-major inside.
     tiles: Vec<Mutex<Vec<Complex<T>>>>,
     /// One per thread.
     scratch: Vec<Mutex<Scratch<T>>>,
@@ -65,8 +62,7 @@ impl<T: Float> Convolution<T> {
 
     /// As [`new`](Self::new), for fields that are continued with zeros to `padded = [py, px]`
     /// before the transform, and cut back to `shape` after it. Rows of zeros are neither stored nor
-    /// transformed: with both sides doubled this costs three times the transform of the field, not
-    /// four, and stores two times its spectrum.
+    /// transformed.
     ///
     /// # Panics
     /// If a side is 0 or padded to less than its length.
@@ -80,8 +76,8 @@ impl<T: Float> Convolution<T> {
         let zero = Complex::new(T::zero(), T::zero());
         let tile_columns = (128 / size_of::<Complex<T>>()).max(1);
         let mut tiles = Vec::with_capacity(ny.div_ceil(TILE_ROWS) * nq.div_ceil(tile_columns));
-        for first_row in (0..ny).step_by(TILE_ROWS) {
-            for first_column in (0..nq).step_by(tile_columns) {
+        for first_column in (0..nq).step_by(tile_columns) {
+            for first_row in (0..ny).step_by(TILE_ROWS) {
                 let rows = TILE_ROWS.min(ny - first_row);
                 let columns = tile_columns.min(nq - first_column);
                 tiles.push(Mutex::new(vec![zero; rows * columns]));
@@ -188,7 +184,8 @@ impl<T: Float> Convolution<T> {
     }
 
     fn filter_all(&self, symbol: impl Fn(usize, &mut [T]) + Sync, factor: T) {
-        Pieces::for_each(0..self.groups(), |group| self.filter(group, &symbol, factor));
+        let groups = self.tiles.par_chunks(self.blocks()).enumerate();
+        groups.for_each(|(group, tiles)| self.filter(group, tiles, &symbol, factor));
     }
 
     fn analyse_all(&self, input: &[T]) {
@@ -205,9 +202,18 @@ impl<T: Float> Convolution<T> {
         blocks.enumerate().for_each(|(block, rows)| self.synthesise(block, rows));
     }
 
-    /// Number of groups of columns.
-    fn groups(&self) -> usize {
-        (self.padded[1] / 2 + 1).div_ceil(self.tile_columns)
+    /// Number of blocks of rows.
+    fn blocks(&self) -> usize {
+        self.shape[0].div_ceil(TILE_ROWS)
+    }
+
+    /// The tiles of a block of rows, with the first of their columns.
+    fn tiles_of(
+        &self,
+        block: usize,
+    ) -> impl Iterator<Item = (usize, MutexGuard<'_, Vec<Complex<T>>>)> {
+        let tiles = self.tiles.iter().skip(block).step_by(self.blocks());
+        tiles.enumerate().map(|(group, tile)| (group * self.tile_columns, lock(tile)))
     }
 
     fn scratch(&self) -> MutexGuard<'_, Scratch<T>> {
@@ -221,28 +227,31 @@ impl<T: Float> Convolution<T> {
         let Scratch { rows: scratch, waves, .. } = &mut *self.scratch();
         let height = rows.len() / nx;
         self.plans.rows.forward(rows, &mut waves[..height * nq], scratch);
-        for group in 0..self.groups() {
-            let mut tile = lock(&self.tiles[block * self.groups() + group]);
+        for (first, mut tile) in self.tiles_of(block) {
             for (c, column) in tile.chunks_exact_mut(height).enumerate() {
-                let kx = group * self.tile_columns + c;
                 for (r, value) in column.iter_mut().enumerate() {
-                    *value = waves[r * nq + kx];
+                    *value = waves[r * nq + first + c];
                 }
             }
         }
     }
 
     /// Forward transform, symbol times `factor` and inverse transform of one group of columns.
-    fn filter(&self, group: usize, write_symbol: &impl Fn(usize, &mut [T]), factor: T) {
+    fn filter(
+        &self,
+        group: usize,
+        tiles: &[Mutex<Vec<Complex<T>>>],
+        write_symbol: &impl Fn(usize, &mut [T]),
+        factor: T,
+    ) {
         let ny = self.shape[0];
         let [py, px] = self.padded;
         let first = group * self.tile_columns;
         let width = self.tile_columns.min(px / 2 + 1 - first);
         let Scratch { columns, symbol, fft, .. } = &mut *self.scratch();
         let columns = &mut columns[..width * py];
-        let blocks = ny.div_ceil(TILE_ROWS);
-        for block in 0..blocks {
-            let tile = lock(&self.tiles[block * self.groups() + group]);
+        for (block, tile) in tiles.iter().enumerate() {
+            let tile = lock(tile);
             let height = tile.len() / width;
             for (from, to) in tile.chunks_exact(height).zip(columns.chunks_exact_mut(py)) {
                 to[block * TILE_ROWS..][..height].copy_from_slice(from);
@@ -262,8 +271,8 @@ impl<T: Float> Convolution<T> {
             }
             self.plans.column_inverse.process_with_scratch(column, fft);
         }
-        for block in 0..blocks {
-            let mut tile = lock(&self.tiles[block * self.groups() + group]);
+        for (block, tile) in tiles.iter().enumerate() {
+            let mut tile = lock(tile);
             let height = tile.len() / width;
             for (to, from) in tile.chunks_exact_mut(height).zip(columns.chunks_exact(py)) {
                 to.copy_from_slice(&from[block * TILE_ROWS..][..height]);
@@ -277,12 +286,10 @@ impl<T: Float> Convolution<T> {
         let nq = self.padded[1] / 2 + 1;
         let height = rows.len() / nx;
         let Scratch { rows: scratch, waves, .. } = &mut *self.scratch();
-        for group in 0..self.groups() {
-            let tile = lock(&self.tiles[block * self.groups() + group]);
+        for (first, tile) in self.tiles_of(block) {
             for (c, column) in tile.chunks_exact(height).enumerate() {
-                let kx = group * self.tile_columns + c;
                 for (r, value) in column.iter().enumerate() {
-                    waves[r * nq + kx] = *value;
+                    waves[r * nq + first + c] = *value;
                 }
             }
         }

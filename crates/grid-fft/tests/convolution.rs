@@ -35,50 +35,6 @@ proptest! {
         }
     }
 
-    /// What is done with the rows on the way is what can be done before and after.
-    #[test]
-    fn work_around_the_transform_is_seen(ny in 1usize..70, nx in 1usize..40) {
-        let field: Vec<f64> = (0..ny * nx).map(|i| ((i as f64 + 1.3) * 12.9898).sin()).collect();
-        let write = |kx: usize, column: &mut [f64]| {
-            for (ky, s) in column.iter_mut().enumerate() {
-                *s = 1.0 / (1.0 + (ky * ky + 3 * kx) as f64);
-            }
-        };
-        let convolution = Convolution::new([ny, nx]);
-        let doubled: Vec<f64> = field.iter().map(|x| 2.0 * x).collect();
-        let mut expected = vec![0.0; ny * nx];
-        convolution.apply(&doubled, write, &mut expected);
-        let (mut input, mut output) = (field.clone(), vec![0.0; ny * nx]);
-        let mut rows_of = vec![0; ny * nx];
-        let mut results = vec![0.0; ny.div_ceil(Convolution::<f64>::BLOCK_ROWS)];
-        let prepare = |_: usize, rows: &mut [f64]| {
-            for x in rows.iter_mut() {
-                *x *= 2.0;
-            }
-            rows.len() as f64
-        };
-        let factor = |counts: &[f64]| Some(counts.iter().sum::<f64>() / (2 * ny * nx) as f64);
-        let finish = |row: usize, factor: f64, x: &mut [f64], y: &mut [f64], rows_of: &mut [usize]| {
-            assert!((factor - 0.5).abs() < 1e-15);
-            for (i, r) in rows_of.iter_mut().enumerate() {
-                *r = row + i / nx;
-            }
-            for y in y.iter_mut() {
-                *y *= 2.0;
-            }
-            x.iter().sum()
-        };
-        let found = convolution.apply_around(
-            &mut input, prepare, factor, write, &mut output, &mut rows_of, finish, &mut results,
-        );
-        prop_assert_eq!(found, Some(0.5));
-        prop_assert!(rows_of.iter().enumerate().all(|(i, r)| *r == i / nx));
-        for (a, b) in expected.iter().zip(&output) {
-            prop_assert!((a - b).abs() < 1e-14);
-        }
-        prop_assert!((results.iter().sum::<f64>() - doubled.iter().sum::<f64>()).abs() < 1e-10);
-    }
-
     /// Padding is continuing with zeros and cutting back.
     #[test]
     fn padding_equals_zeros_by_hand(

@@ -1,13 +1,11 @@
-//! The chord iteration: [the loop](iteration) with its steps in order, [look], [trial], [line];
-//! the [fallback](face_cg); what it [remembers](memory), the [pairs] of fields and all else it
-//! [works](work) with.
+//! The chord iteration: [the loop](iteration) with its steps in order, [`active_set`], [trial], [line];
+//! the [fallback](face_cg); what it [remembers](memory) and all else it [works](work) with.
 
 mod active_set;
 mod face_cg;
 mod iteration;
 mod line;
 mod memory;
-mod pairs;
 mod run;
 mod trial;
 mod work;

@@ -6,14 +6,12 @@
 //! [`Outcome`]. The gap is `displacement - heights - level` and is never stored by the solver.
 //!
 //! - With [`Start::Cold`] the contents of the state mean nothing. With [`Start::Warm`] they are
-//!   the solution for another load on the same surface, `displacement = K pressure` included:
-//!   both may be scaled to the new load without a transform.
+//!   the solution for another load on the same surface and may be scaled: K is linear.
 //! - On return, whatever the [`End`], `pressure >= 0`, its mean is the prescribed one (for
 //!   [`Target::Pressure`]), `displacement` belongs to it, and `level` is the pressure-weighted mean
 //!   of `displacement - heights`.
-//! - Memory is allocated by the method's constructor; iterations allocate nothing.
 //! - Under a ceiling, which only the chord iteration knows, `pressure <= ceiling` as well, and `level` is that of
-//!   [`passes::level_under`](super::passes::level_under).
+//!   [`level_under`](super::level::level_under).
 //! - `watch` is called once per iteration and may end the run.
 //! - `transforms` counts applications of `K` (or `K^-1`) at full size as 1; work on coarser grids
 //!   in proportion `m log m / (n log n)`.
@@ -22,9 +20,8 @@
 
 use super::ceiling::Top;
 use super::compliance::Compliance;
-use super::passes;
 use crate::problem::Problem;
-use crate::{End, Fallbacks, Real};
+use crate::{End, Fallbacks, Real, fields};
 use std::ops::ControlFlow;
 
 /// What is prescribed, in scaled units.
@@ -73,8 +70,8 @@ impl<T: Real> State<T> {
 
     /// Multiplies pressure and displacement: K is linear.
     pub(crate) fn scale(&mut self, factor: f64) {
-        passes::scale(factor, &mut self.pressure);
-        passes::scale(factor, &mut self.displacement);
+        fields::scale(factor, &mut self.pressure);
+        fields::scale(factor, &mut self.displacement);
     }
 }
 
@@ -94,6 +91,8 @@ pub(crate) type IterateObserver<'a, T> =
 /// What a method reports.
 #[derive(Debug, Clone, Copy)]
 pub(crate) struct Outcome {
+    /// Why no iteration was needed.
+    pub(crate) exact: Option<&'static str>,
     pub(crate) end: End,
     pub(crate) iterations: usize,
     pub(crate) transforms: f64,
@@ -103,10 +102,20 @@ pub(crate) struct Outcome {
 }
 
 impl Outcome {
+    /// Before the first iteration.
+    pub(crate) const NOTHING: Self = Self {
+        exact: None,
+        end: End::Exhausted,
+        iterations: 0,
+        transforms: 0.0,
+        residual: f64::INFINITY,
+        fallbacks: Fallbacks { gradient_steps: 0, face_cg_steps: 0 },
+    };
+
     /// Of an exact answer.
-    pub(crate) fn without_iterating(transforms: f64) -> Self {
-        let fallbacks = Fallbacks::default();
-        Self { end: End::Converged, iterations: 0, transforms, residual: 0.0, fallbacks }
+    pub(crate) fn exact(reason: &'static str, transforms: f64) -> Self {
+        let (exact, end) = (Some(reason), End::Converged);
+        Self { exact, end, transforms, residual: 0.0, ..Self::NOTHING }
     }
 
     /// Counts the work of another run as well.

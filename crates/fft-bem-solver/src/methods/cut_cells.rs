@@ -2,8 +2,7 @@
 //!
 //! `n = 2 m - 1` pixels make `m` cells of `n/m` pixels: nearly two. Cell c holds all of pixel `2 c`
 //! and a part of its neighbours, `c/m` of pixel `2 c - 1` and `(m - 1 - c)/m` of pixel `2 c + 1`. So
-//! the axis keeps its length and has no seam. (With a cell of one pixel at its end, coarser levels
-//! would see the axis longer by up to the widest cell, and what they interpolate would jump there.)
+//! the axis keeps its length and has no seam.
 
 /// An axis of an odd number of pixels with its cells.
 #[derive(Debug, Clone, Copy)]

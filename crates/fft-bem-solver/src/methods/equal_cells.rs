@@ -1,8 +1,7 @@
 //! Cells of several pixels along an axis, all equally wide, for any number of pixels.
 //!
-//! If the factor does not divide the number of pixels, the cells are a little wider or narrower than
-//! it, and pixels are cut where one cell ends and the next begins. So the axis keeps its length and
-//! has no seam.
+//! If the factor does not divide the number of pixels, pixels are cut where one cell ends and the next begins. So the
+//! axis keeps its length and has no seam.
 
 /// The cells of one axis.
 pub(super) struct EqualCells {
@@ -120,47 +119,6 @@ impl EqualCells {
             }
             if self.before[j] > 0.0 {
                 pixels[from] += self.before[j] * (factor * cells[j - 1] - value);
-            }
-        }
-    }
-}
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-
-    /// Shares of a cell sum to one, parts of a pixel as well; `replicate` is the transpose of the
-    /// means times their width, row by row and along a row; a constant stays one.
-    #[test]
-    fn cells_cover_the_axis_evenly() {
-        for n in 1..60 {
-            for factor in [1, 2, 4, 8].into_iter().filter(|f| *f <= n) {
-                let cells = EqualCells::new(n, factor);
-                let m = cells.len();
-                let width = n as f32 / m as f32;
-                let mut mean = vec![vec![0.0_f32; n]; m];
-                for (j, row) in mean.iter_mut().enumerate() {
-                    cells.pixels(j).for_each(|(i, share)| row[i] = share);
-                    assert!((row.iter().sum::<f32>() - 1.0).abs() < 1e-5, "{n} {factor}");
-                }
-                for i in 0..n {
-                    let mut parts = vec![0.0_f32; m];
-                    cells.cells_of(i).for_each(|(j, part)| parts[j] = part);
-                    assert!((parts.iter().sum::<f32>() - 1.0).abs() < 1e-5, "{n} {factor}");
-                    let mut impulse = vec![0.0_f32; n];
-                    impulse[i] = 1.0;
-                    let mut means = vec![0.0_f32; m];
-                    cells.add_means(1.0, &impulse, &mut means);
-                    for j in 0..m {
-                        assert!((parts[j] - width * mean[j][i]).abs() < 1e-5, "{n} {factor}");
-                        assert!((means[j] - mean[j][i]).abs() < 1e-5, "{n} {factor}");
-                        let mut values = vec![0.0_f32; m];
-                        values[j] = 1.0;
-                        let mut pixels = vec![0.0_f32; n];
-                        cells.replicate(1.0, &values, &mut pixels);
-                        assert!((pixels[i] - parts[j]).abs() < 1e-5, "{n} {factor}");
-                    }
-                }
             }
         }
     }

@@ -17,6 +17,8 @@
 //! square, the cell leans on its neighbours as much less as it is longer than wide: `(1 - w)/w`
 //! counts [`COUPLING`] times width over length. Everything is single precision: the result is a step, corrected by the next one.
 
+use super::node::NodeState;
+use super::stiffness::Stiffness;
 use super::transfer::{FilledPart, Transfer};
 use crate::row_work::TASK;
 use crate::simd::vectorised;
@@ -91,23 +93,21 @@ impl PyramidLevel {
         (TASK / (self.transfer.fine[1] * self.transfer.rows_per_coarse_row())).max(1)
     }
 
-    /// Pulls weights and values of the next finer level.
-    fn pull(&mut self, finer: &Self) {
+    /// Pulls weights and values of the next finer grid.
+    pub(super) fn pull<W: FilledPart>(&mut self, w: &[W], v: &[f32]) {
         let (t, capacity, rows) = (self.transfer, self.capacity, self.rows_per_task());
         let (fine, coarse) = (rows * t.rows_per_coarse_row() * t.fine[1], rows * t.coarse[1]);
         let here = self.weight.par_chunks_mut(coarse).zip(self.value.par_chunks_mut(coarse));
         if t.has_cut_cells() {
             here.enumerate().for_each(|(task, (weight, value))| {
-                let (w, v) = (&finer.weight, &finer.value);
                 vectorised!(pull_cut_rows(&t, capacity, task * rows, w, v, weight, value));
             });
         } else {
-            let below = finer.weight.par_chunks(fine).zip(finer.value.par_chunks(fine));
+            let below = w.par_chunks(fine).zip(v.par_chunks(fine));
             below.zip(here).for_each(|((w, v), (weight, value))| {
                 vectorised!(pull_rows(&t, capacity, w, v, weight, value));
             });
         }
-        self.uncouple();
     }
 
     /// Lets the cells lean less on their neighbours.
@@ -139,13 +139,24 @@ impl PyramidLevel {
     }
 
     /// `x_(l+1) = up^T ((1 - w_l) x_l)`.
-    fn gather(&mut self, finer: &Self) {
+    fn gather<W: FilledPart>(&mut self, w: &[W], x: &[f32]) {
         let (t, rows) = (self.transfer, self.rows_per_task());
-        let mx = t.coarse[1];
+        let (nx, mx) = (t.fine[1], t.coarse[1]);
         self.value.par_chunks_mut(rows * mx).enumerate().for_each(|(task, value)| {
             vectorised!({
                 for (j, out) in value.chunks_exact_mut(mx).enumerate() {
-                    gather_row(&t, task * rows + j, &finer.weight, &finer.value, out);
+                    t.up_transposed_row(
+                        task * rows + j,
+                        out,
+                        #[inline(always)]
+                        |iy, factor, ix, line: &mut [f32]| {
+                            let first = iy * nx + ix;
+                            let (w, x) = (&w[first..][..line.len()], &x[first..][..line.len()]);
+                            for ((l, w), x) in line.iter_mut().zip(w).zip(x) {
+                                *l += factor * (1.0 - w.value()) * x;
+                            }
+                        },
+                    );
                 }
             });
         });
@@ -226,11 +237,11 @@ pub(crate) fn pull_rows<W: FilledPart>(
 
 /// Pulls the finer level `w`, `v` into the coarse rows from `first` on, where cells cut pixels.
 #[inline(always)]
-fn pull_cut_rows(
+fn pull_cut_rows<W: FilledPart>(
     t: &Transfer,
     capacity: Capacity,
     first: usize,
-    w: &[f32],
+    w: &[W],
     v: &[f32],
     weight: &mut [f32],
     value: &mut [f32],
@@ -244,7 +255,7 @@ fn pull_cut_rows(
             #[inline(always)]
             |iy, share, ix, line| {
                 let w = &w[iy * nx + ix..][..line.len()];
-                line.iter_mut().zip(w).for_each(|(l, w)| *l += share * w);
+                line.iter_mut().zip(w).for_each(|(l, w)| *l += share * w.value());
             },
         );
         t.down_row_of(
@@ -254,7 +265,7 @@ fn pull_cut_rows(
             |iy, share, ix, line| {
                 let w = w[iy * nx + ix..][..line.len()].iter();
                 let fields = line.iter_mut().zip(w.zip(&v[iy * nx + ix..]));
-                fields.for_each(|(l, (w, v))| *l += share * w * v);
+                fields.for_each(|(l, (w, v))| *l += share * w.value() * v);
             },
         );
         for (w, v) in weight.iter_mut().zip(value) {
@@ -280,25 +291,24 @@ fn push_row(t: &Transfer, i: usize, weight: &[f32], coarse: &[f32], value: &mut 
     );
 }
 
-/// Row `j` of `up^T ((1 - w) x)`.
+/// Row `i` of the field extended on the finest grid.
 #[inline(always)]
-pub(crate) fn gather_row<W: FilledPart>(
+fn push_finest_row(
     t: &Transfer,
-    j: usize,
-    w: &[W],
-    x: &[f32],
-    out: &mut [f32],
+    i: usize,
+    nodes: &[NodeState],
+    r: &[f32],
+    coarse: &[f32],
+    x: &mut [f32],
 ) {
-    let nx = t.fine[1];
-    t.up_transposed_row(
-        j,
-        out,
+    t.up_row(
+        i,
+        coarse,
         #[inline(always)]
-        |iy, factor, ix, line: &mut [f32]| {
-            let first = iy * nx + ix;
-            let (w, x) = (&w[first..][..line.len()], &x[first..][..line.len()]);
-            for ((l, w), x) in line.iter_mut().zip(w).zip(x) {
-                *l += factor * (1.0 - w.value()) * x;
+        |ix, up| {
+            let fields = x[ix..].iter_mut().zip(&nodes[ix..]).zip(&r[ix..]);
+            for (((x, m), r), up) in fields.zip(up) {
+                *x = r + (1.0 - m.value()) * up; // r is 0 off F: an `if` would choose between addresses
             }
         },
     );
@@ -357,7 +367,8 @@ impl Pyramid {
     pub(crate) fn pull_above(&mut self) {
         for l in 1..self.levels.len() {
             let (finer, coarser) = self.levels.split_at_mut(l);
-            coarser[0].pull(&finer[l - 1]);
+            coarser[0].pull(&finer[l - 1].weight, &finer[l - 1].value);
+            coarser[0].uncouple();
         }
     }
 
@@ -375,12 +386,37 @@ impl Pyramid {
         }
     }
 
+    /// `E` on the finest grid: the residual on F, what the pyramid knows elsewhere; with the means over
+    /// the cells of `S`.
+    pub(crate) fn push(
+        &self,
+        nodes: &[NodeState],
+        residual: &[f32],
+        nx: usize,
+        stiffness: &mut Stiffness,
+        extended: &mut [f32],
+    ) {
+        stiffness.fill(extended, |i, x| {
+            let (nodes, r) = (&nodes[i * nx..][..nx], &residual[i * nx..][..nx]);
+            let Some(first) = self.levels.first() else { return x.copy_from_slice(r) };
+            vectorised!(push_finest_row(&first.transfer, i, nodes, r, &first.value, x));
+        });
+    }
+
+    /// `E^T` of a field on the finest grid, but for the last step down to it.
+    pub(crate) fn restrict(&mut self, nodes: &[NodeState], field: &[f32]) {
+        if let Some(first) = self.levels.first_mut() {
+            first.gather(nodes, field);
+        }
+        self.restrict_above();
+    }
+
     /// The transpose: from the values gathered on the first level, to those that `down^T` hands
     /// to the finest grid.
     pub(crate) fn restrict_above(&mut self) {
         for l in 1..self.levels.len() {
             let (finer, coarser) = self.levels.split_at_mut(l);
-            coarser[0].gather(&finer[l - 1]);
+            coarser[0].gather(&finer[l - 1].weight, &finer[l - 1].value);
         }
         for l in (0..self.levels.len()).rev() {
             let (finer, coarser) = self.levels.split_at_mut(l + 1);

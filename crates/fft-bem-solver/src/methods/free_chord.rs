@@ -1,11 +1,9 @@
 //! The chord iteration for the free boundary.
 //!
-//! `E^T S E` is made for a periodic half space. Around an isolated contact it serves as well if the
-//! copies of the map are kept apart: the iteration runs on a grid a quarter larger along each axis,
-//! whose additional pixels lie too deep to touch. The displacement is still that of the free half
-//! space, computed on the map alone: the padding belongs to the preconditioner and costs no
-//! transform. Where the map is much longer than wide, its `S` is made from the kernel of the free half
-//! space itself.
+//! `E^T S E` is made for a periodic half space. It serves an isolated contact if the copies of the map are kept
+//! apart: the iteration runs on a grid a quarter larger along each axis, whose additional pixels lie too deep to
+//! touch. The displacement is that of the free half space, computed on the map alone. Where the map is much longer
+//! than wide, `S` is made from the kernel of the free half space itself.
 
 use super::ceiling::{Ceiling, Top, under};
 use super::chord::Chord;

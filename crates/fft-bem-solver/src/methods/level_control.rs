@@ -1,13 +1,11 @@
 //! Control of the level of the flat (mean gap, approach) inside the chord iteration, without a convolution:
 //! `K` is linear, so that the iterate may be scaled to another load at any time.
 //!
-//! Two things must be known to choose the load. *Where the level will settle* under the present
-//! load: not where it is, since the residual gap g is still there. What is left of it once the step
-//! `z = E^T S E g` has been taken is its mean over the extended field, `<1, E g> = <E^T 1, g>`; and
-//! `E^T 1`, a unit of pressure everywhere swept onto the contact, is nearly the pressure below a flat
-//! punch of that shape, the adjoint of the level. And *how the level rises with the load*: a first
-//! guess from the work done and the gap left, refined by secants, each weighed by how far its two
-//! loads are apart against what the residual leaves unsure.
+//! Two things must be known to choose the load. *Where the level will settle* under the present load: once the step
+//! `z = E^T S E g` has been taken, what is left of the residual gap g is its mean over the extended field,
+//! `<1, E g> = <E^T 1, g>`; `E^T 1` is nearly the pressure below a flat punch of that shape, the adjoint of the level.
+//! And *how the level rises with the load*: a first guess from the work done and the gap left, refined by secants,
+//! each weighed by how far its loads are apart against what the residual leaves unsure.
 
 use crate::{Boundary, Real, fields};
 

@@ -1,9 +1,12 @@
 //! The methods: a [contract](contract) that all fulfil, three that do, and the parts of the first.
 //!
 //! From the ground up: *contract* and *compliance* (what a method is given); the parts of the chord
-//! iteration that know nothing of it (*transfer*, *extension*, *stiffness*, *sweep*,
-//! *passes*); *chord* and, around it, *`free_chord`*; the baselines *`polonsky_keer`* and
+//! iteration that know nothing of it (*transfer*, *extension*, *stiffness*, *sweep*); *chord* and, around it, *`free_chord`*; the baselines *`polonsky_keer`* and
 //! *`stanley_kato`*; *choice*.
+//!
+//! Passes over the finest grid read and write every field once, in pieces that belong to one task. Inner loops have
+//! numbers of one size: where bytes (the nodes), single and double precision meet in one, half of each vector is
+//! shuffling, so nodes become 1 or 0 and pressures that are only compared single precision, a block at a time.
 
 #![allow(
     clippy::inline_always,
@@ -21,9 +24,9 @@ mod cut_cells;
 mod equal_cells;
 mod extension;
 mod free_chord;
+mod level;
 mod level_control;
 mod node;
-pub(crate) mod passes;
 mod polonsky_keer;
 #[cfg(test)]
 mod safeguards;
@@ -41,6 +44,7 @@ pub(crate) use compliance::Compliance;
 pub(crate) use contract::{
     ContactMethod, ContactTask, IterateObserver, IterateView, Outcome, Start, State, Target,
 };
+pub(crate) use level::level_under;
 pub(crate) use level_control::RISE;
 pub(crate) use node::NodeState;
 pub(crate) use set_inverse::SetInverse;

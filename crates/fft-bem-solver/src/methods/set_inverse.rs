@@ -1,11 +1,9 @@
 //! What the cheap inverse of the chord iteration makes of a fixed contact set: `E^T S E` and `E^T 1`, pass by
 //! pass as in the iteration, with fields of their own.
 
-use super::extension::{Pyramid, pull_rows};
+use super::extension::Pyramid;
 use super::node::NodeState;
-use super::passes;
 use super::stiffness::Stiffness;
-use crate::simd::vectorised;
 use contact_types::Grid;
 use grid_fft::parallel::prelude::*;
 
@@ -43,43 +41,35 @@ impl SetInverse {
 
     /// `z = E^T S E r` on the set, which is the pixels `on`; r and z have a value for each of these.
     pub(crate) fn apply(&mut self, on: &[usize], r: impl Fn(usize) -> f64, z: &mut [f64]) {
-        self.residual.fill(0.0);
-        for (k, i) in on.iter().enumerate() {
-            self.residual[*i] = r(k) as f32;
-        }
-        self.weigh();
-        self.pyramid.extend_above();
-        let Self { nodes, columns, pyramid, stiffness, residual, extended } = self;
-        passes::push(nodes, residual, pyramid, *columns, stiffness, extended);
-        stiffness.apply_to_filled(extended, residual);
+        self.extend(on, &|k| r(k) as f32);
+        self.stiffness.apply_to_filled(&self.extended, &mut self.residual);
         self.restrict(on, z);
     }
 
     /// `z = E^T 1`: a uniform pressure, swept onto the set. Nearly that below a flat punch of its shape.
     pub(crate) fn sweep_uniform(&mut self, on: &[usize], z: &mut [f64]) {
-        self.residual.fill(0.0);
-        self.weigh();
-        self.pyramid.extend_above();
+        self.extend(on, &|_| 0.0);
         self.residual.fill(1.0);
         self.restrict(on, z);
     }
 
-    /// The first level of the pyramid over the set and the residual.
-    fn weigh(&mut self) {
-        let Some(first) = self.pyramid.levels.first_mut() else { return };
-        let (t, capacity, rows) = (first.transfer, first.capacity, first.rows_per_task());
-        let (fine, coarse) = (rows * t.rows_per_coarse_row() * t.fine[1], rows * t.coarse[1]);
-        let set = self.nodes.par_chunks(fine).zip(self.residual.par_chunks(fine));
-        let above = first.weight.par_chunks_mut(coarse).zip(first.value.par_chunks_mut(coarse));
-        set.zip(above).for_each(|((w, v), (weight, value))| {
-            vectorised!(pull_rows(&t, capacity, w, v, weight, value));
-        });
+    /// `E r`, with the means over the cells of `S`.
+    fn extend(&mut self, on: &[usize], r: &dyn Fn(usize) -> f32) {
+        let Self { nodes, columns, pyramid, stiffness, residual, extended } = self;
+        residual.fill(0.0);
+        for (k, i) in on.iter().enumerate() {
+            residual[*i] = r(k);
+        }
+        if let Some(first) = pyramid.levels.first_mut() {
+            first.pull(nodes, residual);
+        }
+        pyramid.extend_above();
+        pyramid.push(nodes, residual, *columns, stiffness, extended);
     }
 
     /// `z = E^T` of the residual field.
     fn restrict(&mut self, on: &[usize], z: &mut [f64]) {
-        passes::gather(&self.nodes, &self.residual, &mut self.pyramid);
-        self.pyramid.restrict_above();
+        self.pyramid.restrict(&self.nodes, &self.residual);
         let Self { columns, pyramid, residual, .. } = self;
         if let Some(first) = pyramid.levels.first() {
             residual.par_chunks_mut(*columns).enumerate().for_each(|(iy, y)| {
@@ -90,6 +80,43 @@ impl SetInverse {
         }
         for (z, i) in z.iter_mut().zip(on) {
             *z = f64::from(residual[*i]);
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// `<E r, y> = <r, E^T y>`: odd and even sides, long pixels, lines, rows longer than a tile.
+    #[test]
+    fn restriction_is_the_transpose_of_the_extension() {
+        let wave = |i: usize| (((i as f64 + 1.3) * 12.9898).sin()) as f32;
+        for (shape, pixel) in [
+            ([64, 64], [1.0, 1.0]),
+            ([97, 131], [1.0, 1.0]),
+            ([100, 37], [1.0, 1.0]),
+            ([120, 90], [4.0, 1.0]),
+            ([91, 121], [1.0, 4.0]),
+            ([1, 257], [1.0, 1.0]),
+            ([97, 1], [1.0, 1.0]),
+            ([19, 1101], [1.0, 1.0]),
+        ] {
+            let grid = Grid::new(shape, pixel).unwrap();
+            let nodes: Vec<_> = (0..grid.len()).map(|i| NodeState::of(wave(7 * i) > 0.3)).collect();
+            let on: Vec<usize> = (0..grid.len()).filter(|i| nodes[*i].is_in()).collect();
+            let mut inverse = SetInverse::new(grid, nodes);
+            inverse.extend(&on, &|k| wave(3 * k));
+            let field = inverse.extended.clone();
+            let mut z = vec![0.0; on.len()];
+            inverse.residual = (0..grid.len()).map(|i| wave(5 * i)).collect();
+            let y = inverse.residual.clone();
+            inverse.restrict(&on, &mut z);
+            let dot = |x: f32, y: f64| f64::from(x) * y;
+            let left: f64 = field.iter().zip(&y).map(|(x, y)| dot(*x, f64::from(*y))).sum();
+            let right: f64 = z.iter().enumerate().map(|(k, z)| dot(wave(3 * k), *z)).sum();
+            let size: f64 = field.iter().map(|x| f64::from(x.abs())).sum();
+            assert!((left - right).abs() < 1e-6 * size, "{shape:?} {pixel:?}: {left}, {right}");
         }
     }
 }

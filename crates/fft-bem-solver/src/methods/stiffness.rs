@@ -30,8 +30,6 @@ const CELLS: &[[usize; 2]] = &[[4, 4], [4, 8], [2, 8], [2, 16], [1, 16]];
 const LEAST_RESPONSE: f64 = 0.8;
 /// Largest radius of the stencil: half a cell.
 const MAX_RADIUS: usize = 8;
-/// Rows of the stencil handled at a time.
-const ROWS: usize = 3;
 
 /// `S` for one grid.
 pub(crate) struct Stiffness {
@@ -231,18 +229,18 @@ impl Stiffness {
         let nx = self.shape[1];
         let rows = (TASK / nx).max(1);
         y.par_chunks_mut(rows * nx).enumerate().for_each(|(task, y)| {
-            let mut lines = FoldedRows::default();
+            let mut line = [0.0; TILE + 2 * MAX_RADIUS];
             vectorised!({
                 for (r, y) in y.chunks_exact_mut(nx).enumerate() {
-                    self.stencil_and_smooth_row(task * rows + r, x, y, &mut lines);
+                    self.stencil_and_smooth_row(task * rows + r, x, y, &mut line);
                 }
             });
         });
     }
 
-    /// Row `i` of it.
+    /// Row `i` of it. `line` has room for a tile of columns and what the stencil reaches beyond.
     #[inline(always)]
-    fn stencil_and_smooth_row(&self, i: usize, x: &[f32], y: &mut [f32], lines: &mut FoldedRows) {
+    fn stencil_and_smooth_row(&self, i: usize, x: &[f32], y: &mut [f32], line: &mut [f32]) {
         let ([ny, nx], [ry, rx]) = (self.shape, self.radius);
         let cx = self.transform.shape()[1];
         let [along_y, along_x] = &self.cells;
@@ -259,14 +257,9 @@ impl Stiffness {
             for dy in 0..=ry {
                 let both = [row((i + ny - dy) % ny), row((i + dy) % ny)];
                 let factor = if dy == 0 { 0.5 } else { 1.0 }; // the row itself comes twice
-                let line = &mut lines.0[dy % ROWS][..width + 2 * rx];
+                let line = &mut line[..width + 2 * rx];
                 fold_rows(both, factor, first, rx, line);
-                if [ry, rx] != [2, 2] {
-                    add_stencil_row(&self.taps[dy], rx, line, y);
-                }
-            }
-            if [ry, rx] == [2, 2] {
-                add_square_stencil(&self.taps, lines, y);
+                add_stencil_row(&self.taps[dy], rx, line, y);
             }
         }
     }
@@ -302,35 +295,6 @@ fn fold_rows(
 /// Hands out the columns, of `rows` numbers each, of a symbol that is stored column by column.
 fn columns_of(symbol: &[f32], rows: usize) -> impl Fn(usize, &mut [f32]) + Sync {
     move |kx, column| column.copy_from_slice(&symbol[kx * rows..(kx + 1) * rows])
-}
-
-/// Sums of the two rows at the same distance, a tile of columns and what the stencil reaches beyond.
-struct FoldedRows([[f32; TILE + 2 * MAX_RADIUS]; ROWS]);
-
-impl Default for FoldedRows {
-    fn default() -> Self {
-        Self([[0.0; TILE + 2 * MAX_RADIUS]; ROWS])
-    }
-}
-
-/// Adds a stencil of 5 x 5 nodes.
-#[inline(always)]
-fn add_square_stencil(
-    taps: &[[f32; MAX_RADIUS + 1]; MAX_RADIUS + 1],
-    lines: &FoldedRows,
-    y: &mut [f32],
-) {
-    let n = y.len();
-    let [near, next, far] = lines.0.each_ref().map(|line| {
-        let shifted = |d: usize| &line[d..d + n];
-        [shifted(0), shifted(1), shifted(2), shifted(3), shifted(4)]
-    });
-    let sum = |t: &[f32; MAX_RADIUS + 1], [ll, l, c, r, rr]: [&[f32]; 5], i: usize| {
-        t[0] * c[i] + t[1] * (l[i] + r[i]) + t[2] * (ll[i] + rr[i])
-    };
-    for i in 0..n {
-        y[i] = ((y[i] + sum(&taps[0], near, i)) + sum(&taps[1], next, i)) + sum(&taps[2], far, i);
-    }
 }
 
 /// Adds one row of the stencil: `y(i) += taps(0) line(i) + sum taps(d) (line(i-d) + line(i+d))`.

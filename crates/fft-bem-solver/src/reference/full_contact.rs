@@ -29,25 +29,3 @@ pub fn pressure(
     }
     Ok((field, -lowest))
 }
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-    use crate::reference::BiSinusoid;
-    use approx::assert_abs_diff_eq;
-    use contact_types::Grid;
-
-    #[test]
-    fn egg_box_closes_at_its_closing_pressure() {
-        let modulus = ContactModulus::from_pascals(2.0).unwrap();
-        let egg_box = BiSinusoid::new(0.1, 1.0, modulus).unwrap();
-        let grid = Grid::new([16, 12], [1.0 / 16.0, 1.0 / 12.0]).unwrap();
-        let map = HeightMap::from_fn(grid, |y, x| egg_box.height(y, x)).unwrap();
-        let (pressure, mean) = pressure(&map, modulus).unwrap();
-        let p_star = egg_box.closing_pressure();
-        assert_abs_diff_eq!(mean, p_star, epsilon = 1e-13);
-        for (p, h) in pressure.iter().zip(map.heights()) {
-            assert_abs_diff_eq!(*p, p_star * (1.0 + h / 0.1), epsilon = 1e-12);
-        }
-    }
-}

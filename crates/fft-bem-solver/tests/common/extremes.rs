@@ -23,13 +23,8 @@ pub(crate) struct Case {
 
 /// All lines.
 pub(crate) fn cases() -> Vec<Case> {
-    let mut all = scales();
-    all.extend(offsets());
-    all.extend(loads());
-    all.extend(shapes_of_heights());
-    all.extend(shapes_of_grids());
-    all.extend(profiles());
-    all
+    let all = [scales, offsets, loads, shapes_of_heights, shapes_of_grids, profiles];
+    all.into_iter().flat_map(|of| of()).collect()
 }
 
 /// Estimated relative error of the pressure at which the solves end.
@@ -97,14 +92,31 @@ impl Worst {
     /// A map solved for E* = `e_star` against the dense solution of the same map measured in units
     /// in which E* is 1, the pixels are of order 1 and the slopes are `slope` times smaller.
     fn against_dense(&mut self, unit: &HeightMap, e_star: f64, slope: f64, d: f64, load: f64) {
-        let known = dense::solution(unit, load);
         let pixel = unit.grid().pixel().map(|side| side * d);
-        let map = scaled(unit, slope * d, pixel);
-        let found = solve(&map, e_star, load * e_star * slope);
+        self.beside(
+            unit,
+            load,
+            &scaled(unit, slope * d, pixel),
+            e_star,
+            [e_star * slope, slope * d],
+        );
+    }
+
+    /// The same map otherwise: its pressures and heights are so many times those of `unit`.
+    fn beside(
+        &mut self,
+        unit: &HeightMap,
+        load: f64,
+        map: &HeightMap,
+        e_star: f64,
+        [pressure, height]: [f64; 2],
+    ) {
+        let known = dense::solution(unit, load);
+        let found = solve(map, e_star, load * pressure);
         let touching = known.pressure.iter().filter(|p| **p > 0.0).count();
         let area = touching as f64 / known.pressure.len() as f64;
-        let pressure = known.pressure.iter().map(|p| p * e_star * slope);
-        self.compare(&map, &found, pressure, area, known.gap.iter().map(|g| g * slope * d));
+        let pressures = known.pressure.iter().map(|p| p * pressure);
+        self.compare(map, &found, pressures, area, known.gap.iter().map(|g| g * height));
     }
 
     fn case(
@@ -157,12 +169,8 @@ fn scales() -> Vec<Case> {
         worst.compare(&map, &found, known.pressure.iter().copied(), known.touching_fraction(), gap);
     }
     let extreme = "heights × 2⁻⁵⁰, pixels × 2⁻²⁰, E* × 2³⁰";
-    cases.push(worst.case(
-        "rough, 14 × 12",
-        extreme,
-        "the same in other units: no digit differs",
-        [0.0; 3],
-    ));
+    let same = "the same in other units: no digit differs";
+    cases.push(worst.case("rough, 14 × 12", extreme, same, [0.0; 3]));
     cases
 }
 
@@ -179,12 +187,7 @@ fn offsets() -> Vec<Case> {
         let left = with_heights(&high, high.heights().iter().map(|h| (h - offset) / scale));
         let mut worst = Worst::default();
         for load in LOADS {
-            let known = dense::solution(&left, load);
-            let found = solve(&high, 1.0, load * scale);
-            let touching = known.pressure.iter().filter(|p| **p > 0.0).count();
-            let area = touching as f64 / known.pressure.len() as f64;
-            let pressure = known.pressure.iter().map(|p| p * scale);
-            worst.compare(&high, &found, pressure, area, known.gap.iter().map(|g| g * scale));
+            worst.beside(&left, load, &high, 1.0, [scale; 2]);
         }
         cases.push(worst.case("rough, 14 × 12", extreme, "dense, moved back to 0", DENSE_LIMITS));
     }

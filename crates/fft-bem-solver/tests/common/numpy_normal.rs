@@ -1,29 +1,19 @@
-//! The standard normal numbers of `numpy.random.default_rng(1)`, so that a surface defined by numpy
-//! can be made without it: PCG64 and the ziggurat on 256 levels.
-//!
-//! The integers are numpy's. The numbers agree to 1e-13: numpy keeps the ziggurat as a printed
-//! table, here it is computed, and the two are rounded differently.
+//! The standard normal numbers of `numpy.random.default_rng(1)`: PCG64 and the ziggurat on 256 levels. They agree to
+//! 1e-13: numpy keeps the ziggurat as a printed table.
 
-/// PCG XSL RR 128/64 (O'Neill, PCG: a family of simple fast space-efficient statistically good
-/// algorithms for random number generation, Harvey Mudd College HMC-CS-2014-0905, 2014).
+/// PCG XSL RR 128/64 (O'Neill, Harvey Mudd College HMC-CS-2014-0905, 2014).
 pub(crate) struct Pcg64 {
     state: u128,
     increment: u128,
 }
 
 impl Pcg64 {
-    /// `numpy.random.default_rng(1).bit_generator.state`, printed by numpy 2.4: what its
-    /// `SeedSequence(1)` makes of the seed.
+    /// `numpy.random.default_rng(1).bit_generator.state`, printed by numpy 2.4.
     pub(crate) const fn numpy_seed_1() -> Self {
         Self {
             state: 0x9c5b_484b_fedb_756c_2a6e_7d6f_320f_bc7e,
             increment: 0x922a_f2da_2645_f895_a198_57b9_5740_937b,
         }
-    }
-
-    /// Where the generator stands: equal after as many draws as numpy made.
-    pub(crate) const fn state(&self) -> u128 {
-        self.state
     }
 
     /// The next 64 bits: a step of the congruential generator, its halves combined and rotated.
@@ -48,11 +38,9 @@ const TAIL: f64 = 3.654_152_885_361_008_8;
 const SCALE: f64 = (1_u64 << 52) as f64;
 
 /// The half of `exp(-x²/2)` right of 0 covered by 256 pieces of equal area: 255 boxes of width
-/// `x[i]`, and at 0 a box with the tail (Marsaglia & Tsang, The ziggurat method for generating
-/// random variables, J. Stat. Softw. 5 (8), 2000, doi:10.18637/jss.v005.i08).
+/// `x[i]`, and at 0 a box with the tail (Marsaglia & Tsang 2000, doi:10.18637/jss.v005.i08).
 pub(crate) struct Ziggurat {
-    /// Widths of the boxes, growing downwards from level 1 to 255. Level 0 is as wide as a box of
-    /// its height with its whole area would be.
+    /// Widths of the boxes from level 1 to 255. Level 0 is as wide as a box of its height with its whole area.
     width: [f64; LEVELS],
     /// `exp(-x²/2)` at their right ends; 1 at level 0, for the top of level 1.
     density: [f64; LEVELS],

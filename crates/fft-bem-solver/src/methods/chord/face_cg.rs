@@ -17,7 +17,7 @@ pub(super) fn step<T: Real, C: Ceiling<T>>(run: &mut Run<'_, T, C>, level: f64) 
     let (p, u) = (&mut run.iterate.pressure, &mut run.iterate.displacement);
     let gap = |i: usize| (u[i] - h[i]).wide() - level;
     let nodes = &mut work.nodes;
-    let residual = work.pairs.spare();
+    let residual = work.pairs.trial_and_spare().1;
     for i in 0..n {
         residual[i] = if nodes[i].is_in() { gap(i) as f32 } else { 0.0 };
     }

@@ -9,7 +9,7 @@
 //!
 //! ```text
 //! begin with a pressure p of known displacement u = K p: constant, or that of another load
-//! 1  g = u - h - mean of it in contact;  F = {p > release g+} or {g < 0}             look.rs
+//! 1  g = u - h - mean of it in contact;  F = {p > release g+} or {g < 0}             active_set.rs
 //! 2  z = E^T S E g on F, less its mean;  trial = p - tau z on F                       trial.rs
 //!    |z on F, p off F| <= tolerance |p|: stop
 //! 3  trial = trial swept, clipped, scaled to the load                                 trial.rs
@@ -26,7 +26,7 @@
 //! Two fallbacks guarantee convergence: projected gradients where a chord does not descend or the
 //! estimate stalls, and conjugate gradients on the face where that does not help.
 
-use super::active_set::RELEASE;
+use super::active_set::{ContactSet, RELEASE};
 use super::face_cg;
 use super::line::{FULL, Trial};
 use super::memory::{Known, StepKind};
@@ -39,7 +39,6 @@ use crate::methods::contract::{
     ContactMethod, ContactTask, IterateObserver, IterateView, Outcome, Start, State,
 };
 use crate::methods::node::NodeState;
-use crate::methods::passes::{self, ContactSet};
 use crate::methods::stiffness::Stiffness;
 use crate::problem::Problem;
 use crate::{End, Real, certificate, fields};
@@ -93,8 +92,9 @@ impl<T: Real> ContactMethod<T> for Chord<T> {
     /// trial from the constant pressure, without what is swept: `S E g` is kept for it.
     fn suspected_closing_load(&mut self, problem: &Problem<T>) -> (f64, f64) {
         let work = &mut self.work;
-        let gap = work.pairs.spare();
-        passes::gap_of_constant(&problem.heights, problem.mean_height, gap);
+        let gap = work.pairs.trial_and_spare().1;
+        let (h, mean) = (&problem.heights, problem.mean_height);
+        fields::write(gap, |i, _: f32| (mean - h[i].wide()) as f32);
         work.stiffness.apply(gap, &mut work.residual);
         work.holds_flattening = true;
         (fields::max(&work.residual) / 1.1, work.stiffness.cost)
@@ -155,7 +155,7 @@ impl<T: Real> Chord<T> {
         let Run { transforms, fallbacks, .. } = run;
         let level = || certificate::level(state, &task.problem.heights, Top::NONE);
         state.level = yielding.unwrap_or_else(level);
-        Outcome { end, iterations: iteration, transforms, residual, fallbacks }
+        Outcome { exact: None, end, iterations: iteration, transforms, residual, fallbacks }
     }
 }
 

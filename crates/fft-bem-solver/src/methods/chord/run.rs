@@ -6,7 +6,6 @@ use crate::methods::ceiling::Ceiling;
 use crate::methods::compliance::Compliance;
 use crate::methods::contract::{ContactTask, Start, State, Target};
 use crate::methods::level_control::LevelControl;
-use crate::methods::passes;
 use crate::{Boundary, Fallbacks, Real, fields, projection};
 
 /// A run in progress. Its steps are in files of their own, in the order in which the
@@ -73,14 +72,14 @@ impl<'a, T: Real, C: Ceiling<T>> Run<'a, T, C> {
     /// space.
     pub(super) fn begin_constant(&mut self) {
         let state = &mut *self.iterate;
-        passes::fill(self.load, &mut state.pressure);
+        fields::fill(self.load, &mut state.pressure);
         // Where the ceiling varies, the load may be above it in places.
         let is_cut = self.ceiling.is_passed(1.0, &state.pressure);
         if is_cut {
             project(self.ceiling, &mut state.pressure, self.load);
         }
         if self.operator.boundary() == Boundary::Periodic && !is_cut {
-            passes::fill(0.0, &mut state.displacement);
+            fields::fill(0.0, &mut state.displacement);
             self.first_level = Some(-self.mean_height);
         } else {
             self.operator.apply(&state.pressure, &mut state.displacement);

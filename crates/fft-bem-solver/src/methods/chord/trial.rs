@@ -1,58 +1,90 @@
 //! Steps 2 and 3: the preconditioned residual, the trial it leads to, and the sweep that frees that of
 //! tension.
 
+use super::active_set::ContactSet;
 use super::run::{Run, project};
 use crate::methods::ceiling::Ceiling;
-use crate::methods::passes::{self, ContactSet, StepEstimate};
-use crate::methods::sweep;
-use crate::row_work::total;
+use crate::methods::extension::{Pyramid, PyramidLevel};
+use crate::methods::node::NodeState;
+use crate::methods::sweep::{self, Sweep};
+use crate::methods::tension::Added;
+use crate::row_work::{Partial, total};
+use crate::simd::{LANES, Lane, four, rest, vectorised};
 use crate::{Real, fields, projection};
+use fearless_simd::{Simd, SimdBase, f64x4};
 use grid_fft::parallel::prelude::*;
 
 /// Pressure per gap of a node that joins the contact because the others cannot carry more, per finer
 /// pixel and `E*`: about that of a single node.
 const STIFFNESS: f64 = 1.0;
+/// Pixels handled at a time where there must be room for intermediate fields.
+const TILE: usize = 64;
+
+/// How large the step is.
+#[derive(Debug, Clone, Copy)]
+pub(crate) struct StepEstimate {
+    /// `|z on F, p off F| / |p|`, where z is taken less its mean over F.
+    pub(crate) residual: f64,
+    /// `|p|^2`.
+    pub(crate) p2: f64,
+}
 
 impl<T: Real, C: Ceiling<T>> Run<'_, T, C> {
     /// `y = S E g`, in place of the residual, and all of `z = E^T y` but the last step down to the
     /// finest grid, which [`make_trial`](Self::make_trial) does.
     pub(crate) fn precondition(&mut self) {
         let work = &mut *self.work;
-        let extended = work.pairs.spare();
+        let extended = work.pairs.trial_and_spare().1;
         work.stiffness.apply_to_filled(extended, &mut work.residual);
-        passes::gather(&work.nodes, &work.residual, &mut work.pyramid);
-        work.pyramid.restrict_above();
+        work.pyramid.restrict(&work.nodes, &work.residual);
         self.transforms += work.stiffness.cost;
     }
 
-    /// `trial = p - tau z` on F, `p` elsewhere, where p is the pressure of the iterate. Where `E g` was, the
-    /// smallest of it below each cell is left for [`sweep_trial`](Self::sweep_trial).
+    /// Ends `z = E^T y` and makes the step: the trial is `p - tau z` on F, `p` elsewhere. That the mean of z does not
+    /// belong to the step is known only at the end: [`Sweep::shift`] adds it. Where `E g` was, the smallest trial
+    /// pressure below each cell of the first level, if there are cells, is left for
+    /// [`sweep_trial`](Self::sweep_trial); under a ceiling, the smallest distance from a bound.
     pub(crate) fn make_trial(&mut self, tau: f64, set: ContactSet) -> StepEstimate {
         let work = &mut *self.work;
-        let size = [work.rows, work.columns];
+        let (rows, nx) = (work.rows, work.columns);
+        let chunk = rows * nx;
         let (trial, smallest) = work.pairs.trial_and_spare();
-        passes::trial(
-            self.ceiling,
-            &self.iterate.pressure,
-            &work.residual,
-            tau,
-            &work.nodes,
-            set.size,
-            size,
-            &work.pyramid,
-            trial,
-            smallest,
-            &mut work.sweep,
-            &mut work.partial,
-        )
+        let partial = &mut work.partial[..trial.len().div_ceil(chunk)];
+        let level = work.pyramid.levels.first();
+        let p = &self.iterate.pressure[..];
+        let step = PressureStep { ceiling: self.ceiling, p, tau, level, nx };
+        let fields = partial
+            .par_iter_mut()
+            .zip(work.residual.par_chunks(chunk))
+            .zip(work.nodes.par_chunks(chunk))
+            .zip(trial.par_chunks_mut(chunk));
+        // Without a level each pixel is a cell.
+        let (height, mx) =
+            level.map_or((1, nx), |l| (l.transfer.rows_per_coarse_row(), l.transfer.coarse[1]));
+        fields.zip(smallest.par_chunks_mut(rows / height * mx)).enumerate().for_each(
+            |(task, ((((partial, y), nodes), trial), smallest))| {
+                *partial = vectorised!(x => {
+                    let mut sums = [f64x4::splat(x, 0.0); 4];
+                    let below = y.chunks(height * nx).zip(nodes.chunks(height * nx));
+                    let cells = below.zip(trial.chunks_mut(height * nx));
+                    let cells = cells.zip(smallest.chunks_mut(mx)).enumerate();
+                    for (j, (((y, nodes), trial), smallest)) in cells {
+                        step.cells(x, task * rows + j * height, y, nodes, trial, smallest, &mut sums);
+                    }
+                    let [a, b, c, d] = sums.map(|sum| sum.iter().sum());
+                    [a, b, c, d, 0.0, 0.0, 0.0, 0.0]
+                });
+            },
+        );
+        let [z, z2, off2, p2] = total(partial);
+        let mean = z / set.size.max(1) as f64;
+        work.sweep.begin((tau * mean) as f32);
+        StepEstimate { residual: (((z2 - mean * z).max(0.0) + off2) / p2).sqrt(), p2 }
     }
 
-    /// Sweeps the trial that was just made. What it then carries is what
-    /// [`end_trial`](passes::end_trial) makes of it.
-    ///
-    /// The tension that is left is clipped, and the load that takes spread over the whole map. That is
-    /// an error of the softest wave, and must be small beside the present error, `residual`, at most 1. The
-    /// softest wave of a slender map is as much softer than that of a square.
+    /// Sweeps the trial that was just made. The tension that is left will be clipped, and the load that takes spread
+    /// over the whole map: an error of the softest wave, which must be small beside the present error, `residual`, at
+    /// most 1. The softest wave of a slender map is as much softer than that of a square.
     pub(crate) fn sweep_trial(&mut self, set: ContactSet, residual: f64) {
         let (total, work) = (self.total(), &mut *self.work);
         let negligible = sweep::NEGLIGIBLE * total * residual / work.slenderness;
@@ -80,7 +112,7 @@ impl<T: Real, C: Ceiling<T>> Run<'_, T, C> {
         let pieces = trial.par_chunks_mut(size).zip(work.nodes.par_chunks(size));
         pieces.zip(work.partial.par_iter_mut()).enumerate().for_each(
             |(k, ((q, nodes), partial))| {
-                *partial = passes::end_trial(ceiling, k * rows, nodes, sweep, pyramid, nx, q);
+                *partial = end_trial(ceiling, k * rows, nodes, sweep, pyramid, nx, q);
             },
         );
         if C::IS_FINITE {
@@ -142,4 +174,192 @@ impl<T: Real, C: Ceiling<T>> Run<'_, T, C> {
 /// far from settled, and small loads do not belong.
 pub(super) fn is_rough(sum: f64, total: f64) -> bool {
     sum > (1.0 + 2.0 * sweep::NEGLIGIBLE) * total
+}
+
+/// What the rows of a trial have in common.
+#[derive(Clone, Copy)]
+struct PressureStep<'a, T, C> {
+    ceiling: C,
+    p: &'a [T],
+    tau: f64,
+    level: Option<&'a PyramidLevel>,
+    nx: usize,
+}
+
+impl<T: Real, C: Ceiling<T>> PressureStep<'_, T, C> {
+    /// The rows from `row` on, below one row of cells: the trial, and the smallest of it below each cell. Adds up `z`, `z^2` on F, `p^2` off F (of those that are to carry the ceiling, what they
+    /// lack), `p^2`.
+    #[inline(always)]
+    #[allow(clippy::too_many_arguments, reason = "a pass over five fields")]
+    fn cells<S: Simd>(
+        &self,
+        vectors: S,
+        row: usize,
+        y: &[f32],
+        nodes: &[NodeState],
+        trial: &mut [T],
+        smallest: &mut [f32],
+        sums: &mut [f64x4<S>; 4],
+    ) {
+        let nx = self.nx;
+        let (mut z, mut least) = ([0.0; TILE], [0.0; TILE]);
+        for ix in (0..nx).step_by(TILE) {
+            let n = TILE.min(nx - ix);
+            let (z, least) = (&mut z[..n], &mut least[..n]);
+            least.fill(f32::INFINITY);
+            for (i, trial) in trial.chunks_exact_mut(nx).enumerate() {
+                let (here, row) = (i * nx + ix, row + i);
+                z.copy_from_slice(&y[here..][..n]);
+                if let Some(level) = self.level {
+                    level.transfer.add_down_transposed(row, ix, &level.value, z);
+                }
+                let (nodes, trial) = (&nodes[here..][..n], &mut trial[ix..][..n]);
+                self.tile(vectors, row * nx + ix, z, nodes, trial, least, sums);
+            }
+            let is_halved = self.level.is_some_and(|level| level.transfer.halved[1]);
+            smallest_below(is_halved, ix, least, smallest);
+        }
+    }
+
+    /// Part of a row, from pixel `first` on. Brings `least` up to date: the smallest trial pressure on F, or
+    /// distance from a bound, of each column.
+    #[inline(always)]
+    #[allow(clippy::too_many_arguments, reason = "a pass over five fields")]
+    fn tile<S: Simd>(
+        &self,
+        vectors: S,
+        first: usize,
+        z: &mut [f32],
+        nodes: &[NodeState],
+        trial: &mut [T],
+        least: &mut [f32],
+        sums: &mut [f64x4<S>; 4],
+    ) {
+        let (p, ceiling) = (&self.p[first..][..z.len()], self.ceiling.after(first));
+        let mut off = [0.0; TILE];
+        let off = &mut off[..nodes.len()];
+        off.iter_mut().zip(nodes).for_each(|(off, m)| *off = if m.is_in() { 0.0 } else { 1.0 });
+        z.iter_mut().zip(&*off).for_each(|(z, off)| *z *= 1.0 - off);
+        if C::IS_FINITE {
+            let mut lacking = 0.0;
+            for (i, ((off, m), p)) in off.iter_mut().zip(nodes).zip(p).enumerate() {
+                let lacks = if m.is_full() { (ceiling.at(i) - *p).wide() } else { 0.0 };
+                *off = if m.is_full() { 0.0 } else { *off };
+                lacking += lacks * lacks;
+            }
+            sums[2] += f64x4::from_slice(vectors, &[lacking, 0.0, 0.0, 0.0]);
+        }
+        self.step(vectors, z, off, p, trial, sums);
+        if !p.len().is_multiple_of(LANES) {
+            let mut last = [T::zero(); LANES];
+            self.step(vectors, &rest(z), &rest(off), &rest(p), &mut last, sums);
+            let whole = p.len() - p.len() % LANES;
+            trial[whole..].iter_mut().zip(last).for_each(|(t, x)| *t = x);
+        }
+        for (((least, t), off), m) in least.iter_mut().zip(&*trial).zip(&*off).zip(nodes) {
+            let is_off = if C::IS_FINITE { !m.is_in() } else { *off > 0.0 };
+            let here = if is_off { f32::INFINITY } else { t.narrow() };
+            *least = if here < *least { here } else { *least };
+        }
+        if C::IS_FINITE {
+            for (i, ((least, t), m)) in least.iter_mut().zip(&*trial).zip(nodes).enumerate() {
+                let room = if m.is_in() { (ceiling.at(i) - *t).narrow() } else { f32::INFINITY };
+                *least = if room < *least { room } else { *least };
+            }
+        }
+    }
+
+    /// The trial `p - tau z`, and the sums of `z`, `z^2`, `p^2` where `off` is 1 and not 0, and `p^2`, over whole
+    /// vectors.
+    #[inline(always)]
+    fn step<S: Simd>(
+        &self,
+        vectors: S,
+        z: &[f32],
+        off: &[f32],
+        p: &[T],
+        trial: &mut [T],
+        sums: &mut [f64x4<S>; 4],
+    ) {
+        let tau = f64x4::splat(vectors, self.tau);
+        for i in (0..p.len() - p.len() % LANES).step_by(LANES) {
+            let z = f32::widened(four(vectors, z, i));
+            let off = f32::widened(four(vectors, off, i));
+            let p = T::widened(four(vectors, p, i));
+            let p2 = p * p;
+            sums[0] += z;
+            sums[1] += z * z;
+            sums[2] += off * p2;
+            sums[3] += p2;
+            let step = p - tau * z;
+            trial[i..i + LANES].iter_mut().zip(step.as_slice()).for_each(|(t, x)| *t = T::of(*x));
+        }
+    }
+}
+
+/// From the smallest of each column to the smallest below each cell, from column `ix` on.
+#[inline(always)]
+fn smallest_below(is_halved: bool, ix: usize, least: &[f32], smallest: &mut [f32]) {
+    if !is_halved {
+        smallest[ix..][..least.len()].copy_from_slice(least);
+        return;
+    }
+    let (pairs, single) = least.as_chunks::<2>();
+    for (s, x) in smallest[ix / 2..].iter_mut().zip(pairs) {
+        *s = if x[1] < x[0] { x[1] } else { x[0] };
+    }
+    if let ([x], Some(s)) = (single, smallest.last_mut()) {
+        *s = *x;
+    }
+}
+
+/// Ends a piece of whole rows of the trial, from `first_row` on: adds what was swept, clips, and sets
+/// to zero outside the contact, or to the ceiling. Returns the sum.
+pub(super) fn end_trial<T: Real, C: Ceiling<T>>(
+    ceiling: C,
+    first_row: usize,
+    nodes: &[NodeState],
+    sweep: &Sweep,
+    pyramid: &Pyramid,
+    nx: usize,
+    trial: &mut [T],
+) -> Partial {
+    let is_halved = pyramid.levels.first().is_some_and(|first| first.transfer.halved[1]);
+    let mut more = [sweep.shift; TILE];
+    let sum = vectorised!(x => {
+        let mut sum = f64x4::splat(x, 0.0);
+        for (i, (t, nodes)) in trial.chunks_exact_mut(nx).zip(nodes.chunks_exact(nx)).enumerate() {
+            let added = sweep.added_below(first_row + i, pyramid);
+            for ((k, t), nodes) in t.chunks_mut(TILE).enumerate().zip(nodes.chunks(TILE)) {
+                match added {
+                    Added::Same(_) => (),
+                    Added::Cells(added) if is_halved => {
+                        let pairs = more.as_chunks_mut::<2>().0;
+                        for (more, a) in pairs.iter_mut().zip(&added[k * TILE / 2..]) {
+                            *more = [*a; 2];
+                        }
+                    }
+                    Added::Cells(added) => {
+                        more[..t.len()].copy_from_slice(&added[k * TILE..][..t.len()]);
+                    }
+                }
+                let ceiling = ceiling.after((first_row + i) * nx + k * TILE);
+                for (i, ((t, m), a)) in t.iter_mut().zip(nodes).zip(&more).enumerate() {
+                    let kept = ceiling.clip(i, *t + T::of(f64::from(*a)));
+                    *t = if m.is_in() { kept } else { T::zero() };
+                    if C::IS_FINITE && m.is_full() {
+                        *t = ceiling.at(i);
+                    }
+                }
+                for i in (0..t.len() - t.len() % LANES).step_by(LANES) {
+                    sum += T::widened(four(x, t, i));
+                }
+                if !t.len().is_multiple_of(LANES) {
+                    sum += T::widened(four(x, &rest(t), 0));
+                }
+            }
+        }
+        sum.iter().sum()
+    });
+    [sum, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0]
 }

@@ -1,14 +1,13 @@
 //! What a chord iteration works with, allocated once: fields, pyramid, coarse grids.
 
-use super::pairs::Pairs;
-use crate::methods::extension::Pyramid;
+use crate::Real;
+use crate::methods::contract::State;
+use crate::methods::extension::{Pyramid, PyramidLevel};
 use crate::methods::node::NodeState;
-use crate::methods::passes;
 use crate::methods::stiffness::Stiffness;
 use crate::methods::sweep::Sweep;
 use crate::methods::thin_pixels;
-use crate::row_work::Partial;
-use crate::{HalfSpace, Real};
+use crate::row_work::{BLOCK_ROWS, Partial, TASK};
 use contact_types::Grid;
 
 /// The trial and the iterate before, one field in single precision, the contact set, the pyramid
@@ -42,8 +41,12 @@ impl<T: Real> Work<T> {
     pub(super) fn new(scaled: Grid, stiffness: Stiffness) -> Self {
         let (shape, n) = (scaled.shape(), scaled.len());
         let pyramid = Pyramid::new(shape, scaled.pixel());
-        let rows = passes::rows_per_task(&pyramid, shape);
-        let pieces = passes::tasks(n, rows, shape[1]).max(HalfSpace::<T>::pieces(shape));
+        // Whole rows of cells of the first level.
+        let whole =
+            |level: &PyramidLevel| level.rows_per_task() * level.transfer.rows_per_coarse_row();
+        let rows = pyramid.levels.first().map_or(shape[0], whole);
+        let tasks = n.div_ceil(rows * shape[1]).max(n.div_ceil(TASK));
+        let pieces = tasks.max(shape[0].div_ceil(BLOCK_ROWS));
         Self {
             rows,
             columns: shape[1],
@@ -58,6 +61,61 @@ impl<T: Real> Work<T> {
             pairs: Pairs::new(n),
             partial: vec![Partial::default(); pieces],
             holds_flattening: false,
+        }
+    }
+}
+
+/// The trial and, where there is [room](Self::make_room) for it, the iterate before the present one. The present
+/// one belongs to the caller.
+///
+/// Until a convolution has been spent on the displacement of the trial, its place is the *spare*: room for a field in
+/// single precision, first `E g`, then the smallest trial pressure below each cell.
+pub(crate) struct Pairs<T> {
+    pub(crate) trial: State<T>,
+    pub(crate) before: State<T>,
+}
+
+impl<T: Real> Pairs<T> {
+    pub(super) fn new(n: usize) -> Self {
+        Self { trial: State::new(n), before: State::new(0) }
+    }
+
+    /// Makes room for the iterate before, which a step of two directions needs.
+    pub(super) fn make_room(&mut self) {
+        if !self.has_room() {
+            self.before = State::new(self.trial.pressure.len());
+        }
+    }
+
+    pub(crate) fn has_room(&self) -> bool {
+        self.before.pressure.len() == self.trial.pressure.len()
+    }
+
+    /// As on a grid too large for it.
+    #[cfg(test)]
+    pub(crate) fn give_up_room(&mut self) {
+        self.before = State::new(0);
+    }
+
+    /// The pressure of the trial, and the spare.
+    pub(crate) fn trial_and_spare(&mut self) -> (&mut [T], &mut [f32]) {
+        let State { pressure, displacement, .. } = &mut self.trial;
+        let n = displacement.len();
+        (pressure, &mut T::as_single(displacement)[..n])
+    }
+
+    /// Multiplies the pairs that the next step will use by the factor of the load: K is linear.
+    pub(super) fn scale(&mut self, factor: f64, iterate: &mut State<T>) {
+        // The step before must stay one that changes no load.
+        self.before.scale(factor);
+        iterate.scale(factor);
+    }
+
+    /// Makes the trial the iterate and, where there is room, the iterate the one before.
+    pub(super) fn take_trial(&mut self, iterate: &mut State<T>) {
+        std::mem::swap(&mut self.trial, iterate);
+        if self.has_room() {
+            std::mem::swap(&mut self.before, &mut self.trial);
         }
     }
 }
