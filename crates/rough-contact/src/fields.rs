@@ -154,7 +154,8 @@ impl FieldFolder {
         for (name, fields) in self.fields.files(load) {
             if fields == [Field::Spots] {
                 let spots = spot_list(&solution.pressure, grid, self.repeats);
-                self.folder.write(&name, |out| report::write_spots_csv(&spots, out))?;
+                let table = report::spots_csv(&spots);
+                self.folder.write(&name, |out| out.write_all(table.as_bytes()))?;
                 continue;
             }
             let values: Vec<_> = fields.iter().map(|&f| self.values(f, solution)).collect();

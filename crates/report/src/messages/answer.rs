@@ -45,15 +45,6 @@ pub fn headline_line(surface: &SurfaceComparison) -> Option<String> {
     Some(line.replace(SPACE, " "))
 }
 
-/// How a sentence on an answer begins that is not to tolerance.
-fn opening(converged: bool, stopped_at_rounding: bool) -> &'static str {
-    match (converged, stopped_at_rounding) {
-        (true, _) => "",
-        (false, true) => "Stopped at rounding: ",
-        (false, false) => "Not converged: ",
-    }
-}
-
 /// The first sentence, as HTML.
 pub(crate) fn headline(surface: &SurfaceComparison) -> String {
     let p = super::headline_load(surface);
@@ -65,7 +56,11 @@ pub(crate) fn headline(surface: &SurfaceComparison) -> String {
     if answer.contact_pixels == 0 {
         return format!("At {p} nothing touches.");
     }
-    let opening = opening(answer.converged, answer.stopped_at_rounding);
+    let (opening, at) = match (answer.converged, answer.stopped_at_rounding) {
+        (true, _) => ("", "At"),
+        (false, true) => ("Stopped at rounding: ", "at"),
+        (false, false) => ("Not converged: ", "at"),
+    };
     let about = if answer.budget.area.half_width().is_ok() { "" } else { "about " };
     let unresolved = if answer.budget.area.interval().is_ok_and(|[low, _]| low <= 0.0) {
         ": this map does not resolve its contacts"
@@ -73,25 +68,10 @@ pub(crate) fn headline(surface: &SurfaceComparison) -> String {
         ""
     };
     let whole = if surface.origin.pair().is_some() { "the area in common" } else { "the surface" };
+    let (area, pressure) = (area(answer), real_pressure(answer));
+    let (share, yielded) = (yielding::share(surface), yielding::or_yielded(surface));
     format!(
-        "{opening}{}t {p}, {about}<b>{}</b> of {whole} touches{}{}; the mean real pressure is \
-         {about}<b>{}</b>{unresolved}.",
-        if opening.is_empty() { 'A' } else { 'a' },
-        area(answer),
-        yielding::share(surface),
-        yielding::or_yielded(surface),
-        real_pressure(answer)
+        "{opening}{at} {p}, {about}<b>{area}</b> of {whole} touches{share}{yielded}; the mean real pressure is \
+         {about}<b>{pressure}</b>{unresolved}."
     )
-}
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-
-    #[test]
-    fn rounding_is_not_convergence() {
-        assert_eq!(opening(true, false), "");
-        assert_eq!(opening(false, true), "Stopped at rounding: ");
-        assert_eq!(opening(false, false), "Not converged: ");
-    }
 }
