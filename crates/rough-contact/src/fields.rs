@@ -9,6 +9,7 @@ use rough_contact::fft_bem_solver::Solution;
 use rough_contact::report;
 use rough_contact::surface_io::write;
 use std::borrow::Cow;
+use std::io::Write as _;
 use std::path::PathBuf;
 
 /// What can be written of a solution.
