@@ -144,7 +144,9 @@ fn point(p: &DeterministicPoint) -> Value {
             keys.remove(other);
         }
         keys.extend(parts_json::budget_keys(Some(&a.budget)));
-        keys.extend(parts_json::yield_keys(a.yielded, a.touching_fraction));
+        if a.yielded.is_some() {
+            keys.extend(parts_json::yield_keys(a.yielded, a.touching_fraction));
+        }
     }
     point
 }

@@ -35,22 +35,21 @@ pub use json::{
     findings as findings_json, statistics as statistics_json, surface as surface_json,
 };
 pub use lines::{Reference, references};
-pub use messages::conduction::{joint_words, resistance_lines, resistances};
+pub use messages::conduction::{joint_words, resistances};
 pub use messages::finding::finding;
-pub use messages::headline_line;
 pub use messages::leak::leak_notes;
 pub use messages::loads::loads_line;
 pub use messages::materials::{material_in_full, material_json, material_line, materials_json};
 pub use messages::pair::{bodies_line, pair_lines};
 pub use messages::plan::{explanation as plan_explanation, reason as plan_reason};
 pub use messages::profile::profile_headline;
-pub use messages::yielding::elastic_line;
+pub use messages::{headline_line, surface_lines};
 pub use page::html::style;
 pub use page::profile_tables::setting_words;
 pub use page::summary::{Summary, summary_html};
 pub use parts_json::{
-    YIELD_KEYS, bodies_json, budget_keys, conducted_keys, gas_json, leak_json, leak_point_json,
-    pair_json, yield_keys,
+    bodies_json, budget_keys, conducted_keys, gas_json, leak_json, leak_point_json, pair_json,
+    yield_keys,
 };
 pub use plot_styles::plot_style;
 pub use profile_json::{

@@ -1,6 +1,7 @@
 //! Sentences on the deterministic answer. They state what was computed and name the number.
 
 use crate::draw::svg::escape;
+use crate::messages::conduction::resistance_lines;
 use crate::messages::yielding;
 use crate::numbers::{PASCALS, SPACE, percent_within, quantity_within};
 use contact_compare::{DeterministicAnswer, SurfaceComparison};
@@ -43,6 +44,16 @@ pub fn headline_line(surface: &SurfaceComparison) -> Option<String> {
     let share = share.replace("<b>", "").replace("</b>", "");
     let line = format!("at {p} {} of the area touches{share}{label}", area(answer));
     Some(line.replace(SPACE, " "))
+}
+
+/// The lines of a terminal on a surface: resistances, its size and headline, for which bodies an elastic area holds.
+pub fn surface_lines(surface: &SurfaceComparison) -> Vec<String> {
+    let [ny, nx] = surface.surface.grid().shape();
+    let headline = headline_line(surface).map_or_else(String::new, |line| format!(": {line}"));
+    let mut lines = resistance_lines(surface);
+    lines.push(format!("{}, {ny} × {nx} points{headline}", surface.name));
+    lines.extend(yielding::elastic_line(surface));
+    lines
 }
 
 /// The first sentence, as HTML.

@@ -62,7 +62,7 @@ pub fn resistances(found: &Conducted) -> Vec<ResistanceWords> {
 }
 
 /// "Thermal resistance 30 ± 3 mK/W at 10 MPa (one spot 16.5 K/W)" for each, in plain text.
-pub fn resistance_lines(surface: &SurfaceComparison) -> Vec<String> {
+pub(crate) fn resistance_lines(surface: &SurfaceComparison) -> Vec<String> {
     let at = super::headline_load(surface);
     let line = |(name, value, spot): ResistanceWords| {
         let spot = spot.map_or_else(String::new, |spot| format!(" (one spot {spot})"));

@@ -14,8 +14,8 @@ mod ranking;
 mod verdict;
 pub(crate) mod yielding;
 
-pub use answer::headline_line;
 pub(crate) use answer::{area, headline, real_pressure};
+pub use answer::{headline_line, surface_lines};
 pub(crate) use finding::edge_words;
 pub(crate) use loads::{headline_load, load};
 pub(crate) use ranking::{cheapest, coarser_routes, is_known, named, nearest, published, ranked};
