@@ -34,9 +34,9 @@ pub(crate) fn add(point: &mut Value, solution: &Solution) {
 
 /// The same keys, absent, in a point that was refused.
 pub(crate) fn complete(point: &mut Value) {
-    for key in contact_report::YIELD_KEYS {
-        if point.get(key).is_none() {
-            point[key] = Value::Null;
+    for (key, null) in contact_report::yield_keys(None, 0.0) {
+        if point.get(&key).is_none() {
+            point[key] = null;
         }
     }
 }

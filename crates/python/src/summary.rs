@@ -1,8 +1,7 @@
 //! Many studies on one page.
 
-use crate::failure::{bug, raise};
+use crate::failure::bug;
 use contact_compare::Settings;
-use contact_front_end::Failure;
 use contact_report::{Provenance, Summary};
 use pyo3::prelude::*;
 use serde_json::Value;
@@ -33,8 +32,5 @@ pub(crate) fn summary(
     let maps = maps.into_iter().zip(&digests).map(|((name, _), digest)| (name, digest)).collect();
     let summary = Summary { maps, failed, settings: &settings, seconds };
     let made = Provenance::here("rough_contact.summary in Python");
-    let mut page = Vec::new();
-    contact_report::write_summary_html(&summary, &made, &mut page)
-        .map_err(|e| raise(&Failure::incomplete("output", e.to_string())))?;
-    Ok(String::from_utf8_lossy(&page).into_owned())
+    Ok(contact_report::summary_html(&summary, &made))
 }

@@ -6,30 +6,25 @@ use contact_compare::{
     Comparison, ModelComparison, ProfileComparison, Settings, SurfaceComparison,
 };
 use contact_types::{ContactState, Named};
-use std::io::{self, Write};
 
-/// Writes one row per surface and load. SI units; a missing number is an empty cell. Columns of
+/// One row per surface and load. SI units; a missing number is an empty cell. Columns of
 /// a model are `area_fraction_NAME` and `real_pressure_NAME [Pa]`, with its signed relative error.
-///
-/// # Errors
-/// Whatever the writer reports.
-pub fn write(comparison: &Comparison, out: &mut impl Write) -> io::Result<()> {
+pub(crate) fn of_surfaces(comparison: &Comparison) -> String {
     let models = comparison.surfaces.first().map_or(&[][..], |s| &s.models);
-    let mut is_headed = false;
+    let mut out = String::new();
     for surface in &comparison.surfaces {
         let panels = LoadLines::panels(surface);
         for load in 0..surface.deterministic.len() {
             let cells = cells(surface, &panels, load, models, &comparison.settings);
             let (heads, values): (Vec<String>, Vec<String>) =
                 cells.into_iter().map(|(head, value)| (head, cell(value))).unzip();
-            if !is_headed {
-                writeln!(out, "surface,{}", heads.join(","))?;
-                is_headed = true;
+            if out.is_empty() {
+                out += &format!("surface,{}\n", heads.join(","));
             }
-            writeln!(out, "{},{}", quoted(&surface.name), values.join(","))?;
+            out += &format!("{},{}\n", quoted(&surface.name), values.join(","));
         }
     }
-    Ok(())
+    out
 }
 
 /// The columns of a surface at a load, each with its unit, and its numbers there.
@@ -97,7 +92,7 @@ fn cells(
     for model in models {
         let mut all = panels.iter().flat_map(|p| p.models.iter().map(move |line| (p, line)));
         let found = all.find(|(_, line)| line.name == model.card.name);
-        let area = found.and_then(|(_, line)| line.area[i]);
+        let area = found.and_then(|(_, line)| line.values[i]);
         let error = found.and_then(|(panel, line)| panel.errors(line)[i]);
         let name = model.card.name.replace('-', "_");
         add(&format!("area_fraction_{name} [-]"), area);
@@ -107,12 +102,9 @@ fn cells(
     cells
 }
 
-/// Writes one row per surface and load. SI units; a missing number is an empty cell. Columns of a
+/// One row per profile and load. SI units; a missing number is an empty cell. Columns of a
 /// model are its area fraction with the ends of its interval, and its real pressure.
-///
-/// # Errors
-/// Whatever the writer reports.
-pub fn write_profiles(studies: &[ProfileComparison], out: &mut impl Write) -> io::Result<()> {
+pub(crate) fn of_profiles(studies: &[ProfileComparison]) -> String {
     let models = studies.first().map_or(&[][..], |study| &study.models);
     let columns = |model: &ModelComparison| {
         let name = model.card.name.replace('-', "_");
@@ -122,38 +114,33 @@ pub fn write_profiles(studies: &[ProfileComparison], out: &mut impl Write) -> io
         )
     };
     let heads: String = models.iter().map(columns).collect();
-    writeln!(out, "surface,mean_pressure [Pa]{heads}")?;
+    let mut out = format!("surface,mean_pressure [Pa]{heads}\n");
     for study in studies {
         for (i, p) in study.pressures.iter().enumerate() {
-            write!(out, "{},{p:e}", quoted(&study.name))?;
+            out += &format!("{},{p:e}", quoted(&study.name));
             for model in &study.models {
                 let state = model.outcome.as_ref().ok().and_then(|c| c.points[i].as_ref().ok());
                 let [low, high] = [0, 1].map(|k| model.intervals[i].map(|ends| ends[k]));
                 let area = state.map(|s| s.area_fraction);
                 for value in [area, low, high, state.and_then(ContactState::real_pressure)] {
-                    let cell = value.map_or(String::new(), |v| format!("{v:e}"));
-                    write!(out, ",{cell}")?;
+                    out += &value.map_or(",".into(), |v| format!(",{v:e}"));
                 }
             }
-            writeln!(out)?;
+            out.push('\n');
         }
     }
-    Ok(())
+    out
 }
 
-/// Writes contact spots as a table, one row each.
-///
-/// # Errors
-/// Whatever the writer reports.
-pub fn write_spots(spots: &[contact_compare::Spot], out: &mut impl Write) -> io::Result<()> {
-    writeln!(out, "area (m^2),load (N),x (m),y (m),mean_pressure (Pa),max_pressure (Pa),points")?;
-    for spot in spots {
+/// Contact spots as a table (CSV), one row each.
+pub fn spots_csv(spots: &[contact_compare::Spot]) -> String {
+    let head = "area (m^2),load (N),x (m),y (m),mean_pressure (Pa),max_pressure (Pa),points\n";
+    let row = |spot: &contact_compare::Spot| {
         let [y, x] = spot.centroid;
         let row = [spot.area, spot.load, x, y, spot.mean_pressure, spot.max_pressure];
-        let row: Vec<String> = row.into_iter().map(|v| cell(Some(v))).collect();
-        writeln!(out, "{},{}", row.join(","), spot.points)?;
-    }
-    Ok(())
+        format!("{},{}\n", row.map(|v| cell(Some(v))).join(","), spot.points)
+    };
+    head.to_owned() + &spots.iter().map(row).collect::<String>()
 }
 
 /// The shortest decimal that reads back as the same number.

@@ -11,33 +11,18 @@ use serde_json::{Map, Value, json};
 pub fn digest(surface: &Value) -> Value {
     let at = |way: &str| surface.pointer(way).cloned().unwrap_or(Value::Null);
     let mut row = Map::new();
-    for key in [
-        "shape",
-        "pixel",
-        "rms_height",
-        "skewness",
-        "kurtosis",
-        "rms_gradient",
-        "bandwidth",
-        "hurst",
-        "height_step",
-        "missing",
-    ] {
+    let statistics =
+        "shape pixel rms_height skewness kurtosis rms_gradient bandwidth hurst height_step missing";
+    for key in statistics.split(' ') {
         row.insert(key.into(), at(&format!("/statistics/{key}")));
     }
     let empty = Vec::new();
     let points = surface["deterministic"]["points"].as_array().unwrap_or(&empty);
     let same = |p: &&Value| p["mean_pressure"] == surface["headline_pressure"];
     let headline = points.iter().find(same).unwrap_or(&Value::Null);
-    for key in [
-        "mean_pressure",
-        "area_fraction",
-        "area_interval",
-        "real_pressure",
-        "mean_gap",
-        "max_pressure",
-        "converged",
-    ] {
+    let of_load =
+        "mean_pressure area_fraction area_interval real_pressure mean_gap max_pressure converged";
+    for key in of_load.split(' ') {
         row.insert(key.into(), headline.get(key).cloned().unwrap_or(Value::Null));
     }
     if surface["headline_load"].is_number() {
@@ -117,6 +102,12 @@ impl Quantiles {
 
     pub(crate) fn median(&self) -> f64 {
         self.quantile(0.5)
+    }
+
+    /// "median 1, 10th–90th percentile 0.2 to 3".
+    pub(crate) fn words(&self, shown: impl Fn(f64) -> String) -> String {
+        let [low, median, high] = [0.1, 0.5, 0.9].map(|part| shown(self.quantile(part)));
+        format!("median {median}, 10th–90th percentile {low} to {high}")
     }
 
     pub(crate) fn ends(&self) -> [f64; 2] {

@@ -1,9 +1,8 @@
 //! `results.json`: everything, in SI units, for other programs. Absent numbers are `null`.
 
-use crate::error::ReportError;
-use crate::messages;
 use crate::messages::finding::finding;
-use crate::messages::plan as plan_messages;
+use crate::messages::{plan as plan_messages, reason_of};
+use crate::parts_json;
 use crate::provenance::Provenance;
 use contact_accuracy::{AccuracyRequest, Reached};
 use contact_compare::{
@@ -11,23 +10,8 @@ use contact_compare::{
 };
 use contact_types::{ContactState, ModelError, Named};
 use serde_json::{Value, json};
-use std::io::Write;
 use surface_stats::clean::{FormParameters, Record};
 use surface_stats::{SurfaceStatistics, Warning};
-
-/// Writes the results.
-///
-/// # Errors
-/// [`ReportError::Io`] or [`ReportError::Json`].
-pub fn write(
-    comparison: &Comparison,
-    provenance: &Provenance,
-    out: &mut impl Write,
-) -> Result<(), ReportError> {
-    serde_json::to_writer_pretty(&mut *out, &self::comparison(comparison, provenance))?;
-    writeln!(out)?;
-    Ok(())
-}
 
 /// The results as one object.
 pub fn comparison(comparison: &Comparison, provenance: &Provenance) -> Value {
@@ -72,8 +56,8 @@ pub fn surface(s: &SurfaceComparison, comparison: &Comparison) -> Value {
     json!({
         "name": s.name,
         "origin": s.origin.without_folders(),
-        "pair": s.origin.pair().map(crate::pair_json::pair),
-        "bodies": crate::pair_json::bodies(s.origin.pair(), &settings.bodies),
+        "pair": s.origin.pair().map(parts_json::pair_json),
+        "bodies": parts_json::bodies_json(s.origin.pair(), &settings.bodies),
         "cleaning": cleaning(s.origin.cleaned()),
         "findings": findings(&contact_compare::findings(s)),
         "statistics": statistics(&s.statistics),
@@ -85,11 +69,7 @@ pub fn surface(s: &SurfaceComparison, comparison: &Comparison) -> Value {
         "headline_pressure": s.headline_pressure(),
         "headline_load": s.load_area.map(|area| s.headline_pressure() * area),
         "resolved": s.spectral.resolved,
-        "contact_spots": s.spots.map(|c| json!({
-            "count": c.count,
-            "median_area": c.median_area,
-            "largest_area": c.largest_area,
-        })),
+        "contact_spots": s.spots,
         "distributions": s.distributions.get(s.headline),
         "finer": finer(s),
         "choices": s.closer.as_ref().map(|c| c.choices.iter().map(|(kind, effect)| json!({
@@ -118,8 +98,8 @@ pub fn surface(s: &SurfaceComparison, comparison: &Comparison) -> Value {
             "accuracy": s.plan.as_ref().map(accuracy),
             "points": s.deterministic.iter().map(point).collect::<Vec<_>>(),
         },
-        "conduction": crate::conduction_json::conduction(s),
-        "leak": crate::leak_json::of_study(s, comparison),
+        "conduction": parts_json::conduction(s),
+        "leak": parts_json::leak_of_study(s, comparison),
         "plasticity": contact_compare::hardness_of(s).map(|h| h.indices(s.inputs.asperities())),
         "elastic_limit": contact_compare::elastic_limit(s),
         "adhesion": s.adhesion,
@@ -155,35 +135,19 @@ fn point(p: &DeterministicPoint) -> Value {
             "trouble": p.trouble,
         });
     };
-    let d = &a.diagnostics;
-    let mut point = json!({
-        "mean_pressure": p.mean_pressure,
-        "touching_fraction": a.touching_fraction,
-        "area_fraction": a.area_fraction,
-        "area_interval_covers": "this map",
-        "no_interval_because": a.budget.area.half_width().err().map(|r| r.to_string()),
-        "mean_gap": a.mean_gap,
-        "approach": a.approach,
-        "max_pressure": d.max_pressure,
-        "converged": a.converged,
-        "stopped_at_rounding": d.end == End::Rounding,
-        "trouble": p.trouble,
-        "iterations": d.iterations,
-        "transforms": d.transforms,
-        "seconds": d.seconds,
-        "residuals": {
-            "preconditioned": d.residuals.preconditioned,
-            "complementarity": d.residuals.complementarity,
-            "penetration": d.residuals.penetration,
-        },
-        "duality_gap": d.duality_gap,
-        "energy_bound": d.energy_bound,
-        "contact_pixels": d.contact_pixels,
-        "contact_perimeter": d.contact_perimeter,
-    });
+    let mut point = json!(a);
+    point["mean_pressure"] = json!(p.mean_pressure);
+    point["trouble"] = json!(p.trouble);
+    point["area_interval_covers"] = json!("this map");
+    point["no_interval_because"] = json!(a.budget.area.half_width().err().map(|r| r.to_string()));
     if let Value::Object(keys) = &mut point {
-        keys.extend(crate::point_json::budget_keys(Some(&a.budget)));
-        keys.extend(crate::point_json::yield_keys(d.yielded, a.touching_fraction));
+        for other in ["coarser", "finer", "method", "yielded"] {
+            keys.remove(other);
+        }
+        keys.extend(parts_json::budget_keys(Some(&a.budget)));
+        if a.yielded.is_some() {
+            keys.extend(parts_json::yield_keys(a.yielded, a.touching_fraction));
+        }
     }
     point
 }
@@ -195,7 +159,7 @@ fn model(m: &ModelComparison, surface: &SurfaceComparison) -> Value {
         "citation": m.card.citation,
         "applicable": m.outcome.is_ok(),
         "verdict": m.verdict.answer.word(),
-        "reason": messages::reason(m),
+        "reason": reason_of(&m.card, &m.verdict),
         "preparation_seconds": curve.map(|c| c.preparation),
         "seconds": curve.map(|c| c.seconds),
         "area_error": curve.map(|c| area_error(c, m, surface)),

@@ -3,24 +3,24 @@
 use crate::draw::palette::{ELASTIC_LOOK, Style};
 use crate::numbers::{NEWTONS, PASCALS, Unit, signed_range, significant, unit_for};
 use crate::plot_styles::plot_style;
-use contact_compare::{Card, DeterministicPoint, ModelComparison, SurfaceComparison};
-use contact_types::{ContactState, ModelError};
+use contact_compare::{Card, DeterministicPoint, ModelComparison, ModelCurve, SurfaceComparison};
 
 /// Error within which a closed form counts as an answer.
 pub(crate) const WANTED: f64 = 0.10;
 
 /// One closed form over the loads.
 #[derive(Debug, Clone)]
-pub(crate) struct ModelLine {
+pub(crate) struct LoadLine {
+    /// The series of the study it is, see [`Canvas::series`](crate::draw::svg::Canvas::series); may be empty.
     pub name: String,
     /// Short label, unique.
     pub label: String,
     pub look: Style,
-    /// Area fraction at each load; `None` where the model does not answer.
-    pub area: Vec<Option<f64>>,
+    /// Number at each load, of a model its area fraction; `None` where there is none.
+    pub values: Vec<Option<f64>>,
 }
 
-/// What the figures over the load draw: the same numbers `curves.csv` lists.
+/// What the figures over the load draw.
 #[derive(Debug, Clone)]
 pub(crate) struct LoadLines {
     /// Nominal pressures (Pa), rising.
@@ -31,7 +31,7 @@ pub(crate) struct LoadLines {
     pub interval: Vec<Option<[f64; 2]>>,
     /// The closed forms of these bodies that answer at one load at least; before them the solution of elastic
     /// bodies, where that of bodies that yield is the reference.
-    pub models: Vec<ModelLine>,
+    pub models: Vec<LoadLine>,
     /// Nominal area of the loads (m²), if they are read as forces.
     pub load_area: Option<f64>,
     /// Index of the load read off.
@@ -70,16 +70,13 @@ pub fn references(surface: &SurfaceComparison) -> Vec<Reference<'_>> {
     kinds.into_iter().map(of_kind).collect()
 }
 
-impl ModelLine {
+impl LoadLine {
     /// Of a model that answers; its `place` in the study.
-    pub(crate) fn of(
-        card: &Card,
-        place: usize,
-        points: &[Result<ContactState, ModelError>],
-    ) -> Self {
+    pub(crate) fn of(card: &Card, place: usize, curve: &ModelCurve) -> Self {
         let look = plot_style(&card.name, place);
-        let area = points.iter().map(|p| p.as_ref().ok().map(|s| s.area_fraction)).collect();
-        Self { name: card.name.to_string(), label: card.label.to_string(), look, area }
+        let points = curve.points.iter();
+        let values = points.map(|p| p.as_ref().ok().map(|s| s.area_fraction)).collect();
+        Self { name: card.name.to_string(), label: card.label.to_string(), look, values }
     }
 }
 
@@ -93,15 +90,18 @@ impl LoadLines {
     fn of(surface: &SurfaceComparison, reference: Reference<'_>) -> Self {
         let Reference { of, points, models } = reference;
         let answers = || points.iter().map(|p| p.answer.as_ref());
-        let models = models.into_iter().filter_map(|(place, m)| {
-            let curve = m.outcome.as_ref().ok()?;
-            Some(ModelLine::of(&m.card, place, &curve.points))
-        });
-        let elastic = (of == YIELDING).then(|| ModelLine {
+        let models = models
+            .into_iter()
+            .filter_map(|(place, m)| Some(LoadLine::of(&m.card, place, m.outcome.as_ref().ok()?)));
+        let elastic = (of == YIELDING).then(|| LoadLine {
             name: "elastic".into(),
             label: "Elastic".into(),
             look: ELASTIC_LOOK,
-            area: surface.elastic.iter().map(|p| Some(p.answer.as_ref()?.area_fraction)).collect(),
+            values: surface
+                .elastic
+                .iter()
+                .map(|p| Some(p.answer.as_ref()?.area_fraction))
+                .collect(),
         });
         Self {
             pressures: points.iter().map(|p| p.mean_pressure).collect(),
@@ -128,13 +128,10 @@ impl LoadLines {
     }
 
     /// Signed relative error of a model at each load.
-    pub(crate) fn errors(&self, model: &ModelLine) -> Vec<Option<f64>> {
-        model
-            .area
-            .iter()
-            .zip(&self.area)
-            .map(|(m, d)| Some(m.as_ref()? / d.as_ref().filter(|d| **d > 0.0)? - 1.0))
-            .collect()
+    pub(crate) fn errors(&self, model: &LoadLine) -> Vec<Option<f64>> {
+        let error =
+            |(m, d): (&Option<f64>, &Option<f64>)| Some((*m)? / d.filter(|d| *d > 0.0)? - 1.0);
+        model.values.iter().zip(&self.area).map(error).collect()
     }
 }
 
@@ -148,6 +145,11 @@ pub(crate) fn load_axis(pressures: &[f64], area: Option<f64>) -> (Unit, String) 
     };
     let unit = unit_for(middle * area, NEWTONS);
     (Unit { scale: unit.scale / area, ..unit }, format!("Load ({})", unit.name))
+}
+
+/// Ends of an axis over the loads; of one load around it.
+pub(crate) fn load_ends(first: f64, last: f64) -> [f64; 2] {
+    if last > first { [first, last] } else { [first / 3.0, last * 3.0] }
 }
 
 pub(crate) fn min_max(values: &[f64]) -> Option<(f64, f64)> {
@@ -165,18 +167,14 @@ pub(crate) fn range_words(values: &[Option<f64>], unit: &str) -> String {
 
 /// "GW −38 to −4.3 %; Persson …": the finding, for the text alternative of a figure.
 pub(crate) fn compared(lines: &LoadLines) -> String {
-    let parts: Vec<String> = lines
-        .models
-        .iter()
-        .filter_map(|m| {
-            let errors: Vec<f64> = lines.errors(m).into_iter().flatten().collect();
-            let (lo, hi) = min_max(&errors)?;
-            Some(format!("{} {}", m.label, signed_range(lo, hi)))
-        })
-        .collect();
-    if parts.is_empty() {
-        "No closed form answers.".into()
-    } else {
-        format!("Errors over the loads: {}.", parts.join("; "))
+    let errors = |m: &LoadLine| {
+        let errors: Vec<f64> = lines.errors(m).into_iter().flatten().collect();
+        let (lo, hi) = min_max(&errors)?;
+        Some(format!("{} {}", m.label, signed_range(lo, hi)))
+    };
+    let parts: Vec<String> = lines.models.iter().filter_map(errors).collect();
+    match parts.join("; ") {
+        none if none.is_empty() => "No closed form answers.".into(),
+        all => format!("Errors over the loads: {all}."),
     }
 }

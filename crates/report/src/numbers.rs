@@ -247,61 +247,57 @@ mod tests {
 
     #[test]
     fn signs_and_groups() {
-        for (error, text) in [
-            (3.987, "+399\u{202F}%"),
-            (-0.0434, "\u{2212}4.3\u{202F}%"),
-            (-0.0001, "0.0\u{202F}%"),
-            (2302.33, "+230\u{202F}000\u{202F}%"),
-        ] {
-            assert_eq!(signed_percent(error), text);
-        }
+        let errors = [3.987, -0.0434, -0.0001, 2302.33].map(signed_percent);
+        let texts = ["+399 %", "\u{2212}4.3 %", "0.0 %", "+230 000 %"];
+        assert_eq!(errors, texts.map(|text| text.replace(' ', "\u{202F}")));
         assert_eq!(signed_range(-0.262, -0.0442), "\u{2212}26 to \u{2212}4.4\u{202F}%");
         assert_eq!(signed_range(4.568, 4.572), "+457\u{202F}%");
         assert_eq!([20_312.0, 21.4].map(times), ["20\u{202F}000", "21"]);
     }
 
-    #[test]
-    fn one_number_has_one_unit_whatever_its_interval() {
-        let around = |value: f64, half| Some([value - half, value + half]);
-        let shown = |value, interval| quantity_within(value, interval, PASCALS);
-        assert_eq!(shown(510.2e6, around(510.2e6, 31e6)), "510 ± 30\u{202F}MPa");
-        assert_eq!(shown(510.2e6, around(510.2e6, 12e6)), "510 ± 12\u{202F}MPa");
-        assert_eq!(shown(33e6, around(33e6, 9e6)), "33 ± 9\u{202F}MPa");
-        assert_eq!(shown(33e6, around(33e6, 21e6)), "30 ± 20\u{202F}MPa");
-        assert_eq!(shown(33e6, None), "33.0\u{202F}MPa");
-    }
-
-    /// A load of 630 MPa on 1.8 ± 1.4 % of the area: 630/0.032 to 630/0.004 MPa.
+    /// One number has one unit, whatever its interval. A load of 630 MPa on 1.8 ± 1.4 % of the area: 630/0.032 to
+    /// 630/0.004 MPa.
     #[test]
     fn an_interval_is_said_as_it_is() {
-        assert_eq!(with_interval(1.2, [-0.4, 2.8]), "at most 2.8");
-        assert_eq!(with_interval(1.2, [0.1, 2.3]), "1.2 ± 1.1");
-        assert_eq!(with_interval(0.5, [0.219, 0.781]), "0.5 ± 0.3");
-        assert_eq!(with_interval(1.96, [1.96, 1.96]), "1.96");
-        assert_eq!(with_interval(0.0, [0.0, 0.0]), "0");
-        assert_eq!(with_interval(35.0, [19.7, 157.5]), "19 to 158");
-        assert_eq!(with_interval(1.59, [1.585, 1.6056]), "1.585 to 1.606");
-        assert_eq!(with_interval(1.35, [0.1, f64::INFINITY]), "at least 0.10");
-        // Never rounded below what is known.
-        assert_eq!(with_interval(0.4, [0.0, 0.8012]), "at most 0.81");
-        assert_eq!(with_interval(0.4, [0.0, 0.8]), "at most 0.80");
+        for (value, ends, text) in [
+            (1.2, [-0.4, 2.8], "at most 2.8"),
+            (1.2, [0.1, 2.3], "1.2 ± 1.1"),
+            (0.5, [0.219, 0.781], "0.5 ± 0.3"),
+            (1.96, [1.96, 1.96], "1.96"),
+            (0.0, [0.0, 0.0], "0"),
+            (35.0, [19.7, 157.5], "19 to 158"),
+            (1.59, [1.585, 1.6056], "1.585 to 1.606"),
+            (1.35, [0.1, f64::INFINITY], "at least 0.10"),
+            // Never rounded below what is known.
+            (0.4, [0.0, 0.8012], "at most 0.81"),
+            (0.4, [0.0, 0.8], "at most 0.80"),
+        ] {
+            assert_eq!(with_interval(value, ends), text);
+        }
         assert_eq!(percent_within(0.6, Some([0.0, 1.0])), "at most 100\u{202F}%");
         assert_eq!(percent_within(0.0196, None), "1.96\u{202F}%");
-        let pressure = [630e6 / 0.032, 630e6 / 0.004];
-        assert_eq!(quantity_within(35e9, Some(pressure), PASCALS), "19 to 158\u{202F}GPa");
-        let open = Some([98e6, f64::INFINITY]);
-        assert_eq!(quantity_within(1.35e9, open, PASCALS), "at least 98\u{202F}MPa");
-    }
-
-    #[test]
-    fn ends_as_shares_of_their_number() {
-        let of = |low: f64, high: f64| relative_interval(1.0, [low, high]).replace(SPACE, " ");
-        assert_eq!(of(0.88, 1.12), "±12 %");
-        assert_eq!(of(1.0, 1.0), "±0 %");
-        assert_eq!(of(1.0 - 1e-6, 1.0 + 1e-6), "< ±0.01 %");
-        assert_eq!(of(0.56, 4.6), "\u{2212}44 to +360 %");
-        assert_eq!(of(0.0, 13.2), "at most +1220 %");
-        assert_eq!(of(0.076, f64::INFINITY), "at least \u{2212}92 %");
+        let around = |value: f64, half| Some([value - half, value + half]);
+        for (value, ends, text) in [
+            (510.2e6, around(510.2e6, 31e6), "510 ± 30\u{202F}MPa"),
+            (510.2e6, around(510.2e6, 12e6), "510 ± 12\u{202F}MPa"),
+            (33e6, around(33e6, 9e6), "33 ± 9\u{202F}MPa"),
+            (33e6, around(33e6, 21e6), "30 ± 20\u{202F}MPa"),
+            (33e6, None, "33.0\u{202F}MPa"),
+            (35e9, Some([630e6 / 0.032, 630e6 / 0.004]), "19 to 158\u{202F}GPa"),
+            (1.35e9, Some([98e6, f64::INFINITY]), "at least 98\u{202F}MPa"),
+        ] {
+            assert_eq!(quantity_within(value, ends, PASCALS), text);
+        }
+        for (ends, text) in [
+            ([0.88, 1.12], "±12 %"),
+            ([1.0, 1.0], "±0 %"),
+            ([1.0 - 1e-6, 1.0 + 1e-6], "< ±0.01 %"),
+            ([0.56, 4.6], "\u{2212}44 to +360 %"),
+            ([0.0, 13.2], "at most +1220 %"),
+            ([0.076, f64::INFINITY], "at least \u{2212}92 %"),
+        ] {
+            assert_eq!(relative_interval(1.0, ends).replace(SPACE, " "), text);
+        }
     }
 
     #[test]

@@ -6,10 +6,9 @@
 mod studies;
 
 use contact_compare::{Comparison, FileOrigin, Origin, Settings, Surface, built_in_recipes};
-use contact_report::{write_area_svg, write_csv, write_json, write_pressure_svg};
 use contact_types::{Grid, HeightMap};
 use std::collections::HashMap;
-use studies::{all, hostile, html, one, provenance, run, small, text, three, yielding};
+use studies::{all, file, hostile, html, one, run, small, three, yielding};
 
 /// Width of a letter in ems, at least, in Helvetica and what replaces it.
 fn least_width(letter: char) -> f64 {
@@ -22,23 +21,19 @@ fn least_width(letter: char) -> f64 {
 }
 
 fn csv(comparison: &Comparison) -> String {
-    text(|out| write_csv(comparison, out))
+    file(comparison, "curves.csv")
 }
 
 fn results(comparison: &Comparison) -> serde_json::Value {
-    serde_json::from_str(&text(|out| write_json(comparison, &provenance(), out))).unwrap()
+    serde_json::from_str(&file(comparison, "results.json")).unwrap()
 }
 
 /// The figures inside a page.
-fn figures(page: &str) -> Vec<&str> {
-    page.split("<svg ")
-        .skip(1)
-        .map(|rest| &page[rest.as_ptr() as usize - page.as_ptr() as usize - 5..])
-        .map(|from| &from[..from.find("</svg>").unwrap() + 6])
-        .collect()
+fn figures(page: &str) -> impl Iterator<Item = &str> {
+    page.match_indices("<svg ").map(|(i, _)| &page[i..i + page[i..].find("</svg>").unwrap() + 6])
 }
 
-/// Attributes and text of every element of a figure, which must parse as XML.
+/// Name, attributes and text of every element of a figure, which must parse as XML.
 fn elements(svg: &str) -> Vec<(String, HashMap<String, String>, String)> {
     use quick_xml::events::Event;
     let mut reader = quick_xml::Reader::from_str(svg);
@@ -46,66 +41,43 @@ fn elements(svg: &str) -> Vec<(String, HashMap<String, String>, String)> {
     loop {
         match reader.read_event().unwrap() {
             Event::Start(e) | Event::Empty(e) => {
-                let attributes = e
-                    .attributes()
-                    .map(|a| a.unwrap())
-                    .map(|a| {
-                        let key = a.key.as_ref().to_owned();
-                        (key, a.value.to_string())
-                    })
-                    .collect();
-                let name = e.name().as_ref().to_owned();
-                found.push((name, attributes, String::new()));
+                let attributes = e.attributes().map(|a| a.unwrap());
+                let attributes =
+                    attributes.map(|a| (a.key.as_ref().to_owned(), a.value.to_string()));
+                found.push((e.name().as_ref().to_owned(), attributes.collect(), String::new()));
             }
-            Event::Text(t) => {
-                if let Some(last) = found.last_mut() {
-                    last.2.push_str(&t);
-                }
-            }
+            Event::Text(t) => found.last_mut().into_iter().for_each(|last| last.2.push_str(&t)),
             Event::Eof => return found,
             _ => {}
         }
     }
 }
 
+/// One file that fetches nothing, without a number that is missing or broken; ids are unique and references lead to them.
 #[test]
-fn one_file_that_fetches_nothing() {
+fn a_page_keeps_its_contract() {
     for comparison in all() {
         let page = html(comparison);
         let elsewhere = page.replace("http://www.w3.org/2000/svg", "");
         assert!(!elsewhere.contains("http:") && !elsewhere.contains("https:"));
         assert!(elsewhere.split("src=").skip(1).all(|s| s.starts_with("\"data:image/png;")));
-        assert!(!elsewhere.contains("@import"));
-        assert!(page.contains("default-src 'none'"));
+        assert!(!elsewhere.contains("@import") && page.contains("default-src 'none'"));
         assert!(page.len() < 3_000_000, "{} bytes", page.len());
-    }
-}
-
-#[test]
-fn no_number_is_missing_or_broken() {
-    for comparison in all() {
-        let page = html(comparison);
         for bad in ["NaN", "inf ", "inf<", "-0.0", "<td></td>", "e-0", "class=\"n\"></td>"] {
             assert!(!page.contains(bad), "{bad}: {}", &page[page.find(bad).unwrap() - 80..][..160]);
         }
-        assert_eq!(
-            results(comparison)["surfaces"].as_array().unwrap().len(),
-            comparison.surfaces.len()
-        );
-    }
-}
-
-#[test]
-fn ids_are_unique_and_references_lead_somewhere() {
-    for comparison in all() {
-        let page = html(comparison);
-        let mut ids: Vec<&str> =
-            page.split(" id=\"").skip(1).map(|s| &s[..s.find('"').unwrap()]).collect();
+        let listed = results(comparison)["surfaces"].as_array().unwrap().len();
+        assert_eq!(listed, comparison.surfaces.len());
+        let quoted = |begins: &str| -> Vec<String> {
+            let all = page.split(begins).skip(1);
+            all.map(|s| s[..s.find('"').unwrap()].to_owned()).collect()
+        };
+        let mut ids = quoted(" id=\"");
         let count = ids.len();
         ids.sort_unstable();
         ids.dedup();
         assert_eq!(ids.len(), count);
-        for target in page.split("href=\"#").skip(1).map(|s| &s[..s.find('"').unwrap()]) {
+        for target in quoted("href=\"#") {
             assert!(ids.contains(&target), "#{target}");
         }
     }
@@ -124,23 +96,18 @@ fn user_strings_cannot_leave_their_place() {
 fn figures_are_xml_and_say_what_they_show() {
     for comparison in all() {
         let page = html(comparison);
-        for svg in figures(&page) {
+        // Beside swatches in a table, beside their names.
+        for svg in figures(&page).filter(|svg| !svg.starts_with("<svg viewBox=\"0 0 34 12\"")) {
             let found = elements(svg);
-            if svg.starts_with("<svg viewBox=\"0 0 34 12\"") {
-                continue; // a swatch in a table, beside its name
-            }
-            let text = |name: &str| {
+            for name in ["title", "desc"] {
                 let element = found.iter().find(|(n, ..)| n == name).unwrap();
                 assert!(element.2.len() > 10, "{name}: {:?}", element.2);
-            };
-            text("title");
-            text("desc");
+            }
         }
-        for write in [write_area_svg, write_pressure_svg] {
-            let file = text(|out| write(comparison, out));
-            assert!(
-                file.contains("mm\"") && !file.contains("var(") && !file.contains("class=\"cur\"")
-            );
+        for name in ["area.svg", "pressure.svg"] {
+            let file = file(comparison, name);
+            assert!(["var(", "class=\"cur\""].iter().all(|no| !file.contains(no)));
+            assert!(file.contains("mm\""));
             assert!(elements(&file).len() > 20);
         }
     }
@@ -154,23 +121,21 @@ fn labels_do_not_overlap() {
     for comparison in all() {
         let page = html(comparison);
         for svg in figures(&page) {
-            let labels: Vec<[f64; 4]> = elements(svg)
-                .into_iter()
-                .filter(|(n, a, _)| {
-                    n == "text" && a.get("class").is_some_and(|c| c.ends_with(" label"))
-                })
-                .map(|(_, a, text)| {
-                    let size = number(&a, "font-size").unwrap_or(10.0);
-                    let width = size * text.chars().map(least_width).sum::<f64>();
-                    let (x, y) = (number(&a, "x").unwrap(), number(&a, "y").unwrap());
-                    let left = match a.get("text-anchor").map(String::as_str) {
-                        Some("end") => x - width,
-                        Some("middle") => x - width / 2.0,
-                        _ => x,
-                    };
-                    [left, y - 0.75 * size, left + width, y + 0.2 * size]
-                })
-                .collect();
+            let mut labels: Vec<[f64; 4]> = Vec::new();
+            for (_, a, text) in elements(svg) {
+                if !a.get("class").is_some_and(|c| c.ends_with(" label")) {
+                    continue;
+                }
+                let size = number(&a, "font-size").unwrap_or(10.0);
+                let width = size * text.chars().map(least_width).sum::<f64>();
+                let (x, y) = (number(&a, "x").unwrap(), number(&a, "y").unwrap());
+                let left = match a.get("text-anchor").map(String::as_str) {
+                    Some("end") => x - width,
+                    Some("middle") => x - width / 2.0,
+                    _ => x,
+                };
+                labels.push([left, y - 0.75 * size, left + width, y + 0.2 * size]);
+            }
             for (i, a) in labels.iter().enumerate() {
                 for b in &labels[..i] {
                     let apart = a[2] <= b[0] || b[2] <= a[0] || a[3] <= b[1] || b[3] <= a[1];
@@ -195,7 +160,7 @@ fn plotted_numbers_are_in_the_csv() {
         .collect();
     assert_eq!(numbers.len(), one().surfaces[0].deterministic.len());
 
-    let dots: Vec<[f64; 2]> = elements(&text(|out| write_area_svg(one(), out)))
+    let dots: Vec<[f64; 2]> = elements(&file(one(), "area.svg"))
         .into_iter()
         .filter(|(n, ..)| n == "circle")
         .map(|(_, a, _)| [a["cx"].parse().unwrap(), a["cy"].parse().unwrap()])
@@ -208,11 +173,8 @@ fn plotted_numbers_are_in_the_csv() {
             (dots[last][axis] - dots[0][axis]) / (numbers[last][axis] / numbers[0][axis]).ln();
         for i in 0..n {
             let expected = dots[0][axis] + slope * (numbers[i][axis] / numbers[0][axis]).ln();
-            assert!(
-                (dots[i][axis] - expected).abs() < 0.02,
-                "dot {i}: {} {expected}",
-                dots[i][axis]
-            );
+            let found = dots[i][axis];
+            assert!((found - expected).abs() < 0.02, "dot {i}: {found} {expected}");
         }
     }
 }
@@ -294,12 +256,8 @@ fn a_map_that_depends_on_interpolation_is_solved_on_twice_the_points() {
     let comparison = run(vec![recipe.make().unwrap()], Settings::default());
     let surface = &comparison.surfaces[0];
     assert!(surface.headline_answer().unwrap().budget.indicator.unwrap() > 0.05);
-    let bars = surface
-        .deterministic
-        .iter()
-        .filter_map(|p| p.answer.as_ref()?.budget.area.interval().ok())
-        .count();
-    assert_eq!(bars, surface.deterministic.len());
+    let mut loads = surface.deterministic.iter();
+    assert!(loads.all(|p| p.answer.as_ref().unwrap().budget.area.interval().is_ok()));
     let [low, high] = surface.headline_answer().unwrap().budget.area.interval().unwrap();
     let refined = surface.headline_answer().unwrap().finer.unwrap().area;
     assert!((low..=high).contains(&refined), "{low} {refined} {high}");
@@ -328,12 +286,8 @@ fn the_budget_has_every_source_and_choices_are_listed() {
     assert!((stiffness.value / slope - 1.0).abs() < 0.1, "{} {slope}", stiffness.value);
     assert!(!surface.closer.as_ref().unwrap().choices.is_empty());
     let page = html(one());
-    for words in [
-        "Of this map ±",
-        "Sampling variability",
-        "Of the surface ±",
-        "Choices that move the answer",
-    ] {
+    let sources = ["Of this map ±", "Sampling variability", "Of the surface ±"];
+    for words in sources.into_iter().chain(["Choices that move the answer"]) {
         assert!(page.contains(words), "{words}");
     }
 }
@@ -342,7 +296,7 @@ fn the_budget_has_every_source_and_choices_are_listed() {
 #[test]
 fn coarser_grids_are_drawn_and_listed_where_they_were_solved() {
     let page = html(one());
-    let figure = figures(&page).into_iter().find(|svg| svg.contains("Error against time")).unwrap();
+    let figure = figures(&page).find(|svg| svg.contains("Error against time")).unwrap();
     let value = results(one());
     let listed = value["surfaces"][0]["coarser"].as_array().unwrap();
     // 96 x 96 points: an eighth of them a side are too few.
@@ -372,26 +326,21 @@ fn a_flat_surface_is_answered() {
 
 /// All words of the page, folded ones and numbers of tables among them; not those of figures.
 fn words(page: &str) -> usize {
-    let body = page.split("<body>").nth(1).unwrap();
-    let mut text = String::new();
-    let mut rest = body;
-    while let Some((before, tag)) = rest.split_once('<') {
-        text.push_str(before);
-        let skipped = ["svg", "script"].iter().find(|name| tag.starts_with(**name));
-        if let Some(name) = skipped {
-            rest = tag.split_once(&format!("</{name}>")).unwrap().1;
-            continue;
-        }
-        let name = tag.trim_start_matches('/').split([' ', '>']).next().unwrap();
-        if !["a", "b", "code", "i", "span", "sub", "sup"].contains(&name) {
-            text.push(' ');
-        }
-        // An attribute in single quotes may hold the sign that ends an element.
-        let quoted = tag.split('>').next().unwrap().contains("='");
-        let end = if quoted { tag.find("'>").unwrap() + 1 } else { tag.find('>').unwrap() };
-        rest = &tag[end + 1..];
+    let mut text = page.split("<body>").nth(1).unwrap().to_owned();
+    for name in ["svg", "script"] {
+        let (begins, ends) = (format!("<{name}"), format!("</{name}>"));
+        let mut parts = text.split(&begins);
+        let first = parts.next().unwrap().to_owned();
+        text = first + &parts.map(|part| part.split_once(&ends).unwrap().1).collect::<String>();
     }
-    text.split_whitespace().count()
+    let within_a_word = ["a", "b", "code", "i", "span", "sub", "sup"];
+    let piece = |piece: &str| {
+        // An attribute may hold the sign that ends an element; text does not.
+        let (tag, text) = piece.rsplit_once('>').unwrap_or(("b", piece));
+        let name = tag.trim_start_matches('/').split(' ').next().unwrap();
+        if within_a_word.contains(&name) { text.to_owned() } else { format!(" {text}") }
+    };
+    text.split('<').map(piece).collect::<String>().split_whitespace().count()
 }
 
 /// The report of one map reads in minutes: of an elastic one, and of one that yields and conducts, with two panels

@@ -20,7 +20,7 @@ use crate::units::Dimension::{Number, Pressure};
 use clap::Args;
 use rough_contact::compare::{
     AccuracyRequest, Comparison, Level, ModelCurve, Origin, Refused, Registry, RunFile, RunSurface,
-    Settings, Surface, SurfaceComparison, on_threads,
+    Settings, Surface, on_threads,
 };
 pub(crate) use rough_contact::front_end::not_met;
 use rough_contact::front_end::run_file_in;
@@ -325,11 +325,7 @@ fn describe(comparison: &Comparison, folder: &Path) -> String {
     }
     out.push_str(&text::materials(&comparison.settings.materials));
     for surface in &comparison.surfaces {
-        for line in report::resistance_lines(surface) {
-            let _ = writeln!(out, "{line}");
-        }
-        let _ = writeln!(out, "{}", headline(surface));
-        if let Some(line) = report::elastic_line(surface) {
+        for line in report::surface_lines(surface) {
             let _ = writeln!(out, "{line}");
         }
         let loads =
@@ -387,12 +383,6 @@ fn models(reference: &report::Reference<'_>) -> Columns {
         columns.row(["Deterministic".into(), dash(), dash(), text::seconds(mean), dash()]);
     }
     columns
-}
-
-fn headline(surface: &SurfaceComparison) -> String {
-    let [ny, nx] = surface.surface.grid().shape();
-    let first = format!("{}, {ny} × {nx} points", surface.name);
-    report::headline_line(surface).map_or_else(|| first.clone(), |line| format!("{first}: {line}"))
 }
 
 #[cfg(test)]

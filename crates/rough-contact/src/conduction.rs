@@ -179,9 +179,9 @@ pub(crate) fn first_headings(asked: &Joint, has_area: bool) -> Vec<&'static str>
 
 /// What is said first of a load: the resistances of the part, and of one spot.
 pub(crate) fn first_cells(found: &Conducted, has_spot: bool) -> Vec<String> {
-    let of = |r: report::ResistanceWords| {
-        let spot = has_spot.then(|| text::or_dash(r.one_spot, |spot| spot));
-        [Some(r.value), spot].into_iter().flatten().map(|t| text::plain(&t)).collect::<Vec<_>>()
+    let of = |(_, value, spot): (_, String, Option<String>)| {
+        let spot = has_spot.then(|| text::or_dash(spot, |spot| spot));
+        [Some(value), spot].into_iter().flatten().map(|t| text::plain(&t)).collect::<Vec<_>>()
     };
     report::resistances(found).into_iter().flat_map(of).collect()
 }

@@ -9,6 +9,7 @@ use rough_contact::fft_bem_solver::Solution;
 use rough_contact::report;
 use rough_contact::surface_io::write;
 use std::borrow::Cow;
+use std::io::Write as _;
 use std::path::PathBuf;
 
 /// What can be written of a solution.
@@ -154,7 +155,8 @@ impl FieldFolder {
         for (name, fields) in self.fields.files(load) {
             if fields == [Field::Spots] {
                 let spots = spot_list(&solution.pressure, grid, self.repeats);
-                self.folder.write(&name, |out| report::write_spots_csv(&spots, out))?;
+                let table = report::spots_csv(&spots);
+                self.folder.write(&name, |out| out.write_all(table.as_bytes()))?;
                 continue;
             }
             let values: Vec<_> = fields.iter().map(|&f| self.values(f, solution)).collect();

@@ -16,7 +16,7 @@ pub use contact_compare::{
 };
 pub use contact_front_end::quantity::{QuantityError, parse as quantity};
 pub use contact_front_end::units::Dimension as Quantity;
-pub use contact_report::{Provenance, ReportError, write_csv, write_html, write_json};
+pub use contact_report::{Provenance, documents};
 pub use contact_types::{
     AsperityStatistics, Caveat, Citation, ContactModel, ContactModulus, ContactState, Elastic,
     FractalParameters, Grid, HeightMap, ModelError, SpectralMoments, SurfaceError,

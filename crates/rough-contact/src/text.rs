@@ -60,7 +60,8 @@ pub(crate) fn level(asked: Level, used: Level) -> String {
 
 /// Forces and the pressures they are, where a study was given forces.
 pub(crate) fn loads(settings: &Settings) -> String {
-    report::loads_line(settings).map_or_else(String::new, |line| format!("load: {line}\n"))
+    report::loads_line(settings)
+        .map_or_else(String::new, |line| format!("load: {}\n", plain(&line)))
 }
 
 /// Most findings that are shown.

@@ -6,7 +6,6 @@ use contact_accuracy::median;
 use contact_compare::find;
 use contact_report::numbers::{SPACE, duration, percent, power_of_ten};
 use contact_report::{CostLabel, CostPlot, Style, plot_style};
-use std::io::{self, Write};
 
 /// Smallest and largest of some values.
 fn span(values: impl Iterator<Item = f64>) -> [f64; 2] {
@@ -14,7 +13,7 @@ fn span(values: impl Iterator<Item = f64>) -> [f64; 2] {
 }
 
 fn label(text: &str, style: Style) -> CostLabel<'_> {
-    CostLabel { text, style: Some(style), bold: false, small: false }
+    CostLabel { text, style, bold: false, small: false, beside: None }
 }
 
 /// Words for a grid by its points per side over those of the map.
@@ -31,10 +30,7 @@ fn grid_name(scale: f64) -> &'static str {
 /// The error of the real area against time per load: every closed form, and the solver on coarser
 /// and finer grids, with the counted and the corrected area. A marker is the median over all
 /// surfaces and loads, a bar the range.
-///
-/// # Errors
-/// Whatever the writer reports.
-pub fn write_tradeoff_area(table: &TradeoffTable, out: &mut impl Write) -> io::Result<()> {
+pub fn tradeoff_area(table: &TradeoffTable) -> String {
     let mut shown = ways(table.rows.iter());
     shown.retain(|way| way.area == AreaOf::Model || way.row.is_default());
     let floor = median(table.rows.iter().filter_map(|r| Some(r.bar? / r.truth?))).unwrap_or(0.0);
@@ -60,7 +56,7 @@ pub fn write_tradeoff_area(table: &TradeoffTable, out: &mut impl Write) -> io::R
         places[i][0] = x;
     }
     let costs: Vec<[f64; 2]> = shown.iter().map(|w| [w.seconds, w.error[1]]).collect();
-    plot.front(&costs, &places, floor);
+    plot.front(&costs, &places, floor, 1.6);
     let solver = [(AreaOf::Count, "pixel count", false), (AreaOf::Corrected, "corrected", true)];
     for (kind, ..) in solver {
         let line: Vec<[f64; 2]> = of_kind(kind).into_iter().map(|i| places[i]).collect();
@@ -72,8 +68,8 @@ pub fn write_tradeoff_area(table: &TradeoffTable, out: &mut impl Write) -> io::R
     }
     for (kind, name, bold) in solver {
         if let Some(&i) = of_kind(kind).last() {
-            let name = CostLabel { bold, ..label(name, style_of(kind, "")) };
-            plot.label_beside(places[i], 0.0, name);
+            let name = label(name, style_of(kind, ""));
+            plot.label(places[i], CostLabel { bold, beside: Some(0.0), ..name });
         }
     }
     for (way, place) in shown.iter().zip(&places).filter(|(way, _)| way.area != AreaOf::Count) {
@@ -87,7 +83,7 @@ pub fn write_tradeoff_area(table: &TradeoffTable, out: &mut impl Write) -> io::R
         listed(&shown),
         percent(floor)
     );
-    plot.write_svg("tradeoff-area", "Error of the real area against time", description, out)
+    plot.svg("tradeoff-area", "Error of the real area against time", description)
 }
 
 fn style_of(area: AreaOf, method: &str) -> Style {
@@ -131,10 +127,7 @@ const SERIES: [(&str, &str, &str); 6] = [
 
 /// The true relative rms error of the pressure against time, over the tolerance: each method of
 /// the solver in each precision on the given grid, for one surface at one load.
-///
-/// # Errors
-/// Whatever the writer reports.
-pub fn write_tradeoff_pressure(table: &TradeoffTable, out: &mut impl Write) -> io::Result<()> {
+pub fn tradeoff_pressure(table: &TradeoffTable) -> String {
     let full = |r: &&TradeoffRow| is(r.scale, 1.0);
     let rows: Vec<&TradeoffRow> =
         table.rows.iter().filter(full).filter(|r| r.pressure_error.is_some()).collect();
@@ -150,7 +143,7 @@ pub fn write_tradeoff_pressure(table: &TradeoffTable, out: &mut impl Write) -> i
     }
     let costs: Vec<[f64; 2]> = rows.iter().map(|r| point(r)).collect();
     let places: Vec<[f64; 2]> = costs.iter().map(|cost| plot.at(*cost)).collect();
-    plot.front(&costs, &places, 0.0);
+    plot.front(&costs, &places, 0.0, 1.6);
 
     let mut drawn = Vec::new();
     for (method, precision, name) in SERIES {
@@ -174,13 +167,13 @@ pub fn write_tradeoff_pressure(table: &TradeoffTable, out: &mut impl Write) -> i
             continue;
         };
         // Two lines right of where it was stopped.
-        plot.label_beside(place, 0.0, *name);
+        plot.label(place, CostLabel { beside: Some(0.0), ..*name });
         let text = &format!("stopped at {pairs:.0}");
-        plot.label_beside(place, 10.0, CostLabel { text, small: true, ..*name });
+        plot.label(place, CostLabel { text, small: true, beside: Some(10.0), ..*name });
     }
     let found: Vec<String> = drawn.iter().filter_map(|(series, _)| words(series)).collect();
     let description = found.join("; ") + ".";
-    plot.write_svg("tradeoff-pressure", "Error of the pressure against time", description, out)
+    plot.svg("tradeoff-pressure", "Error of the pressure against time", description)
 }
 
 /// A series in words: its most accurate point.

@@ -1,7 +1,7 @@
 //! Defects of a measurement: a finding, a remedy to tick, its number before and after.
 
 use crate::numbers::{count, length};
-use crate::request::{Remedies, Request};
+use crate::request::Request;
 use crate::surface::{RoughnessNumbers, prepared};
 use crate::trouble::Trouble;
 use contact_compare::{Fact, SPIKE_THRESHOLD, Spikes};
@@ -18,31 +18,10 @@ const TILTED: f64 = 1.0;
 /// A dome is one if less than this share of the rms height is left without it.
 const DOMED: f64 = 0.5;
 
-/// A row of the table.
-struct Defect {
-    tag: &'static str,
-    claim: String,
-    text: String,
-    key: &'static str,
-    label: &'static str,
-    /// With the other remedies as they are, without this one and with it.
-    numbers: Option<[Value; 2]>,
-}
-
-impl Defect {
-    fn json(self, remedies: &Remedies) -> Value {
-        json!({
-            "tag": self.tag, "claim": self.claim, "text": self.text, "key": self.key, "label": self.label,
-            "ticked": remedies.has(self.key), "fill": (self.key == "fill").then_some(&remedies.fill),
-            "numbers": self.numbers,
-        })
-    }
-}
-
 /// The spikes of a map as measured: what the words count and the picture rings.
 pub(crate) fn spikes(measured: &Measurement) -> Result<Outliers, Trouble> {
     find_outliers(measured.grid(), measured.heights(), OutlierRule::beyond(SPIKE_THRESHOLD))
-        .map_err(|e| Trouble::Refused(Failure::from_error(&e)))
+        .map_err(|e| Failure::from_error(&e).into())
 }
 
 /// Defects with a remedy, worst first.
@@ -51,11 +30,16 @@ pub(crate) fn of(
     spikes: &Outliers,
     request: &Request,
 ) -> Result<Vec<Value>, Trouble> {
-    let stats = |e| Trouble::Refused(Failure::from_error(&e));
     let (grid, heights) = (measured.grid(), measured.heights());
+    let remedies = &request.remedies;
     let mut defects = Vec::new();
-    let mut add = |tag, claim: String, text: &str, key, label, numbers| {
-        defects.push(Defect { tag, claim, text: text.to_owned(), key, label, numbers });
+    // With the other remedies as they are, the numbers without this one and with it.
+    let mut add = |tag, claim: String, text: &str, key, label, numbers: Option<[Value; 2]>| {
+        defects.push(json!({
+            "tag": tag, "claim": claim, "text": text, "key": key, "label": label,
+            "ticked": remedies.has(key), "fill": (key == "fill").then_some(&remedies.fill),
+            "numbers": numbers,
+        }));
     };
     if !spikes.indices.is_empty() {
         let numbers = both(measured, request, "spikes")?;
@@ -80,7 +64,7 @@ pub(crate) fn of(
         let numbers = both(measured, request, "plane")?;
         add("check", "Tilt.".to_owned(), &text, "plane", "Take the plane off", Some(numbers));
     }
-    if request.remedies.dome || domed < DOMED * flat {
+    if remedies.dome || domed < DOMED * flat {
         let numbers = both(measured, request, "dome")?;
         let text = "A dome or a saddle is left under the roughness. If it is machined, keep it; if the part is held flat, \
                     take it off.";
@@ -92,23 +76,23 @@ pub(crate) fn of(
         let text = "Heights stand there that nobody measured: a smooth surface through the rims, or the nearest point.";
         add("note", claim, text, "fill", "Fill", None);
     }
-    let rows = row_offsets(grid, heights).map_err(stats)?;
-    if request.remedies.rows || rows.rows_jump() {
+    let rows = row_offsets(grid, heights).map_err(|e| Failure::from_error(&e))?;
+    if remedies.rows || rows.rows_jump() {
         let numbers = both(measured, request, "rows")?;
         let claim = format!("Scan lines: rows jump by {} rms.", length(rows.jump));
         let text = "Slopes across them are those of the scan, not of the surface.";
         add("check", claim, text, "rows", "Put the rows in line", Some(numbers));
     }
     let jump = seam_jump(&prepared(measured, request)?);
-    if request.remedies.mirror || jump > MOST_SEAM_JUMP {
+    if remedies.mirror || jump > MOST_SEAM_JUMP {
         let text = "Repeated as it is, the map has a step there, and the solution presses on it. Mirrored it has none.";
         let claim =
             format!("Edges do not match: they jump {} times the inner step.", significant(jump, 2));
         let cost = [json!(["as many points"]), json!(["4 times the points and the time"])];
         add("note", claim, text, "mirror", "Mirror the map", Some(cost));
     }
-    defects.sort_by_key(|d| d.tag != "check");
-    Ok(defects.into_iter().map(|d| d.json(&request.remedies)).collect())
+    defects.sort_by_key(|d| d["tag"] != "check");
+    Ok(defects)
 }
 
 /// The roughness with the remedies as ticked but this one off, and with it on.
@@ -117,10 +101,8 @@ fn both(measured: &Measurement, request: &Request, key: &str) -> Result<[Value; 
         let mut asked = request.clone();
         asked.remedies.set(key, on);
         let found = RoughnessNumbers::of(&prepared(measured, &asked)?)?;
-        Ok(json!([
-            format!("Sq {}", length(found.height)),
-            format!("Sdq {}", significant(found.gradient, 3))
-        ]))
+        let gradient = significant(found.gradient, 3);
+        Ok(json!([format!("Sq {}", length(found.height)), format!("Sdq {gradient}")]))
     };
     Ok([one(false)?, one(true)?])
 }

@@ -3,7 +3,7 @@
 
 use crate::defects;
 use crate::numbers::{count, length};
-use crate::request::Request;
+use crate::request::{Request, parse, unit};
 use crate::surface::{RoughnessNumbers, levelled, measurement};
 use crate::trouble::Trouble;
 use contact_compare::{Level, Surface};
@@ -12,7 +12,7 @@ use contact_front_end::{Failure, shown};
 use contact_report::numbers::significant;
 use contact_types::{Grid, HeightMap};
 use serde_json::{Value, json};
-use surface_io::{Cut, Fill, HeightUnit, Measurement, Need, ReadError};
+use surface_io::{ChannelInfo, Cut, Fill, HeightUnit, Measurement, Need, ReadError};
 use surface_stats::SurfaceStatistics;
 
 /// Most pixels of a picture along its longer side.
@@ -25,7 +25,7 @@ pub(crate) fn answer(request: &Request, file: &[u8]) -> Result<Value, Trouble> {
     if request.example.is_some() {
         let surface = crate::surface::of(request, file)?;
         let statistics = statistics(&surface, request.remedies.level())?;
-        let picture = picture(&levelled(&surface.heights, request.remedies.level())?, "made")?;
+        let picture = picture(&levelled(&surface.heights, request.remedies.level())?, &[], "made");
         let plan = known(&statistics, &surface.heights);
         return Ok(json!({ "state": "made", "plan": plan, "svg": picture }));
     }
@@ -38,21 +38,18 @@ pub(crate) fn answer(request: &Request, file: &[u8]) -> Result<Value, Trouble> {
 /// The state `read`.
 fn read(request: &Request, file: &[u8], measured: Measurement) -> Result<Value, Trouble> {
     let facts = facts(&measured);
-    let channels: Vec<Value> = measured
-        .channels()
-        .iter()
-        .map(|c| {
-            let label = match (&c.unit, &c.fault) {
-                (_, Some(fault)) => format!("{}: {fault}", c.name),
-                (Some(unit), None) => format!("{} ({unit})", c.name),
-                (None, None) => c.name.clone(),
-            };
-            json!({
-                "name": c.name, "label": label, "chosen": c.name == measured.channel(),
-                "readable": c.is_height && c.fault.is_none() && c.shape[0] > 1,
-            })
+    let channel = |c: &ChannelInfo| {
+        let label = match (&c.unit, &c.fault) {
+            (_, Some(fault)) => format!("{}: {fault}", c.name),
+            (Some(unit), None) => format!("{} ({unit})", c.name),
+            (None, None) => c.name.clone(),
+        };
+        json!({
+            "name": c.name, "label": label, "chosen": c.name == measured.channel(),
+            "readable": c.is_height && c.fault.is_none() && c.shape[0] > 1,
         })
-        .collect();
+    };
+    let channels: Vec<Value> = measured.channels().iter().map(channel).collect();
     let parts = parts(&measured, request.reading.part()?);
     let about = format!("{} · {} · {}", request.name, measured.format().name(), bytes(file.len()));
     let ambiguity = measured.ambiguity().map(|a| a.to_string());
@@ -63,19 +60,16 @@ fn read(request: &Request, file: &[u8], measured: Measurement) -> Result<Value, 
     let surface = crate::surface::of_measurement(request, file, measured)?;
     let statistics = statistics(&surface, request.remedies.level())?;
     let map = surface.heights;
-    let after = picture(&levelled(&map, request.remedies.level())?, "after")?;
+    let after = picture(&levelled(&map, request.remedies.level())?, &[], "after");
     pictures.push(json!({ "name": "With the ticked remedies", "svg": after }));
     let found = defects::beyond(&statistics);
     let checks = defects.iter().filter(|d| d["tag"] == "check").count();
-    let things = match checks {
-        1 => "One thing".to_owned(),
-        2 => "Two things".to_owned(),
-        3 => "Three things".to_owned(),
-        n => format!("{n} things"),
-    };
     let claim = match checks {
         0 => "Nothing has to be cleaned.".to_owned(),
-        _ => format!("{things} should be cleaned first."),
+        1 => "One thing should be cleaned first.".to_owned(),
+        2 => "Two things should be cleaned first.".to_owned(),
+        3 => "Three things should be cleaned first.".to_owned(),
+        n => format!("{n} things should be cleaned first."),
     };
     Ok(json!({
         "state": "read", "about": about,
@@ -101,13 +95,11 @@ fn parts(measured: &Measurement, chosen: Option<Cut>) -> Vec<Value> {
         (Some(Cut::Middle), "Middle half of each side"),
         (Some(Cut::Complete), "Largest part without missing points"),
     ];
-    let is_offered = |cut| cut != Some(Cut::Complete) || cut == chosen || measured.missing() > 0;
-    all.into_iter()
-        .filter(|(cut, _)| is_offered(*cut))
-        .map(|(cut, label)| {
-            json!({ "value": cut.map(|c| c.to_string()), "label": label, "chosen": cut == chosen })
-        })
-        .collect()
+    let is_offered = |(cut, _): &(Option<Cut>, _)| {
+        *cut != Some(Cut::Complete) || *cut == chosen || measured.missing() > 0
+    };
+    let part = |(cut, label): (Option<Cut>, &str)| json!({ "value": cut.map(|c| c.to_string()), "label": label, "chosen": cut == chosen });
+    all.into_iter().filter(is_offered).map(part).collect()
 }
 
 /// The statistics that the study will find.
@@ -130,12 +122,11 @@ fn facts(measured: &Measurement) -> Vec<[String; 2]> {
     let [ny, nx] = measured.grid().shape();
     let [dy, dx] = measured.grid().pixel();
     let said = |given: bool| if given { "from the file" } else { "as you said" };
-    let own: Vec<_> = measured.channels().iter().filter(|c| c.name == measured.channel()).collect();
-    let pixel_in_file = own.first().is_some_and(|c| c.pixel.is_some());
-    let unit_in_file = own.first().is_some_and(|c| c.unit.is_some());
-    let part = measured
-        .cropped()
-        .map_or_else(String::new, |[y0, x0, ..]| format!(", cut out from row {y0}, column {x0}"));
+    let own = measured.channels().iter().find(|c| c.name == measured.channel());
+    let pixel_in_file = own.is_some_and(|c| c.pixel.is_some());
+    let unit_in_file = own.is_some_and(|c| c.unit.is_some());
+    let cut = |[y0, x0, ..]: [usize; 4]| format!(", cut out from row {y0}, column {x0}");
+    let part = measured.cropped().map_or_else(String::new, cut);
     let mut facts = vec![
         ["Points".to_owned(), format!("{ny} rows × {nx} columns{part}")],
         ["Pixel".to_owned(), format!("{} × {}, {}", length(dx), length(dy), said(pixel_in_file))],
@@ -178,28 +169,20 @@ fn bytes(count: usize) -> String {
 /// The pictures of a map before any remedy: as measured, and level with its `spikes` ringed if it has any. Holes are
 /// filled by their neighbours, so that there is something to see.
 fn before(measured: &Measurement, spikes: &[usize]) -> Result<Vec<Value>, Trouble> {
-    let map = measured.clone().fill(Fill::Nearest).map_err(|e| Trouble::Incomplete(e.into()))?;
-    let mut pictures = vec![json!({ "name": "As measured", "svg": picture(&map, "before")? })];
+    let map = filled(measured)?;
+    let mut pictures = vec![json!({ "name": "As measured", "svg": picture(&map, &[], "before") })];
     if !spikes.is_empty() {
-        let level = levelled(&map, Level::Plane)?;
-        let heights = above_mean(&level);
-        let figure = contact_report::ring_points(&heights, level.grid(), spikes, PICTURE, "spikes")
-            .map_err(|e| Failure::from_error(&e))?;
-        pictures.push(json!({ "name": "Level, spikes ringed", "svg": figure.inline() }));
+        let ringed = picture(&levelled(&map, Level::Plane)?, spikes, "spikes");
+        pictures.push(json!({ "name": "Level, spikes ringed", "svg": ringed }));
     }
     Ok(pictures)
 }
 
-fn picture(map: &HeightMap, key: &str) -> Result<String, Trouble> {
-    let figure = contact_report::height_map(&above_mean(map), map.grid(), PICTURE, key)
-        .map_err(|e| Failure::from_error(&e))?;
-    Ok(figure.inline())
-}
-
-/// Heights above the mean of a map (m).
-fn above_mean(map: &HeightMap) -> Vec<f64> {
+/// Heights above the mean of a map, with rings round some of its points.
+fn picture(map: &HeightMap, points: &[usize], key: &str) -> String {
     let mean = map.mean();
-    map.heights().iter().map(|h| h - mean).collect()
+    let heights: Vec<f64> = map.heights().iter().map(|h| h - mean).collect();
+    contact_report::height_map(&heights, map.grid(), points, PICTURE, key)
 }
 
 /// The state `ask`: numbers as they stand in the file, and what the fields filled in so far would mean.
@@ -252,14 +235,14 @@ fn ask(request: &Request, file: &[u8]) -> Result<Value, Trouble> {
         // The page scales these by what is filled in and asks `meaning` for the words.
         "raw": {
             "shape": [ny, nx], "pixel": raw.grid().pixel(), "range": high - low,
-            "gradient": raw_gradient(&raw)?,
+            "gradient": RoughnessNumbers::of(&filled(&raw)?)?.gradient,
         },
     }))
 }
 
-fn raw_gradient(raw: &Measurement) -> Result<f64, Trouble> {
-    let map = raw.clone().fill(Fill::Nearest).map_err(|e| Trouble::Incomplete(e.into()))?;
-    Ok(RoughnessNumbers::of(&map)?.gradient)
+/// Holes filled by their neighbours.
+fn filled(measured: &Measurement) -> Result<HeightMap, Trouble> {
+    measured.clone().fill(Fill::Nearest).map_err(|e| Trouble::Incomplete(e.into()))
 }
 
 /// What units that are filled in would mean: size, heights, gradient, and whether that is a surface.
@@ -267,16 +250,15 @@ pub(crate) fn meaning(request: &Request) -> Result<Value, Trouble> {
     let wrong = || Failure::refused("internal", "no raw numbers");
     let raw = request.raw.as_ref().ok_or_else(wrong)?;
     let reading = &request.reading;
-    let lateral = match (&reading.pixel, reading.lateral_unit()?) {
-        (Some(text), _) => crate::request::parse(text, Dimension::Length)?,
-        (None, Some(unit)) => unit,
-        (None, None) => 1.0,
+    let lateral = match &reading.pixel {
+        Some(text) => parse(text, Dimension::Length)?,
+        None => unit(reading.lateral_unit.as_deref())?.unwrap_or(1.0),
     };
     if lateral <= 0.0 {
         let message = "A distance above zero is needed, such as 0.5 µm.";
         return Err(Failure::refused("usage", message).into());
     }
-    let height = reading.height_unit()?.unwrap_or(1.0);
+    let height = unit(reading.height_unit.as_deref())?.unwrap_or(1.0);
     let pixel = raw.pixel.map(|p| p * lateral);
     let grid = Grid::new(raw.shape, pixel).map_err(|e| Failure::from_error(&e))?;
     let [ly, lx] = grid.size();

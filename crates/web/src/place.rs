@@ -20,31 +20,20 @@ const BROWSER_BYTES: u64 = 512 << 20;
 /// What WebAssembly can address at most (bytes).
 const BROWSER_MEMORY_BYTES: f64 = 4e9;
 
-/// Memory of a study: what it takes whatever the map is, and what each point adds.
-#[derive(Debug, Clone, Copy)]
-struct MemoryUse {
-    /// Bytes.
-    fixed: f64,
-    /// Bytes per point, of a map whose grid resolves the contact.
-    resolved: f64,
-    /// The same of more than [`LARGE`] points.
-    large: f64,
-    /// Of a map that is solved once more on a grid of four times the points.
-    refined: f64,
-}
+/// Memory of a study: bytes whatever the map is; bytes per point of a map whose grid resolves the contact, of more than
+/// [`LARGE`] points, and of a map that is solved once more on a grid of four times the points.
+type MemoryUse = (f64, [f64; 3]);
 
 /// Points of a map beyond which a point takes more.
 const LARGE: f64 = 2e6;
 
 /// In WebAssembly. Measured in MB on 128², 256², 512², 1024², 1400², 2048² and 4096² points: 9.0, 12.8, 43.3, 153, 280, 932, 3701,
 /// and on 128², 256², 512², 800² and 1024² that were refined: 17.6, 62.9, 243, 581, 987.
-const BROWSER_MEMORY: MemoryUse =
-    MemoryUse { fixed: 7e6, resolved: 140.0, large: 221.0, refined: 900.0 };
+const BROWSER_MEMORY: MemoryUse = (7e6, [140.0, 221.0, 900.0]);
 
 /// Of `rough-contact app` with two threads on Linux, all of the program counted, on the same maps up to 1024² and 512²: 36, 45, 113,
 /// 329, and 51, 104, 330.
-const MACHINE_MEMORY: MemoryUse =
-    MemoryUse { fixed: 30e6, resolved: 285.0, large: 285.0, refined: 1150.0 };
+const MACHINE_MEMORY: MemoryUse = (30e6, [285.0, 285.0, 1150.0]);
 
 impl Default for Host {
     /// What bears least.
@@ -81,7 +70,7 @@ impl Host {
 
     /// Memory of a study of so many points (bytes): where the grid resolves the contact, and where it has to be refined.
     pub(crate) fn memory(self, points: f64) -> [f64; 2] {
-        let MemoryUse { fixed, resolved, large, refined } =
+        let (fixed, [resolved, large, refined]) =
             if self.is_browser { BROWSER_MEMORY } else { MACHINE_MEMORY };
         [if points > LARGE { large } else { resolved }, refined].map(|each| fixed + each * points)
     }
@@ -168,25 +157,17 @@ mod tests {
     /// The measurements beside the constants, each within a quarter.
     #[test]
     fn memory_is_said_as_it_was_measured() {
-        let near = |place: Host, k: usize, side: f64, measured: f64| {
-            let said = place.memory(side * side)[k] / 1e6;
-            assert!((said / measured - 1.0).abs() < 0.27, "{side}: {said} and {measured}");
-        };
-        let resolved =
-            [(128.0, 9.0, 36.0), (256.0, 12.8, 45.0), (512.0, 43.3, 113.0), (1024.0, 153.0, 329.0)];
-        for (side, browser, machine) in resolved {
-            near(Host::BROWSER, 0, side, browser);
-            near(Host::machine(2), 0, side, machine);
-        }
-        near(Host::BROWSER, 0, 1400.0, 280.0);
-        near(Host::BROWSER, 0, 2048.0, 932.0);
-        near(Host::BROWSER, 0, 4096.0, 3701.0);
-        near(Host::BROWSER, 1, 1024.0, 987.0);
-        for (side, browser, machine) in
-            [(128.0, 17.6, 51.0), (256.0, 62.9, 104.0), (512.0, 243.0, 330.0)]
-        {
-            near(Host::BROWSER, 1, side, browser);
-            near(Host::machine(2), 1, side, machine);
+        let sides = [128.0, 256.0, 512.0, 1024.0, 1400.0, 2048.0, 4096.0];
+        for (place, k, measured) in [
+            (Host::BROWSER, 0, &[9.0, 12.8, 43.3, 153.0, 280.0, 932.0, 3701.0][..]),
+            (Host::BROWSER, 1, &[17.6, 62.9, 243.0, 987.0]),
+            (Host::machine(2), 0, &[36.0, 45.0, 113.0, 329.0]),
+            (Host::machine(2), 1, &[51.0, 104.0, 330.0]),
+        ] {
+            for (side, measured) in sides.into_iter().zip(measured) {
+                let said = place.memory(side * side)[k] / 1e6;
+                assert!((said / measured - 1.0).abs() < 0.27, "{side}: {said} and {measured}");
+            }
         }
     }
 

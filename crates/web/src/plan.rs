@@ -74,15 +74,12 @@ fn cost(facts: Facts, edges: EdgesName, loads: f64, (place, pace): (Host, Pace))
     let [low, high] = memory.map(|bytes| two(bytes / 1e6));
     let work = StudyCost { points: facts.points, solved: points, loads };
     let [short, long] = pace.seconds(work).map(duration);
-    let mut text = format!(
-        "{} points; about {short} and {low} MB of memory, up to {long} and {high} MB where the grid has to be refined",
-        count(points as usize)
-    );
-    if let Some(warning) = place.too_much(memory[1]) {
-        text += ". ";
-        text += warning;
-    }
-    text
+    let warning = place.too_much(memory[1]).map(|warning| format!(". {warning}"));
+    format!(
+        "{} points; about {short} and {low} MB of memory, up to {long} and {high} MB where the grid has to be refined{}",
+        count(points as usize),
+        warning.unwrap_or_default()
+    )
 }
 
 /// To two digits.

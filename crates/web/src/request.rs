@@ -85,14 +85,8 @@ pub(crate) struct Remedies {
 
 impl Default for Remedies {
     fn default() -> Self {
-        Self {
-            rows: false,
-            spikes: true,
-            plane: true,
-            dome: false,
-            mirror: false,
-            fill: "harmonic".to_owned(),
-        }
+        let (rows, spikes, plane, dome, mirror) = (false, true, true, false, false);
+        Self { rows, spikes, plane, dome, mirror, fill: "harmonic".to_owned() }
     }
 }
 
@@ -167,36 +161,26 @@ impl FileFields {
         Ok(one.map(|metres| [metres; 2]))
     }
 
-    pub(crate) fn lateral_unit(&self) -> Result<Option<f64>, Failure> {
-        unit(self.lateral_unit.as_deref())
-    }
-
-    pub(crate) fn height_unit(&self) -> Result<Option<f64>, Failure> {
-        unit(self.height_unit.as_deref())
-    }
-
-    pub(crate) fn override_height_unit(&self) -> Result<Option<f64>, Failure> {
-        unit(self.override_height_unit.as_deref())
-    }
-
     pub(crate) fn part(&self) -> Result<Option<Cut>, Failure> {
         let refused = |message| Failure::refused("crop", message);
         self.part.as_deref().map(str::parse).transpose().map_err(refused)
     }
 
     pub(crate) fn options(&self, limits: Limits) -> Result<ReadOptions, Failure> {
-        let mut options = ReadOptions { limits, ..ReadOptions::default() };
-        options.channel.clone_from(&self.channel);
-        options.pixel = self.pixel()?;
-        options.lateral_unit = self.lateral_unit()?;
-        options.height_unit = match self.override_height_unit()? {
-            Some(metres) => Some(HeightUnit::Always(metres)),
-            None => self.height_unit()?.map(HeightUnit::IfSilent),
-        };
-        options.missing.clone_from(&self.missing);
-        options.decimal = named("decimal", self.decimal.as_deref())?;
-        options.layout = named("layout", self.layout.as_deref())?;
-        Ok(options)
+        Ok(ReadOptions {
+            limits,
+            channel: self.channel.clone(),
+            pixel: self.pixel()?,
+            lateral_unit: unit(self.lateral_unit.as_deref())?,
+            height_unit: match unit(self.override_height_unit.as_deref())? {
+                Some(metres) => Some(HeightUnit::Always(metres)),
+                None => unit(self.height_unit.as_deref())?.map(HeightUnit::IfSilent),
+            },
+            missing: self.missing.clone(),
+            decimal: named("decimal", self.decimal.as_deref())?,
+            layout: named("layout", self.layout.as_deref())?,
+            ..ReadOptions::default()
+        })
     }
 }
 
@@ -206,36 +190,37 @@ fn named<T: Named>(what: &str, name: Option<&str>) -> Result<Option<T>, Failure>
     name.map(|name| T::of_name(name).ok_or_else(|| unknown(name))).transpose()
 }
 
-fn unit(text: Option<&str>) -> Result<Option<f64>, Failure> {
-    text.map(quantity::parse_length_unit).transpose().map_err(|e| Failure::from_error(&e))
+/// A unit of length (m), if one was said.
+pub(crate) fn unit(text: Option<&str>) -> Result<Option<f64>, Failure> {
+    let found = text.map(quantity::parse_length_unit).transpose();
+    found.map_err(|e| Failure::from_error(&e))
 }
 
 impl Remedies {
-    /// Whether one is ticked; the rules for missing points have no tick.
-    pub(crate) fn has(&self, key: &str) -> bool {
+    /// The box of a remedy; the rules for missing points have none.
+    fn tick(&mut self, key: &str) -> Option<&mut bool> {
         match key {
-            "spikes" => self.spikes,
-            "plane" => self.plane,
-            "dome" => self.dome,
-            "rows" => self.rows,
-            "mirror" => self.mirror,
-            _ => false,
+            "spikes" => Some(&mut self.spikes),
+            "plane" => Some(&mut self.plane),
+            "dome" => Some(&mut self.dome),
+            "rows" => Some(&mut self.rows),
+            "mirror" => Some(&mut self.mirror),
+            _ => None,
         }
+    }
+
+    /// Whether one is ticked.
+    pub(crate) fn has(&self, key: &str) -> bool {
+        self.clone().tick(key).is_some_and(|on| *on)
     }
 
     /// Ticks one, or takes the tick off; of the two rules for missing points `true` is the one that is chosen.
     pub(crate) fn set(&mut self, key: &str, on: bool) {
-        match key {
-            "spikes" => self.spikes = on,
-            "plane" => self.plane = on,
-            "dome" => self.dome = on,
-            "rows" => self.rows = on,
-            "mirror" => self.mirror = on,
-            "fill" if !on => {
-                let other = if self.rule() == "nearest" { "harmonic" } else { "nearest" };
-                other.clone_into(&mut self.fill);
-            }
-            _ => {}
+        if let Some(tick) = self.tick(key) {
+            *tick = on;
+        } else if key == "fill" && !on {
+            let other = if self.rule() == "nearest" { "harmonic" } else { "nearest" };
+            other.clone_into(&mut self.fill);
         }
     }
 

@@ -83,7 +83,7 @@ pub(crate) fn answer(
 
 /// The contact at a load as a picture, with how the end of its colours is written.
 fn shown_map(maps: &PressureMaps, load: usize) -> Option<Value> {
-    let picture = contact_report::pressure_picture(maps, load)?.data_address().ok()?;
+    let picture = contact_report::pressure_picture(maps, load)?;
     let map = &maps.loads[load];
     let more = if map.clipped { " and more" } else { "" };
     Some(json!({ "picture": picture, "top": format!("{}{more}", shown_pressure(map.top)) }))

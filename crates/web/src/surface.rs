@@ -1,6 +1,6 @@
 //! From the bytes of a file, or the name of a built-in surface, to a map, and the two numbers that say most of it.
 
-use crate::request::Request;
+use crate::request::{Request, unit};
 use crate::trouble::Trouble;
 use contact_compare::{FileOrigin, Level, Origin, Surface, built_in_recipes, sha256_hex};
 use contact_front_end::{Complete, Failure, complete};
@@ -52,9 +52,9 @@ pub(crate) fn of_measurement(
         format,
         channel: reading.channel.clone(),
         pixel: reading.pixel()?,
-        lateral_unit: reading.lateral_unit()?,
-        height_unit: reading.height_unit()?,
-        override_height_unit: reading.override_height_unit()?,
+        lateral_unit: unit(reading.lateral_unit.as_deref())?,
+        height_unit: unit(reading.height_unit.as_deref())?,
+        override_height_unit: unit(reading.override_height_unit.as_deref())?,
         layout: reading.layout.clone(),
         decimal: reading.decimal.clone(),
         missing_marks: reading.missing.clone(),

@@ -28,13 +28,6 @@ impl From<Failure> for Trouble {
     }
 }
 
-/// One sentence, its effect, what to do.
-struct TroubleText {
-    heading: &'static str,
-    text: String,
-    ways: Vec<&'static str>,
-}
-
 const AGAIN: &str = "Copy the file again, or export it again from the instrument.";
 
 impl Trouble {
@@ -50,9 +43,9 @@ impl Trouble {
         }
     }
 
-    fn words(&self, place: Host) -> TroubleText {
-        let words =
-            |heading, text: &str, ways| TroubleText { heading, text: text.to_owned(), ways };
+    /// One sentence, its effect, what to do.
+    fn words(&self, place: Host) -> (&'static str, String, Vec<&'static str>) {
+        let words = |heading, text: &str, ways| (heading, text.to_owned(), ways);
         match self {
             Self::Unread(ReadError::Empty) => {
                 words("This file is empty.", "It has 0 bytes.", vec![AGAIN])
@@ -125,15 +118,12 @@ impl Trouble {
 
     /// Tells it.
     pub(crate) fn tell(&self, place: Host, out: &mut Messages<'_>) {
-        let (failure, words) = (self.failure(), self.words(place));
-        let text = if words.text.is_empty() { capital(failure.message()) } else { words.text };
-        out.tell(
-            "error",
-            json!({
-                "heading": words.heading, "text": text, "ways": words.ways,
-                "detail": format!("{}: {}", failure.kind(), failure.message()), "failure": failure.json(),
-            }),
-        );
+        let (failure, (heading, text, ways)) = (self.failure(), self.words(place));
+        let text = if text.is_empty() { capital(failure.message()) } else { text };
+        let detail = format!("{}: {}", failure.kind(), failure.message());
+        let failure = failure.json();
+        let said = json!({ "heading": heading, "text": text, "ways": ways, "detail": detail, "failure": failure });
+        out.tell("error", said);
     }
 }
 

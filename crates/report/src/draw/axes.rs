@@ -1,10 +1,9 @@
 //! Axes: from data to figure units, ticks where a reader expects them, a frame on two sides.
 
 use crate::draw::palette::{GRID, INK, INK2, LINE, Stroke};
-use crate::draw::svg::{Anchor, Canvas, Text, text_width};
+use crate::draw::svg::{Canvas, Text, text_width};
 use crate::numbers::{fixed, power_of_ten};
 
-/// Spacing of an axis.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(crate) enum AxisScale {
     /// Equal differences are equally far apart.
@@ -18,17 +17,14 @@ pub(crate) enum AxisScale {
 pub(crate) struct PlotAxis {
     pub(crate) spacing: AxisScale,
     pub(crate) data: [f64; 2],
-    /// Where they lie in the figure.
     pub(crate) units: [f64; 2],
 }
 
 impl PlotAxis {
-    /// A logarithmic axis; both limits above 0.
     pub(crate) fn log(data: [f64; 2], units: [f64; 2]) -> Self {
         Self { spacing: AxisScale::Log, data, units }
     }
 
-    /// A linear axis.
     pub(crate) fn linear(data: [f64; 2], units: [f64; 2]) -> Self {
         Self { spacing: AxisScale::Linear, data, units }
     }
@@ -40,7 +36,6 @@ impl PlotAxis {
         }
     }
 
-    /// Position of a value.
     pub(crate) fn at(&self, value: f64) -> f64 {
         let (lo, hi) = (self.warp(self.data[0]), self.warp(self.data[1]));
         self.units[0] + (self.warp(value) - lo) / (hi - lo) * (self.units[1] - self.units[0])
@@ -53,61 +48,43 @@ impl PlotAxis {
         x.is_finite() && x >= a.min(b) - 1e-6 && x <= a.max(b) + 1e-6
     }
 
-    /// Labelled ticks: decades over two decades or more, 1-2-5 or finer below, round steps when
-    /// linear.
+    /// Labelled ticks: decades over two decades or more, 1-2-5 or finer below, round steps when linear.
     pub(crate) fn major(&self) -> Vec<f64> {
-        let (lo, hi) = (self.data[0].min(self.data[1]), self.data[0].max(self.data[1]));
-        let candidates: Vec<f64> = match self.spacing {
-            AxisScale::Linear => {
-                let step = round_step((hi - lo) / 5.0);
-                let first = (lo / step - 1e-9).ceil() as i64;
-                let last = (hi / step + 1e-9).floor() as i64;
-                (first..=last).map(|k| k as f64 * step).collect()
-            }
-            AxisScale::Log => {
-                let (first, last) = (lo.log10().floor() as i32, hi.log10().ceil() as i32);
-                let decades = hi.log10() - lo.log10();
-                let every = ((decades / 6.0).ceil() as i32).max(1);
-                let ticks = |mantissas: &[f64]| -> Vec<f64> {
-                    (first..=last)
-                        .filter(|d| d.rem_euclid(every) == 0)
-                        .flat_map(|d| mantissas.iter().map(move |m| m * 10f64.powi(d)))
-                        .filter(|&v| self.holds(v))
-                        .collect()
-                };
-                // Decades over two decades or more; below that the coarsest set with three that
-                // reaches both ends.
-                let finer: [&[f64]; 4] = [
-                    &[1.0, 2.0, 5.0],
-                    &[1.0, 2.0, 3.0, 4.0, 6.0, 8.0],
-                    &[1.0, 1.2, 1.5, 2.0, 2.5, 3.0, 4.0, 5.0, 6.0, 7.0, 8.0, 9.0],
-                    &[1.0, 1.1, 1.2, 1.3, 1.4, 1.5, 1.6, 1.7, 1.8, 1.9, 2.2, 2.4, 2.6, 2.8],
-                ];
-                if decades >= 2.0 {
-                    ticks(&[1.0])
-                } else {
-                    // A third of the axis beyond the last tick is too much to guess.
-                    let reaches = |t: &[f64]| {
-                        let beyond = |tick: f64, end: f64| (end / tick).log10() <= decades / 3.0;
-                        beyond(lo, t[0]) && beyond(t[t.len() - 1], hi)
-                    };
-                    let sets = || finer.into_iter().map(ticks).filter(|t| t.len() >= 3);
-                    sets().find(|t| reaches(t)).or_else(|| sets().next()).unwrap_or_else(|| {
-                        // Less than a tenth: as on a linear axis.
-                        Self { spacing: AxisScale::Linear, ..*self }.major()
-                    })
-                }
-            }
+        let (lo, hi) = (self.low(), self.high());
+        if self.spacing == AxisScale::Linear {
+            let step = round_step((hi - lo) / 5.0);
+            let [first, last] = [(lo / step - 1e-9).ceil(), (hi / step + 1e-9).floor()];
+            let all = (first as i64..=last as i64).map(|k| k as f64 * step);
+            return all.filter(|&v| self.holds(v)).collect();
+        }
+        let decades = hi.log10() - lo.log10();
+        let every = ((decades / 6.0).ceil() as i32).max(1);
+        if decades >= 2.0 {
+            return self.in_decades(every, &[1.0]);
+        }
+        // Below that the coarsest set with three that reaches both ends.
+        let finer: [&[f64]; 4] = [
+            &[1.0, 2.0, 5.0],
+            &[1.0, 2.0, 3.0, 4.0, 6.0, 8.0],
+            &[1.0, 1.2, 1.5, 2.0, 2.5, 3.0, 4.0, 5.0, 6.0, 7.0, 8.0, 9.0],
+            &[1.0, 1.1, 1.2, 1.3, 1.4, 1.5, 1.6, 1.7, 1.8, 1.9, 2.2, 2.4, 2.6, 2.8],
+        ];
+        // A third of the axis beyond the last tick is too much to guess.
+        let reaches = |t: &[f64]| {
+            let beyond = |tick: f64, end: f64| (end / tick).log10() <= decades / 3.0;
+            beyond(lo, t[0]) && beyond(t[t.len() - 1], hi)
         };
-        candidates.into_iter().filter(|&v| self.holds(v)).collect()
+        let sets =
+            || finer.into_iter().map(|set| self.in_decades(every, set)).filter(|t| t.len() >= 3);
+        // Less than a tenth: as on a linear axis.
+        let linear = || Self { spacing: AxisScale::Linear, ..*self }.major();
+        sets().find(|t| reaches(t)).or_else(|| sets().next()).unwrap_or_else(linear)
     }
 
-    /// The labelled ticks with their texts.
     pub(crate) fn ticks(&self) -> Vec<(f64, String)> {
         self.ticks_as(|value| self.tick_text(value))
     }
 
-    /// The same with other texts.
     pub(crate) fn ticks_as(&self, text: impl Fn(f64) -> String) -> Vec<(f64, String)> {
         self.major().into_iter().map(|value| (value, text(value))).collect()
     }
@@ -117,11 +94,25 @@ impl PlotAxis {
         if self.spacing == AxisScale::Linear {
             return Vec::new();
         }
-        let (lo, hi) = (self.data[0].min(self.data[1]), self.data[0].max(self.data[1]));
-        (lo.log10().floor() as i32..=hi.log10().ceil() as i32)
-            .flat_map(|d| (1..10).map(move |m| f64::from(m) * 10f64.powi(d)))
+        self.in_decades(1, &[1.0, 2.0, 3.0, 4.0, 5.0, 6.0, 7.0, 8.0, 9.0])
+    }
+
+    /// These multiples of every n-th power of ten, as far as the axis has them.
+    fn in_decades(&self, every: i32, mantissas: &[f64]) -> Vec<f64> {
+        let [first, last] = [self.low().log10().floor(), self.high().log10().ceil()];
+        (first as i32..=last as i32)
+            .filter(|d| d.rem_euclid(every) == 0)
+            .flat_map(|d| mantissas.iter().map(move |m| m * 10f64.powi(d)))
             .filter(|&v| self.holds(v))
             .collect()
+    }
+
+    fn low(&self) -> f64 {
+        self.data[0].min(self.data[1])
+    }
+
+    fn high(&self) -> f64 {
+        self.data[0].max(self.data[1])
     }
 
     /// How a tick is written: 0.01, 1, 100; a power only beyond 10³ or below 10⁻³.
@@ -134,11 +125,9 @@ impl PlotAxis {
             }
             if value < 1e-3 {
                 let decade = value.log10().floor() as i32;
-                return format!("{:.2}", value / 10f64.powi(decade))
-                    .trim_end_matches(['0', '.'])
-                    .to_owned()
-                    + "\u{b7}"
-                    + &power_of_ten(decade);
+                let mantissa = format!("{:.2}", value / 10f64.powi(decade));
+                let mantissa = mantissa.trim_end_matches(['0', '.']);
+                return format!("{mantissa}\u{b7}{}", power_of_ten(decade));
             }
         }
         let decimals = (0..9)
@@ -163,11 +152,8 @@ fn tick_size<'a>(texts: impl Iterator<Item = &'a str>) -> f64 {
 /// 1, 2 or 5 times a power of ten, at least `about`.
 pub(crate) fn round_step(about: f64) -> f64 {
     let decade = 10f64.powf(about.log10().floor());
-    [1.0, 2.0, 5.0, 10.0]
-        .map(|m| m * decade)
-        .into_iter()
-        .find(|s| *s >= about * (1.0 - 1e-9))
-        .unwrap_or(10.0 * decade)
+    let mut steps = [1.0, 2.0, 5.0].into_iter().map(|m| m * decade);
+    steps.find(|s| *s >= about * (1.0 - 1e-9)).unwrap_or(10.0 * decade)
 }
 
 /// A plot box with its two axes.
@@ -182,7 +168,6 @@ pub(crate) struct PlotFrame {
 }
 
 impl PlotFrame {
-    /// Position of a point.
     pub(crate) fn at(&self, [x, y]: [f64; 2]) -> [f64; 2] {
         [self.x.at(x), self.y.at(y)]
     }
@@ -201,58 +186,35 @@ impl PlotFrame {
     ) {
         let [left, right] = self.x.units;
         let [bottom, top] = self.y.units;
-        let (xs, ys): (Vec<f64>, Vec<f64>) = (
-            x_ticks.iter().map(|(v, _)| self.x.at(*v)).collect(),
-            y_ticks.iter().map(|(v, _)| self.y.at(*v)).collect(),
-        );
-        let mut grid: Vec<[f64; 4]> = ys.iter().map(|&y| [left, y, right, y]).collect();
-        grid.extend(xs.iter().map(|&x| [x, top, x, bottom]));
+        let xs: Vec<f64> = x_ticks.iter().map(|(v, _)| self.x.at(*v)).collect();
+        let ys: Vec<f64> = y_ticks.iter().map(|(v, _)| self.y.at(*v)).collect();
+        let down = |x: f64, from: f64, to: f64| [x, from, x, to];
+        let across = |y: f64, from: f64, to: f64| [from, y, to, y];
+        let mut grid: Vec<[f64; 4]> = ys.iter().map(|&y| across(y, left, right)).collect();
+        grid.extend(xs.iter().map(|&x| down(x, top, bottom)));
         canvas.ticks(&grid, Stroke::solid(GRID, 0.6));
 
-        let minor: Vec<[f64; 4]> = self
-            .x
-            .minor()
-            .into_iter()
-            .map(|v| [self.x.at(v), bottom, self.x.at(v), bottom + 2.0])
-            .chain(
-                self.y.minor().into_iter().map(|v| [left - 2.0, self.y.at(v), left, self.y.at(v)]),
-            )
-            .collect();
+        let minor = self.x.minor().into_iter().map(|v| down(self.x.at(v), bottom, bottom + 2.0));
+        let left_minor = self.y.minor().into_iter().map(|v| across(self.y.at(v), left - 2.0, left));
+        let minor: Vec<[f64; 4]> = minor.chain(left_minor).collect();
         canvas.ticks(&minor, Stroke::solid(LINE, 0.4));
-        let major: Vec<[f64; 4]> = xs
-            .iter()
-            .map(|&x| [x, bottom, x, bottom + 3.5])
-            .chain(ys.iter().map(|&y| [left - 3.0, y, left, y]))
-            .collect();
+        let mut major: Vec<[f64; 4]> = xs.iter().map(|&x| down(x, bottom, bottom + 3.5)).collect();
+        major.extend(ys.iter().map(|&y| across(y, left - 3.0, left)));
         canvas.ticks(&major, Stroke::solid(LINE, 0.6));
-        canvas.ticks(
-            &[[left, bottom, right, bottom], [left, top, left, bottom]],
-            Stroke::solid(LINE, 0.8),
-        );
+        let sides = [across(bottom, left, right), down(left, top, bottom)];
+        canvas.ticks(&sides, Stroke::solid(LINE, 0.8));
 
         for (&x, (_, text)) in xs.iter().zip(x_ticks) {
-            canvas.text(&Text {
-                colour: INK2,
-                anchor: Anchor::Middle,
-                ..Text::new([x, bottom + 13.0], text)
-            });
+            canvas.text(&Text::middle([x, bottom + 13.0], text, INK2));
         }
         let size = tick_size(y_ticks.iter().map(|(_, text)| text.as_str()));
         for (&y, (_, text)) in ys.iter().zip(y_ticks) {
-            canvas.text(&Text {
-                colour: INK2,
-                anchor: Anchor::End,
-                size,
-                ..Text::new([left - 5.0, y + 3.4], text)
-            });
+            canvas.text(&Text { size, ..Text::end([left - 5.0, y + 3.4], text, INK2) });
         }
-        let middle = f64::midpoint(left, right);
-        canvas.text(&Text {
-            colour: INK,
-            anchor: Anchor::Middle,
-            ..Text::new([middle, bottom + 29.0], &self.x_title)
-        });
-        canvas.upright(&Text::new([left - 34.0, f64::midpoint(top, bottom)], &self.y_title));
+        let at = [f64::midpoint(left, right), bottom + 29.0];
+        canvas.text(&Text::middle(at, &self.x_title, INK));
+        let at = [left - 34.0, f64::midpoint(top, bottom)];
+        canvas.upright(&Text::middle(at, &self.y_title, INK));
     }
 }
 

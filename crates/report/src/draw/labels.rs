@@ -2,7 +2,7 @@
 
 use crate::draw::palette::{Colour, DETERMINISTIC, Stroke};
 use crate::draw::svg::{Canvas, Rect, Text, overlap};
-use crate::lines::ModelLine;
+use crate::lines::LoadLine;
 
 /// Distance between base lines of neighbouring labels, in units.
 pub(crate) const PITCH: f64 = 11.5;
@@ -21,13 +21,11 @@ pub(crate) struct EndLabel {
 }
 
 impl EndLabel {
-    /// The name of a closed form.
-    pub(crate) fn of_model(y: f64, model: &ModelLine) -> Self {
-        let (text, series) = (model.label.clone(), model.name.clone());
-        Self { y, text, colour: model.look.colour, bold: false, series }
+    pub(crate) fn of(y: f64, line: &LoadLine) -> Self {
+        let (text, series) = (line.label.clone(), line.name.clone());
+        Self { y, text, colour: line.look.colour, bold: false, series }
     }
 
-    /// The name of the solution.
     pub(crate) fn deterministic(y: f64) -> Self {
         let (text, series) = ("Deterministic".into(), String::new());
         Self { y, text, colour: DETERMINISTIC, bold: true, series }
@@ -73,11 +71,8 @@ pub(crate) fn draw_end_labels(
         let leader = [[x + 1.5, label.y], [x + 9.0, y]];
         canvas.series(&label.series, |canvas| {
             canvas.polyline(&leader, Stroke::solid(label.colour, 0.6));
-            canvas.label(&Text {
-                colour: label.colour,
-                bold: label.bold,
-                ..Text::new([x + 11.0, y + 3.4], &label.text)
-            });
+            let text = Text::start([x + 11.0, y + 3.4], &label.text, label.colour);
+            canvas.label(&Text { bold: label.bold, ..text });
         });
     }
 }
@@ -91,10 +86,9 @@ pub(crate) fn place_near(
     frame: Rect,
 ) -> Option<Rect> {
     let gap = 5.0;
-    let (up, down) = (y - gap - height, y + gap);
-    let (middle, centre) = (y - height / 2.0, x - width / 2.0);
-    let (left, right) = (x - gap - width, x + gap);
-    [
+    let (up, middle, down) = (y - gap - height, y - height / 2.0, y + gap);
+    let (left, centre, right) = (x - gap - width, x - width / 2.0, x + gap);
+    let places = [
         [right, middle],
         [left, middle],
         [centre, up],
@@ -107,16 +101,11 @@ pub(crate) fn place_near(
         [right + 6.0, down + 4.0],
         [left - 6.0, up - 4.0],
         [left - 6.0, down + 4.0],
-    ]
-    .into_iter()
-    .map(|[l, t]| [l, t, l + width, t + height])
-    .find(|r| {
-        r[0] >= frame[0]
-            && r[1] >= frame[1]
-            && r[2] <= frame[2]
-            && r[3] <= frame[3]
-            && !taken.iter().any(|t| overlap(*t, *r))
-    })
+    ];
+    let inside =
+        |r: &Rect| r[0] >= frame[0] && r[1] >= frame[1] && r[2] <= frame[2] && r[3] <= frame[3];
+    let mut boxes = places.into_iter().map(|[l, t]| [l, t, l + width, t + height]);
+    boxes.find(|r| inside(r) && !taken.iter().any(|t| overlap(*t, *r)))
 }
 
 #[cfg(test)]

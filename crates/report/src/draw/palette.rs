@@ -3,12 +3,10 @@
 //! The light value is written into every mark, so a figure file stands alone; the class beside
 //! it lets the report's stylesheet put the dark value in its place.
 
-/// A colour with a role.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(crate) struct Colour {
     /// Name of the CSS variable and end of the class name.
     pub(crate) class: &'static str,
-    /// On white.
     pub(crate) light: &'static str,
     /// On the dark page.
     pub(crate) dark: &'static str,
@@ -18,38 +16,26 @@ const fn colour(class: &'static str, light: &'static str, dark: &'static str) ->
     Colour { class, light, dark }
 }
 
-/// The page.
 pub(crate) const PAPER: Colour = colour("paper", "#FFFFFF", "#15181B");
-/// Text.
 pub(crate) const INK: Colour = colour("ink", "#111418", "#F2F4F5");
 /// Ticks and notes.
 pub(crate) const INK2: Colour = colour("ink2", "#4A5259", "#B4BCC3");
-/// Axes.
 pub(crate) const LINE: Colour = colour("line", "#868F97", "#5D676F");
-/// Grid lines.
 pub(crate) const GRID: Colour = colour("grid", "#E3E6E9", "#2A3035");
-/// Tolerance bands.
 pub(crate) const BAND: Colour = colour("band", "#EEF1F3", "#20262A");
-/// Warnings.
 pub(crate) const WARN: Colour = colour("warn", "#9A4B00", "#FFB066");
-/// The deterministic solution.
 pub(crate) const DETERMINISTIC: Colour = colour("det", "#111418", "#FFFFFF");
 /// Greenwood–Williamson. Colours of two models are at least 8 OKLab units (ΔE in hundredths) apart, also for readers without
 /// red, green or blue cones, and have a contrast of 4.5:1 on the page.
 pub(crate) const GW: Colour = colour("gw", "#8C001A", "#F86237");
-/// Bush–Gibson–Thomas.
 pub(crate) const BGT: Colour = colour("bgt", "#3C26AE", "#909FFA");
 /// Greenwood's simplified elliptical model.
 pub(crate) const ELLIPTICAL: Colour = colour("sge", "#13836F", "#30E4F5");
-/// Persson.
 pub(crate) const PERSSON: Colour = colour("per", "#B542B5", "#EC83B7");
-/// Stacked multiscale.
 pub(crate) const STACKED: Colour = colour("stk", "#835C00", "#F9C379");
-/// Majumdar–Bhushan.
 pub(crate) const MAJUMDAR_BHUSHAN: Colour = colour("mb", "#5A2D69", "#B46987");
 /// Jackson–Streator multiscale.
 pub(crate) const MULTISCALE: Colour = colour("js", "#780FFF", "#6978F0");
-/// The fitted equation.
 pub(crate) const EQUATION: Colour = colour("eq", "#00665C", "#B4F0C8");
 
 /// Every colour, in the order of the stylesheet.
@@ -86,7 +72,6 @@ pub(crate) enum Marker {
     Hexagon,
 }
 
-/// How a line is drawn.
 #[derive(Debug, Clone, Copy)]
 pub(crate) struct Stroke {
     pub(crate) colour: Colour,
@@ -96,7 +81,6 @@ pub(crate) struct Stroke {
 }
 
 impl Stroke {
-    /// A solid line.
     pub(crate) const fn solid(colour: Colour, width: f64) -> Self {
         Self { colour, width, dash: "" }
     }
@@ -105,7 +89,6 @@ impl Stroke {
 /// How a series is drawn.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Style {
-    /// Colour of line, marker and label.
     pub(crate) colour: Colour,
     /// Line width in figure units.
     pub(crate) width: f64,
@@ -117,7 +100,6 @@ pub struct Style {
 }
 
 impl Style {
-    /// A model's line.
     pub(crate) const fn model(
         colour: Colour,
         dash: &'static str,
@@ -127,7 +109,6 @@ impl Style {
         Self { colour, width: 1.35, dash, marker, marker_offset }
     }
 
-    /// Its line.
     pub(crate) fn stroke(self) -> Stroke {
         Stroke { colour: self.colour, width: self.width, dash: self.dash }
     }
@@ -163,7 +144,6 @@ fn linear(channel: u32) -> f64 {
 }
 
 impl OkLab {
-    /// From `0xRRGGBB`.
     pub(crate) fn from_rgb(rgb: u32) -> Self {
         Self::from_linear(linear(rgb >> 16), linear(rgb >> 8), linear(rgb))
     }
@@ -197,6 +177,11 @@ impl OkLab {
             (255.0 * encoded).round() as u8
         })
     }
+
+    /// The same in six hexadecimal digits.
+    pub(crate) fn hex(self) -> String {
+        self.to_rgb().iter().map(|v| format!("{v:02X}")).collect()
+    }
 }
 
 /// A ramp resampled to `N` colours in OKLab, for fast look-up.
@@ -206,12 +191,8 @@ pub(crate) fn ramp_table<const N: usize>(stops: &[u32; 9]) -> [OkLab; N] {
         let x = i as f64 / (N - 1) as f64 * 8.0;
         let k = (x as usize).min(7);
         let t = x - k as f64;
-        let mix = |a: f64, b: f64| a + t * (b - a);
-        OkLab(
-            mix(labs[k].0, labs[k + 1].0),
-            mix(labs[k].1, labs[k + 1].1),
-            mix(labs[k].2, labs[k + 1].2),
-        )
+        let mix = |of: fn(&OkLab) -> f64| of(&labs[k]) + t * (of(&labs[k + 1]) - of(&labs[k]));
+        OkLab(mix(|c| c.0), mix(|c| c.1), mix(|c| c.2))
     })
 }
 

@@ -2,9 +2,7 @@
 //!
 //! One unit is 0.25 mm in a figure file 85 mm wide, so 10 units of type are 7.1 pt.
 
-use crate::draw::palette::{Colour, INK, Marker, PAPER, Stroke, Style};
-use std::fmt::Write as _;
-use std::io;
+use crate::draw::palette::{Colour, Marker, PAPER, Stroke, Style};
 
 /// Width of a one-column figure in units.
 pub(crate) const COLUMN: f64 = 340.0;
@@ -42,24 +40,20 @@ pub(crate) fn escape(text: &str) -> String {
 
 /// A coordinate: two decimals, no trailing zeros, never "-0".
 pub(crate) fn num(value: f64) -> String {
-    let mut text = format!("{value:.2}");
-    if text.contains('.') {
-        text.truncate(text.trim_end_matches('0').trim_end_matches('.').len());
-    }
-    if text == "-0" { "0".into() } else { text }
+    let text = format!("{value:.2}");
+    let text = text.trim_end_matches('0').trim_end_matches('.');
+    if text == "-0" { "0" } else { text }.to_owned()
 }
 
 /// Where a text hangs on its point.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
+#[derive(Debug, Clone, Copy)]
 pub(crate) enum Anchor {
-    #[default]
     Start,
     Middle,
     End,
 }
 
-/// A text to place.
-#[derive(Debug, Clone)]
+#[derive(Debug, Clone, Copy)]
 pub(crate) struct Text<'a> {
     /// Position of the anchor on the base line.
     pub(crate) at: [f64; 2],
@@ -73,17 +67,32 @@ pub(crate) struct Text<'a> {
 }
 
 impl<'a> Text<'a> {
-    /// Ten-unit text in ink, beginning at `at`.
-    pub(crate) fn new(at: [f64; 2], content: &'a str) -> Self {
-        Self {
-            at,
-            content,
-            colour: INK,
-            anchor: Anchor::Start,
-            size: 10.0,
-            bold: false,
-            halo: false,
-        }
+    /// Ten-unit text that begins at a point.
+    pub(crate) fn start(at: [f64; 2], content: &'a str, colour: Colour) -> Self {
+        let anchor = Anchor::Start;
+        Self { at, content, colour, anchor, size: 10.0, bold: false, halo: false }
+    }
+
+    /// The same with its middle there.
+    pub(crate) fn middle(at: [f64; 2], content: &'a str, colour: Colour) -> Self {
+        Self { anchor: Anchor::Middle, ..Self::start(at, content, colour) }
+    }
+
+    /// The same with its end there.
+    pub(crate) fn end(at: [f64; 2], content: &'a str, colour: Colour) -> Self {
+        Self { anchor: Anchor::End, ..Self::start(at, content, colour) }
+    }
+
+    pub(crate) fn halo(self) -> Self {
+        Self { halo: true, ..self }
+    }
+
+    pub(crate) fn small(self) -> Self {
+        Self { size: 9.0, ..self }
+    }
+
+    pub(crate) fn bold(self) -> Self {
+        Self { bold: true, ..self }
     }
 
     /// The rectangle the text covers, from average widths of Helvetica.
@@ -118,29 +127,20 @@ pub(crate) fn text_width(content: &str, size: f64, bold: bool) -> f64 {
     ems * size * if bold { 1.07 } else { 1.0 }
 }
 
-/// The attributes of a stroke.
-fn attributes(stroke: Stroke) -> String {
-    let mut text =
-        format!("stroke=\"{}\" stroke-width=\"{}\"", stroke.colour.light, num(stroke.width));
-    if !stroke.dash.is_empty() {
-        let _ = write!(text, " stroke-dasharray=\"{}\"", stroke.dash);
-    }
-    text
+fn attributes(Stroke { colour, width, dash }: Stroke) -> String {
+    let dash =
+        if dash.is_empty() { String::new() } else { format!(r#" stroke-dasharray="{dash}""#) };
+    format!(r#"stroke="{}" stroke-width="{}"{dash}"#, colour.light, num(width))
 }
 
 /// Marks and texts of a figure, in drawing order.
 #[derive(Debug, Clone, Default)]
 pub(crate) struct Canvas {
-    body: String,
+    /// The elements written so far.
+    pub(crate) body: String,
 }
 
-// Writing to a String cannot fail, so the results of `write!` are dropped here.
 impl Canvas {
-    /// The elements written so far.
-    pub(crate) fn body(&self) -> &str {
-        &self.body
-    }
-
     /// Anything else; the caller vouches for its form.
     pub(crate) fn raw(&mut self, element: &str) {
         self.body.push_str(element);
@@ -154,75 +154,58 @@ impl Canvas {
         description: String,
         size: [f64; 2],
     ) -> Figure {
-        Figure { key: key.into(), title: title.into(), description, size, canvas: self }
+        Figure { key: key.into(), title: title.into(), description, size, body: self.body }
+    }
+
+    /// What belongs together, in an element `g` with these attributes.
+    pub(crate) fn group<T>(&mut self, attributes: &str, draw: impl FnOnce(&mut Self) -> T) -> T {
+        self.raw(&format!("<g {attributes}>"));
+        let drawn = draw(self);
+        self.raw("</g>");
+        drawn
     }
 
     /// What belongs to one series of the study, by its name, so that a page can follow it through all its
     /// figures; marks of none if the name is empty.
     pub(crate) fn series<T>(&mut self, name: &str, draw: impl FnOnce(&mut Self) -> T) -> T {
-        if !name.is_empty() {
-            let _ = write!(self.body, "<g data-m=\"{}\">", escape(name));
+        if name.is_empty() {
+            return draw(self);
         }
-        let drawn = draw(self);
-        if !name.is_empty() {
-            self.body.push_str("</g>");
-        }
-        drawn
+        self.group(&format!(r#"data-m="{}""#, escape(name)), draw)
     }
 
     /// What is drawn only inside a rectangle; `id` is unique in the page.
-    pub(crate) fn clipped(
-        &mut self,
-        id: &str,
-        [left, top, right, bottom]: Rect,
-        draw: impl FnOnce(&mut Self),
-    ) {
-        let _ = write!(
-            self.body,
-            "<clipPath id=\"{id}\"><rect x=\"{}\" y=\"{}\" width=\"{}\" height=\"{}\"/></clipPath>\
-             <g clip-path=\"url(#{id})\">",
-            num(left),
-            num(top),
-            num(right - left),
-            num(bottom - top)
-        );
-        draw(self);
-        self.body.push_str("</g>");
+    pub(crate) fn clipped(&mut self, id: &str, inside: Rect, draw: impl FnOnce(&mut Self)) {
+        let rect = rectangle(inside);
+        self.raw(&format!(r#"<clipPath id="{id}"><rect {rect}/></clipPath>"#));
+        self.group(&format!(r#"clip-path="url(#{id})""#), draw);
     }
 
-    pub(crate) fn line(&mut self, [x1, y1]: [f64; 2], [x2, y2]: [f64; 2], stroke: Stroke) {
-        let _ = write!(
-            self.body,
-            "<line class=\"s-{}\" x1=\"{}\" y1=\"{}\" x2=\"{}\" y2=\"{}\" {}/>",
-            stroke.colour.class,
-            num(x1),
-            num(y1),
-            num(x2),
-            num(y2),
-            attributes(stroke)
-        );
+    pub(crate) fn line(&mut self, from: [f64; 2], to: [f64; 2], stroke: Stroke) {
+        let [[x1, y1], [x2, y2]] = [from, to].map(|at| at.map(num));
+        let (class, look) = (stroke.colour.class, attributes(stroke));
+        self.raw(&format!(
+            r#"<line class="s-{class}" x1="{x1}" y1="{y1}" x2="{x2}" y2="{y2}" {look}/>"#
+        ));
     }
 
     /// Many short lines of one kind, as one element.
     pub(crate) fn ticks(&mut self, lines: &[[f64; 4]], stroke: Stroke) {
-        if lines.is_empty() {
-            return;
+        let line = |ends: &[f64; 4]| {
+            let [x1, y1, x2, y2] = ends.map(num);
+            format!("M{x1} {y1}L{x2} {y2}")
+        };
+        if !lines.is_empty() {
+            self.path(&lines.iter().map(line).collect::<String>(), stroke);
         }
-        let path: String = lines
-            .iter()
-            .map(|[x1, y1, x2, y2]| format!("M{} {}L{} {}", num(*x1), num(*y1), num(*x2), num(*y2)))
-            .collect();
-        self.path(&path, stroke);
     }
 
     /// An unfilled path from path data.
     pub(crate) fn path(&mut self, data: &str, stroke: Stroke) {
-        let _ = write!(
-            self.body,
-            "<path class=\"s-{}\" d=\"{data}\" fill=\"none\" {} stroke-linejoin=\"round\"/>",
-            stroke.colour.class,
-            attributes(stroke)
-        );
+        let (class, look) = (stroke.colour.class, attributes(stroke));
+        self.raw(&format!(
+            r#"<path class="s-{class}" d="{data}" fill="none" {look} stroke-linejoin="round"/>"#
+        ));
     }
 
     pub(crate) fn polyline(&mut self, points: &[[f64; 2]], stroke: Stroke) {
@@ -231,51 +214,34 @@ impl Canvas {
         }
     }
 
-    /// A filled area without outline.
     pub(crate) fn area(&mut self, points: &[[f64; 2]], colour: Colour, opacity: f64) {
         if points.len() > 2 {
-            let _ = write!(
-                self.body,
-                "<path class=\"f-{}\" d=\"{}Z\" fill=\"{}\" fill-opacity=\"{}\" stroke=\"none\"/>",
-                colour.class,
-                path_data(points),
-                colour.light,
-                num(opacity)
-            );
+            let (Colour { class, light, .. }, data) = (colour, path_data(points));
+            let opacity = num(opacity);
+            self.raw(&format!(
+                r#"<path class="f-{class}" d="{data}Z" fill="{light}" fill-opacity="{opacity}" stroke="none"/>"#
+            ));
         }
     }
 
-    pub(crate) fn rect(&mut self, [left, top, right, bottom]: Rect, colour: Colour, opacity: f64) {
-        let _ = write!(
-            self.body,
-            "<rect class=\"f-{}\" x=\"{}\" y=\"{}\" width=\"{}\" height=\"{}\" fill=\"{}\" \
-             fill-opacity=\"{}\"/>",
-            colour.class,
-            num(left),
-            num(top),
-            num(right - left),
-            num(bottom - top),
-            colour.light,
-            num(opacity)
-        );
+    pub(crate) fn rect(&mut self, rect: Rect, colour: Colour, opacity: f64) {
+        let (Colour { class, light, .. }, rect) = (colour, rectangle(rect));
+        let opacity = num(opacity);
+        self.raw(&format!(
+            r#"<rect class="f-{class}" {rect} fill="{light}" fill-opacity="{opacity}"/>"#
+        ));
     }
 
-    /// Many filled rectangles of one kind, as one element.
     pub(crate) fn bars(&mut self, bars: &[Rect], colour: Colour, opacity: f64) {
-        let path: String = bars
-            .iter()
-            .map(|bar| {
-                let [left, top, right, bottom] = bar.map(num);
-                format!("M{left} {bottom}V{top}H{right}V{bottom}Z")
-            })
-            .collect();
-        let _ = write!(
-            self.body,
-            "<path class=\"f-{}\" d=\"{path}\" fill=\"{}\" fill-opacity=\"{}\"/>",
-            colour.class,
-            colour.light,
-            num(opacity)
-        );
+        let bar = |bar: &Rect| {
+            let [left, top, right, bottom] = bar.map(num);
+            format!("M{left} {bottom}V{top}H{right}V{bottom}Z")
+        };
+        let (path, opacity) = (bars.iter().map(bar).collect::<String>(), num(opacity));
+        let Colour { class, light, .. } = colour;
+        self.raw(&format!(
+            r#"<path class="f-{class}" d="{path}" fill="{light}" fill-opacity="{opacity}"/>"#
+        ));
     }
 
     pub(crate) fn text(&mut self, text: &Text<'_>) {
@@ -289,166 +255,127 @@ impl Canvas {
 
     /// A text reading upwards, centred on its point.
     pub(crate) fn upright(&mut self, text: &Text<'_>) {
-        let turn = format!(" transform=\"rotate(-90 {} {})\"", num(text.at[0]), num(text.at[1]));
-        self.write_text(&Text { anchor: Anchor::Middle, ..text.clone() }, "", &turn);
+        let [x, y] = text.at.map(num);
+        let turned = Text { anchor: Anchor::Middle, ..*text };
+        self.write_text(&turned, "", &format!(r#" transform="rotate(-90 {x} {y})""#));
     }
 
     fn write_text(&mut self, text: &Text<'_>, kind: &str, turn: &str) {
-        let mut common = format!("x=\"{}\" y=\"{}\"", num(text.at[0]), num(text.at[1]));
-        match text.anchor {
-            Anchor::Start => {}
-            Anchor::Middle => common.push_str(" text-anchor=\"middle\""),
-            Anchor::End => common.push_str(" text-anchor=\"end\""),
-        }
-        if (text.size - 10.0).abs() > 1e-9 {
-            let _ = write!(common, " font-size=\"{}\"", num(text.size));
-        }
-        if text.bold {
-            common.push_str(" font-weight=\"700\"");
-        }
-        common.push_str(turn);
-        let content = escape(text.content);
+        let ([x, y], content) = (text.at.map(num), escape(text.content));
+        let anchor = match text.anchor {
+            Anchor::Start => "",
+            Anchor::Middle => r#" text-anchor="middle""#,
+            Anchor::End => r#" text-anchor="end""#,
+        };
+        let size = if (text.size - 10.0).abs() > 1e-9 {
+            format!(r#" font-size="{}""#, num(text.size))
+        } else {
+            String::new()
+        };
+        let weight = if text.bold { r#" font-weight="700""# } else { "" };
+        let common = format!(r#"x="{x}" y="{y}"{anchor}{size}{weight}{turn}"#);
         if text.halo {
-            let _ = write!(
-                self.body,
-                "<text class=\"s-paper\" {common} fill=\"none\" stroke=\"{}\" stroke-width=\"3\" \
-                 stroke-linejoin=\"round\" aria-hidden=\"true\">{content}</text>",
-                PAPER.light
-            );
+            let paper = PAPER.light;
+            self.raw(&format!(
+                r#"<text class="s-paper" {common} fill="none" stroke="{paper}" stroke-width="3" stroke-linejoin="round" aria-hidden="true">{content}</text>"#
+            ));
         }
-        let _ = write!(
-            self.body,
-            "<text class=\"f-{}{kind}\" {common} fill=\"{}\">{content}</text>",
-            text.colour.class, text.colour.light
-        );
+        let Colour { class, light, .. } = text.colour;
+        self.raw(&format!(
+            r#"<text class="f-{class}{kind}" {common} fill="{light}">{content}</text>"#
+        ));
     }
 
     /// A marker of nominal radius `r`.
     pub(crate) fn marker(&mut self, [x, y]: [f64; 2], r: f64, look: Style) {
-        let polygon = |corners: &[(f64, f64)]| {
-            let points: Vec<[f64; 2]> =
-                corners.iter().map(|(dx, dy)| [x + r * dx, y + r * dy]).collect();
-            format!("{}Z", path_data(&points))
+        let (Colour { class, light, .. }, paper) = (look.colour, PAPER.light);
+        let crossed = |a: f64, b: f64| {
+            let (a, b) = (r * a, r * b);
+            [[x - a, y - b, x + a, y + b], [x - b, y + a, x + b, y - a]]
         };
-        let cross = |a: f64, b: f64| {
-            format!(
-                "M{} {}L{} {}M{} {}L{} {}",
-                num(x - r * a),
-                num(y - r * b),
-                num(x + r * a),
-                num(y + r * b),
-                num(x - r * b),
-                num(y + r * a),
-                num(x + r * b),
-                num(y - r * a)
-            )
+        let circle = |class: &str, r: f64, fill: &str| {
+            let [x, y, r] = [x, y, r].map(num);
+            format!(r#"<circle class="{class}" cx="{x}" cy="{y}" r="{r}" fill="{fill}""#)
         };
-        let data = match look.marker {
+        let thin = Stroke::solid(look.colour, 1.3);
+        let corners: &[[f64; 2]] = match look.marker {
             Marker::Dot => {
-                let _ = write!(
-                    self.body,
-                    "<circle class=\"f-{}\" cx=\"{}\" cy=\"{}\" r=\"{}\" fill=\"{}\"/>",
-                    look.colour.class,
-                    num(x),
-                    num(y),
-                    num(0.72 * r),
-                    look.colour.light
-                );
-                return;
+                return self.raw(&(circle(&format!("f-{class}"), 0.72 * r, light) + "/>"));
             }
             Marker::Ring => {
-                let _ = write!(
-                    self.body,
-                    "<circle class=\"f-paper s-{}\" cx=\"{}\" cy=\"{}\" r=\"{}\" fill=\"{}\" \
-                     stroke=\"{}\" stroke-width=\"1.1\"/>",
-                    look.colour.class,
-                    num(x),
-                    num(y),
-                    num(0.85 * r),
-                    PAPER.light,
-                    look.colour.light
-                );
-                return;
+                let circle = circle(&format!("f-paper s-{class}"), 0.85 * r, paper);
+                return self.raw(&format!(r#"{circle} stroke="{light}" stroke-width="1.1"/>"#));
             }
-            Marker::Cross => return self.path(&cross(0.85, 0.85), Stroke::solid(look.colour, 1.3)),
-            Marker::Plus => return self.path(&cross(1.1, 0.0), Stroke::solid(look.colour, 1.3)),
-            Marker::Square => {
-                polygon(&[(-0.88, -0.88), (0.88, -0.88), (0.88, 0.88), (-0.88, 0.88)])
-            }
-            Marker::TriangleUp => polygon(&[(0.0, -1.15), (1.1, 0.8), (-1.1, 0.8)]),
-            Marker::TriangleDown => polygon(&[(0.0, 1.15), (1.1, -0.8), (-1.1, -0.8)]),
-            Marker::Diamond => polygon(&[(0.0, -1.25), (1.1, 0.0), (0.0, 1.25), (-1.1, 0.0)]),
-            Marker::Hexagon => polygon(&[
-                (1.05, 0.0),
-                (0.53, 0.91),
-                (-0.53, 0.91),
-                (-1.05, 0.0),
-                (-0.53, -0.91),
-                (0.53, -0.91),
-            ]),
+            Marker::Cross => return self.ticks(&crossed(0.85, 0.85), thin),
+            Marker::Plus => return self.ticks(&crossed(1.1, 0.0), thin),
+            Marker::Square => &[[-0.88, -0.88], [0.88, -0.88], [0.88, 0.88], [-0.88, 0.88]],
+            Marker::TriangleUp => &[[0.0, -1.15], [1.1, 0.8], [-1.1, 0.8]],
+            Marker::TriangleDown => &[[0.0, 1.15], [1.1, -0.8], [-1.1, -0.8]],
+            Marker::Diamond => &[[0.0, -1.25], [1.1, 0.0], [0.0, 1.25], [-1.1, 0.0]],
+            Marker::Hexagon => &[
+                [1.05, 0.0],
+                [0.53, 0.91],
+                [-0.53, 0.91],
+                [-1.05, 0.0],
+                [-0.53, -0.91],
+                [0.53, -0.91],
+            ],
         };
-        let _ = write!(
-            self.body,
-            "<path class=\"f-paper s-{}\" d=\"{data}\" fill=\"{}\" stroke=\"{}\" \
-             stroke-width=\"1.1\"/>",
-            look.colour.class, PAPER.light, look.colour.light
-        );
+        let points: Vec<_> = corners.iter().map(|[dx, dy]| [x + r * dx, y + r * dy]).collect();
+        let data = path_data(&points);
+        self.raw(&format!(
+            r#"<path class="f-paper s-{class}" d="{data}Z" fill="{paper}" stroke="{light}" stroke-width="1.1"/>"#
+        ));
     }
 }
 
+fn rectangle([left, top, right, bottom]: Rect) -> String {
+    let [x, y, width, height] = [left, top, right - left, bottom - top].map(num);
+    format!(r#"x="{x}" y="{y}" width="{width}" height="{height}""#)
+}
+
 fn path_data(points: &[[f64; 2]]) -> String {
-    points
-        .iter()
-        .enumerate()
-        .map(|(i, [x, y])| format!("{}{} {}", if i == 0 { 'M' } else { 'L' }, num(*x), num(*y)))
-        .collect()
+    let point = |(i, [x, y]): (usize, &[f64; 2])| {
+        format!("{}{} {}", if i == 0 { 'M' } else { 'L' }, num(*x), num(*y))
+    };
+    points.iter().enumerate().map(point).collect()
 }
 
 /// A finished figure.
 #[derive(Debug, Clone)]
-pub struct Figure {
+pub(crate) struct Figure {
     /// Unique key: prefix of every id inside.
     pub(crate) key: String,
-    /// What it shows.
     pub(crate) title: String,
     /// What it finds, with numbers.
     pub(crate) description: String,
     /// Width and height in units.
     pub(crate) size: [f64; 2],
-    /// What is drawn.
-    pub(crate) canvas: Canvas,
+    pub(crate) body: String,
 }
 
 impl Figure {
-    fn open(&self, extra: &str) -> String {
-        let Self { key, size: [width, height], .. } = self;
+    fn element(&self, extra: &str, ground: &str) -> String {
+        let Self { key, title, description, size, body } = self;
+        let ([width, height], title, description) =
+            (size.map(num), escape(title), escape(description));
         format!(
-            "<svg xmlns=\"http://www.w3.org/2000/svg\" viewBox=\"0 0 {} {}\"{extra} role=\"img\" \
-             aria-labelledby=\"{key}-t {key}-d\" font-family=\"{FONT}\" font-size=\"10\">\
-             <title id=\"{key}-t\">{}</title><desc id=\"{key}-d\">{}</desc>",
-            num(*width),
-            num(*height),
-            escape(&self.title),
-            escape(&self.description)
+            r#"<svg xmlns="http://www.w3.org/2000/svg" viewBox="0 0 {width} {height}"{extra} role="img" aria-labelledby="{key}-t {key}-d" font-family="{FONT}" font-size="10"><title id="{key}-t">{title}</title><desc id="{key}-d">{description}</desc>{ground}{body}</svg>"#
         )
     }
 
     /// The element for a page whose stylesheet knows the classes.
-    pub fn inline(&self) -> String {
-        format!("{}{}</svg>", self.open(""), self.canvas.body)
+    pub(crate) fn inline(&self) -> String {
+        self.element("", "")
     }
 
-    /// A file of its own: size in millimetres, white ground.
-    pub(crate) fn write_standalone(&self, out: &mut impl io::Write) -> io::Result<()> {
-        let [width, height] = self.size;
-        let size = format!(" width=\"{}mm\" height=\"{}mm\"", num(MM * width), num(MM * height));
-        let ground = format!(
-            "<rect width=\"{}\" height=\"{}\" fill=\"{}\"/>",
-            num(width),
-            num(height),
-            PAPER.light
-        );
-        writeln!(out, "{}{ground}{}</svg>", self.open(&size), self.canvas.body)
+    /// The text of a file of its own: size in millimetres, white ground.
+    pub(crate) fn standalone(&self) -> String {
+        let [width, height] = self.size.map(|units| num(MM * units));
+        let size = format!(r#" width="{width}mm" height="{height}mm""#);
+        let ([width, height], paper) = (self.size.map(num), PAPER.light);
+        let ground = format!(r#"<rect width="{width}" height="{height}" fill="{paper}"/>"#);
+        self.element(&size, &ground) + "\n"
     }
 }
 
@@ -463,15 +390,7 @@ mod tests {
 
     #[test]
     fn text_is_escaped_in_content_and_attributes() {
-        assert_eq!(
-            escape("<a href=\"x\">&'\u{1}"),
-            "&lt;a href=&quot;x&quot;&gt;&amp;&#39;\u{FFFD}"
-        );
-    }
-
-    #[test]
-    fn rectangles_that_touch_do_not_overlap() {
-        assert!(!overlap([0.0, 0.0, 1.0, 1.0], [1.0, 0.0, 2.0, 1.0]));
-        assert!(overlap([0.0, 0.0, 1.1, 1.0], [1.0, 0.5, 2.0, 1.0]));
+        let escaped = escape("<a href=\"x\">&'\u{1}");
+        assert_eq!(escaped, "&lt;a href=&quot;x&quot;&gt;&amp;&#39;\u{FFFD}");
     }
 }

@@ -6,7 +6,6 @@ use crate::draw::svg::{COLUMN, Figure, Rect, Text, text_width};
 use crate::figures::cost_plot::CostPlot;
 use crate::numbers::{duration, percent};
 
-/// One way to an answer.
 #[derive(Debug, Clone)]
 pub(crate) struct CostRoute {
     pub label: String,
@@ -31,18 +30,14 @@ pub(crate) fn figure(
     key: &str,
 ) -> Figure {
     const FRAME: Rect = [44.0, 12.0, COLUMN - 14.0, 226.0];
-    let seconds: Vec<f64> =
-        routes.iter().flat_map(|r| [r.typed.unwrap_or(r.seconds), r.seconds]).collect();
-    let fastest = seconds.iter().copied().fold(f64::INFINITY, f64::min).max(1e-9);
-    let slowest = seconds.iter().copied().fold(0.0, f64::max).max(10.0 * fastest);
-    let (mut lo, mut hi) = (f64::INFINITY, 1e-3);
+    let seconds = || routes.iter().flat_map(|r| [r.typed.unwrap_or(r.seconds), r.seconds]);
+    let fastest = seconds().fold(f64::INFINITY, f64::min).max(1e-9);
+    let slowest = seconds().fold(0.0, f64::max).max(10.0 * fastest);
     // An error of 0, as the reference has, is drawn below all others.
-    for e in routes.iter().map(|r| r.error).chain(floor).filter(|e| *e > 0.0) {
-        lo = lo.min(100.0 * e.max(1e-5));
-        hi = f64::max(hi, 100.0 * e);
-    }
-    lo = lo.min(hi);
-    hi = hi.max(10.0 * lo);
+    let errors = || routes.iter().map(|r| r.error).chain(floor).filter(|e| *e > 0.0);
+    let hi = errors().fold(1e-3, |hi, e| f64::max(hi, 100.0 * e));
+    let lo = errors().fold(hi, |lo, e| lo.min(100.0 * e.max(1e-5)));
+    let hi = hi.max(10.0 * lo);
     let limits = [[fastest / 3.0, slowest * 4.0], [lo / 6.0, hi * 1.8]];
     let titles = [time, &format!("|Error| in {of} at {at} (%)")];
     let whose = floor.map(|floor| (floor, "solver’s"));
@@ -52,7 +47,7 @@ pub(crate) fn figure(
     };
     let places: Vec<[f64; 2]> = routes.iter().map(place).collect();
     let costs: Vec<[f64; 2]> = routes.iter().map(|r| [r.seconds, r.error]).collect();
-    plot.draw_front(&costs, &places, floor.unwrap_or(0.0), 1.1);
+    plot.front(&costs, &places, floor.unwrap_or(0.0), 1.1);
     let CostPlot { frame, mut canvas, mut taken, .. } = plot;
     for (route, &[x, y]) in routes.iter().zip(&places) {
         canvas.series(&route.series, |canvas| {
@@ -72,33 +67,23 @@ pub(crate) fn figure(
         let inside = [FRAME[0], FRAME[1] - 8.0, COLUMN - 2.0, FRAME[3]];
         if let Some(r) = place_near(place, size, &taken, inside) {
             taken.push(r);
-            let text = Text {
-                colour: route.look.colour,
-                bold: route.bold,
-                halo: true,
-                ..Text::new([r[0], r[1] + 7.8], &route.label)
-            };
+            let text = Text::start([r[0], r[1] + 7.8], &route.label, route.look.colour).halo();
+            let text = Text { bold: route.bold, ..text };
             canvas.series(&route.series, |canvas| canvas.label(&text));
         }
     }
-    let listed: Vec<String> = routes
-        .iter()
-        .map(|r| {
-            let typed = r.typed.map(|s| format!(" ({} from typed numbers)", duration(s)));
-            let (error, time) = (percent(r.error), duration(r.seconds));
-            format!("{} {error} in {time}{}", r.label, typed.unwrap_or_default())
-        })
-        .collect();
+    let way = |r: &CostRoute| {
+        let typed = r.typed.map(|s| format!(" ({} from typed numbers)", duration(s)));
+        let (error, time) = (percent(r.error), duration(r.seconds));
+        format!("{} {error} in {time}{}", r.label, typed.unwrap_or_default())
+    };
+    let listed: Vec<String> = routes.iter().map(way).collect();
     let description = format!(
         "Log-log plot of the size of the error in {of} at {at} against computing time: {}.",
         listed.join("; ")
     );
-    canvas.figure(
-        key,
-        format!("Error against {}", time.to_lowercase()),
-        description,
-        [COLUMN, 262.0],
-    )
+    let title = format!("Error against {}", time.to_lowercase());
+    canvas.figure(key, title, description, [COLUMN, 262.0])
 }
 
 impl CostRoute {

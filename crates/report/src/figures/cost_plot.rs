@@ -3,9 +3,8 @@
 use crate::draw::axes::{PlotAxis, PlotFrame};
 use crate::draw::labels::{place_near, push_apart};
 use crate::draw::palette::{BAND, INK2, LINE, Stroke, Style};
-use crate::draw::svg::{Anchor, COLUMN, Canvas, Rect, Text, text_width};
+use crate::draw::svg::{COLUMN, Canvas, Rect, Text, text_width};
 use crate::numbers::{percent, time_tick};
-use std::io::{self, Write};
 
 /// A figure of errors against times. Places are in units of the figure.
 #[derive(Debug)]
@@ -23,20 +22,14 @@ pub struct CostPlot {
 pub struct CostLabel<'a> {
     /// The name.
     pub text: &'a str,
-    /// Style of what it names; `None` for a note.
-    pub style: Option<Style>,
+    /// Style of what it names.
+    pub style: Style,
     /// Bold.
     pub bold: bool,
     /// In the smaller type of notes.
     pub small: bool,
-}
-
-impl<'a> CostLabel<'a> {
-    fn at(self, at: [f64; 2]) -> Text<'a> {
-        let colour = self.style.map_or(INK2, |style| style.colour);
-        let size = if self.small { 9.0 } else { 10.0 };
-        Text { colour, size, bold: self.bold, ..Text::new(at, self.text) }
-    }
+    /// How far below its line it stands right of its place; `None`: near its place, where there is room.
+    pub beside: Option<f64>,
 }
 
 impl CostPlot {
@@ -68,9 +61,8 @@ impl CostPlot {
         frame.draw_with(&mut canvas, &frame.x.ticks_as(time_tick), &frame.y.ticks());
         let mut plot = Self { frame, canvas, taken: Vec::new(), level: None };
         if let Some((floor, whose)) = floor {
-            let text = &format!("within the {whose} own ±{}: not ranked", percent(floor));
-            let note = CostLabel { text, style: None, bold: false, small: true };
-            plot.write(&note.at([left + 4.0, bottom - 5.0]));
+            let text = format!("within the {whose} own ±{}: not ranked", percent(floor));
+            plot.write(&Text::start([left + 4.0, bottom - 5.0], &text, INK2).small());
         }
         plot
     }
@@ -89,30 +81,18 @@ impl CostPlot {
     pub fn mark(&mut self, seconds: f64, name: &str, is_at_top: bool) {
         let (x, [bottom, top]) = (self.frame.x.at(seconds), self.frame.y.units);
         let stroke = Stroke { colour: LINE, width: 0.8, dash: "1 2" };
-        let note = CostLabel { text: name, style: None, bold: false, small: true };
         self.canvas.line([x, bottom], [x, top], stroke);
         if is_at_top {
             self.taken.push([x - 1.0, top, x + 1.0, bottom]);
-            let text = note.at([x - 3.0, top + 4.0]);
-            self.write(&Text { anchor: Anchor::End, halo: true, ..text });
+            self.write(&Text::end([x - 3.0, top + 4.0], name, INK2).small().halo());
         } else {
-            self.write(&note.at([x + 3.0, bottom - 5.0]));
+            self.write(&Text::start([x + 3.0, bottom - 5.0], name, INK2).small());
         }
     }
 
-    /// Joins in steps, at their places, the costs `[seconds, error]` that no other beats in both, down to an error of
-    /// `floor`.
-    pub fn front(&mut self, costs: &[[f64; 2]], places: &[[f64; 2]], floor: f64) {
-        self.draw_front(costs, places, floor, 1.6);
-    }
-
-    pub(super) fn draw_front(
-        &mut self,
-        costs: &[[f64; 2]],
-        places: &[[f64; 2]],
-        floor: f64,
-        width: f64,
-    ) {
+    /// Joins in steps of this width, at their places, the costs `[seconds, error]` that no other beats in both, down to
+    /// an error of `floor`.
+    pub fn front(&mut self, costs: &[[f64; 2]], places: &[[f64; 2]], floor: f64, width: f64) {
         let front = front(costs, floor);
         let step = |w: &[usize]| {
             let (a, b) = (places[w[0]], places[w[1]]);
@@ -130,8 +110,7 @@ impl CostPlot {
         let Some([a, b]) = self.level else { return };
         self.keep_clear_of(&[[a[0], a[1] - 2.0], [b[0], b[1] - 2.0]]);
         let middle = [f64::midpoint(a[0], b[0]), a[1]];
-        let text = CostLabel { text: "Pareto front", style: None, bold: false, small: true };
-        self.label(middle, text);
+        self.place(Text::start(middle, "Pareto front", INK2).small());
     }
 
     /// A line through places, as wide as its style says or as `width`.
@@ -151,9 +130,20 @@ impl CostPlot {
         self.taken.push([x - 4.0, y - 4.0, x + 4.0, y + 4.0]);
     }
 
-    /// A label near a place; where it is crowded further off, with a hairline to its place, or nowhere.
-    pub fn label(&mut self, at: [f64; 2], label: CostLabel<'_>) {
-        let text = label.at(at);
+    /// A label at a place.
+    pub fn label(&mut self, [x, y]: [f64; 2], label: CostLabel<'_>) {
+        let CostLabel { text, style, bold, small, beside } = label;
+        let size = if small { 9.0 } else { 10.0 };
+        let text = Text { size, bold, ..Text::start([x, y], text, style.colour) };
+        match beside {
+            Some(down) => self.write(&Text { at: [x + 7.0, y + 3.4 + down], ..text }),
+            None => self.place(text),
+        }
+    }
+
+    /// A label near its place; where it is crowded further off, with a hairline to its place, or nowhere.
+    fn place(&mut self, text: Text<'_>) {
+        let at = text.at;
         let ([left, _], [bottom, top]) = (self.frame.x.units, self.frame.y.units);
         let inside = [left + 2.0, top - 6.0, COLUMN - 1.0, bottom];
         let size = [text_width(text.content, text.size, text.bold), text.size];
@@ -170,14 +160,9 @@ impl CostPlot {
                 self.canvas.line(at, end, Stroke::solid(text.colour, 0.5));
             }
             let at = [r[0], r[1] + 0.78 * text.size];
-            self.canvas.label(&Text { at, halo: true, ..text });
+            self.canvas.label(&Text { at, ..text }.halo());
             return;
         }
-    }
-
-    /// A label right of a place, `down` below its line.
-    pub fn label_beside(&mut self, [x, y]: [f64; 2], down: f64, label: CostLabel<'_>) {
-        self.write(&label.at([x + 7.0, y + 3.4 + down]));
     }
 
     fn write(&mut self, text: &Text<'_>) {
@@ -198,18 +183,9 @@ impl CostPlot {
         }
     }
 
-    /// Writes the figure as a file: `key` begins the ids inside, `title` says what it shows, `description` what it finds.
-    ///
-    /// # Errors
-    /// Whatever the writer reports.
-    pub fn write_svg(
-        self,
-        key: &str,
-        title: &str,
-        description: String,
-        out: &mut impl Write,
-    ) -> io::Result<()> {
-        self.canvas.figure(key, title, description, [COLUMN, 288.0]).write_standalone(out)
+    /// The text of the figure as a file: `key` begins the ids inside, `title` says what it shows, `description` what it finds.
+    pub fn svg(self, key: &str, title: &str, description: String) -> String {
+        self.canvas.figure(key, title, description, [COLUMN, 288.0]).standalone()
     }
 }
 
@@ -242,9 +218,7 @@ mod tests {
     #[test]
     fn front_is_not_beaten_and_stops_at_the_floor() {
         let points = [[1e-8, 3.0], [1e-6, 0.2], [1e-5, 0.3], [1e-3, 0.008], [1.0, 0.001]];
-        assert_eq!(front(&points, 0.0), [0, 1, 3, 4]);
-        assert_eq!(front(&points, 0.01), [0, 1, 3]);
-        assert_eq!(front(&[], 0.0), Vec::<usize>::new());
+        assert_eq!((front(&points, 0.0), front(&points, 0.01)), (vec![0, 1, 3, 4], vec![0, 1, 3]));
     }
 
     proptest! {

@@ -2,11 +2,12 @@
 
 use crate::draw::axes::{AxisScale, PlotAxis, PlotFrame};
 use crate::draw::labels::{EndLabel, ROOM, draw_end_labels};
-use crate::draw::palette::{BAND, DETERMINISTIC, DETERMINISTIC_STYLE, INK2, Stroke};
+use crate::draw::palette::{BAND, DETERMINISTIC, DETERMINISTIC_STYLE, INK, INK2, Stroke};
 use crate::draw::svg::{COLUMN, Canvas, Figure, Text, num};
-use crate::lines::{LoadLines, ModelLine, compared, min_max, range_words};
+use crate::lines::{LoadLine, LoadLines, compared, load_ends, min_max, range_words};
 use crate::messages::load;
-use crate::numbers::{PASCALS, Unit, counted, signed_range, unit_for};
+use crate::numbers::{PASCALS, counted, signed_range, unit_for};
+use contact_compare::Comparison;
 
 /// Plot box: left and right edge in units.
 const LEFT: f64 = 44.0;
@@ -18,66 +19,37 @@ const BOTTOM_MARGIN: f64 = 36.0;
 /// Height of one line of notes above the frame.
 const NOTE: f64 = 12.0;
 
-/// Whether a figure carries the movable load line of the report.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub(crate) enum Use {
-    /// In the report.
-    Page,
-    /// As a file of its own.
-    File,
-}
-
-/// Fig. 1 of the source paper: real contact area over nominal pressure, both logarithmic.
-pub(crate) fn area(lines: &LoadLines, key: &str, usage: Use) -> Figure {
-    let percent = |a: f64| 100.0 * a;
-    let reference: Vec<_> = lines.area.iter().map(|a| a.map(percent)).collect();
-    let band: Vec<_> = lines.interval.iter().map(|i| i.map(|i| i.map(percent))).collect();
-    let models: Vec<_> =
-        lines.models.iter().map(|m| m.area.iter().map(|a| a.map(percent)).collect()).collect();
-    let description = format!(
-        "Log-log plot over {}. Deterministic area: {}. {}",
-        counted(lines.pressures.len(), "load"),
-        range_words(&reference, " %"),
-        compared(lines)
-    );
-    let title = "Real contact area over the load";
-    let y_title = "Real contact area (% of nominal)".into();
-    let y = log_axis(&reference, &band, &models, 100.0);
-    let notes = load_notes(lines, &models, y.data);
-    Plot { lines, reference, band, models, y, notes, cells: 'a', title, y_title, description }
-        .draw(key, usage)
+/// Fig. 1 of the source paper: real contact area over nominal pressure, both logarithmic. `on_page` it has the movable
+/// load line of the report.
+pub(crate) fn area(lines: &LoadLines, key: &str, on_page: bool) -> Figure {
+    let describe = |reference: &[Option<f64>]| {
+        let loads = counted(lines.pressures.len(), "load");
+        let (range, compared) = (range_words(reference, " %"), compared(lines));
+        format!("Log-log plot over {loads}. Deterministic area: {range}. {compared}")
+    };
+    let of = |_: f64, area: f64| Some(100.0 * area);
+    let titles = ["Real contact area over the load", "Real contact area (% of nominal)"];
+    Plot::logarithmic(lines, of, 100.0, 'a', titles, describe).draw(key, on_page)
 }
 
 /// Fig. 2 of the source paper: mean real pressure over nominal pressure, both logarithmic.
-pub(crate) fn pressure(lines: &LoadLines, key: &str, usage: Use) -> Figure {
-    let real = |p: f64, a: f64| (a > 0.0).then(|| p / a);
-    let over = |areas: &[Option<f64>]| -> Vec<Option<f64>> {
-        lines.pressures.iter().zip(areas).map(|(&p, a)| real(p, (*a)?)).collect()
+pub(crate) fn pressure(lines: &LoadLines, key: &str, on_page: bool) -> Figure {
+    let real = |p: f64, area: f64| (area > 0.0).then(|| p / area);
+    let known = lines.pressures.iter().zip(&lines.area);
+    let mut known: Vec<f64> = known.filter_map(|(&p, a)| real(p, (*a)?)).collect();
+    known.sort_by(f64::total_cmp);
+    let unit = unit_for(known.get(known.len() / 2).copied().unwrap_or(lines.pressures[0]), PASCALS);
+    let describe = |reference: &[Option<f64>]| {
+        format!(
+            "Log-log plot. Deterministic mean real pressure: {} while load rises {:.0} times.",
+            range_words(reference, &format!(" {}", unit.name)),
+            lines.pressures[lines.pressures.len() - 1] / lines.pressures[0]
+        )
     };
-    let reference = over(&lines.area);
-    let typical = middle(&reference).unwrap_or(lines.pressures[0]);
-    let unit = unit_for(typical, PASCALS);
-    let scaled = |values: Vec<Option<f64>>| -> Vec<Option<f64>> {
-        values.into_iter().map(|v| v.map(|v| v / unit.scale)).collect()
-    };
-    let between = |(&p, i): (&f64, &Option<[f64; 2]>)| {
-        let [lo, hi] = (*i)?;
-        (lo > 0.0).then(|| [p / hi / unit.scale, p / lo / unit.scale])
-    };
-    let band: Vec<_> = lines.pressures.iter().zip(&lines.interval).map(between).collect();
-    let reference = scaled(reference);
-    let description = format!(
-        "Log-log plot. Deterministic mean real pressure: {} while load rises {:.0} times.",
-        range_words(&reference, &format!(" {}", unit.name)),
-        lines.pressures[lines.pressures.len() - 1] / lines.pressures[0]
-    );
-    let models: Vec<_> = lines.models.iter().map(|m| scaled(over(&m.area))).collect();
-    let title = "Mean real pressure over the load";
-    let y_title = format!("Mean real pressure ({})", unit.name);
-    let y = log_axis(&reference, &band, &models, f64::INFINITY);
-    let notes = load_notes(lines, &models, y.data);
-    Plot { lines, reference, band, models, y, notes, cells: 'p', title, y_title, description }
-        .draw(key, usage)
+    let of = |p: f64, area: f64| Some(real(p, area)? / unit.scale);
+    let titles =
+        ["Mean real pressure over the load", &format!("Mean real pressure ({})", unit.name)];
+    Plot::logarithmic(lines, of, f64::INFINITY, 'p', titles, describe).draw(key, on_page)
 }
 
 /// A plot over the loads of one quantity of the reference and of every model; of errors, on a linear axis, the
@@ -91,25 +63,53 @@ struct Plot<'a> {
     /// Its data alone.
     y: PlotAxis,
     /// Models that leave the axis, with what is said of them above the frame.
-    notes: Vec<(&'a ModelLine, String)>,
+    notes: Vec<(&'a LoadLine, String)>,
     /// Letter of what the slider lists.
     cells: char,
-    title: &'a str,
+    title: String,
     y_title: String,
     description: String,
 }
 
-impl Plot<'_> {
-    fn draw(self, key: &str, usage: Use) -> Figure {
+impl<'a> Plot<'a> {
+    /// Of a quantity that follows from a pressure and an area fraction, at most `ceiling`.
+    fn logarithmic(
+        lines: &'a LoadLines,
+        of: impl Fn(f64, f64) -> Option<f64>,
+        ceiling: f64,
+        cells: char,
+        [title, y_title]: [&str; 2],
+        describe: impl FnOnce(&[Option<f64>]) -> String,
+    ) -> Self {
+        let over = |areas: &[Option<f64>]| -> Vec<Option<f64>> {
+            lines.pressures.iter().zip(areas).map(|(&p, a)| of(p, (*a)?)).collect()
+        };
+        let reference = over(&lines.area);
+        let models: Vec<_> = lines.models.iter().map(|m| over(&m.values)).collect();
+        let ends = |(&p, i): (&f64, &Option<[f64; 2]>)| {
+            let [a, b] = (*i)?.map(|area| of(p, area));
+            Some([a?.min(b?), a?.max(b?)])
+        };
+        let band: Vec<_> = lines.pressures.iter().zip(&lines.interval).map(ends).collect();
+        let all = reference.iter().flatten().chain(band.iter().flatten().flatten());
+        let beside = models.iter().flat_map(|values| values.iter().zip(&reference));
+        let y = PlotAxis::log(log_limits(all, beside, ceiling), [0.0, 1.0]);
+        let notes = load_notes(lines, &models, y.data);
+        let (title, y_title, description) = (title.into(), y_title.into(), describe(&reference));
+        Self { lines, reference, band, models, y, notes, cells, title, y_title, description }
+    }
+
+    fn draw(self, key: &str, on_page: bool) -> Figure {
         let lines = self.lines;
         let is_error = self.y.spacing == AxisScale::Linear;
         let (unit, x_title) = lines.load_axis();
+        let x: Vec<f64> = lines.pressures.iter().map(|p| p / unit.scale).collect();
         let [lo, hi] = self.y.data;
         let notes = NOTE * self.notes.len() as f64;
         let top = TOP + if is_error || self.notes.is_empty() { notes } else { notes - 2.0 };
         let bottom = HEIGHT - BOTTOM_MARGIN;
         let frame = PlotFrame {
-            x: x_axis(lines, unit),
+            x: PlotAxis::log(load_ends(x[0], x[x.len() - 1]), [LEFT, RIGHT]),
             y: PlotAxis { units: [bottom, top], ..self.y },
             x_title,
             y_title: self.y_title,
@@ -124,59 +124,58 @@ impl Plot<'_> {
         frame.draw_with(&mut canvas, &frame.x.ticks(), &y_ticks);
         for (row, (model, note)) in self.notes.iter().enumerate() {
             let at = [LEFT + 4.0, 10.0 + NOTE * row as f64];
-            let text = Text { colour: model.look.colour, size: 9.0, ..Text::new(at, note) };
+            let text = Text::start(at, note, model.look.colour).small();
             canvas.series(&model.name, |canvas| canvas.label(&text));
         }
-        if usage == Use::Page {
-            cursor(&mut canvas, lines, &frame, self.cells);
+        if on_page {
+            cursor(&mut canvas, lines, &frame, &x, self.cells);
         }
-        let x = |i: usize| lines.pressures[i] / unit.scale;
+        let placed = |values: &[Option<f64>]| -> Vec<Option<[f64; 2]>> {
+            x.iter().zip(values).map(|(x, v)| Some(frame.at([*x, (*v)?]))).collect()
+        };
+        let end = |y: f64| frame.y.at(y).clamp(top, bottom);
         let mut ends = Vec::new();
         // A little wider than the frame, for markers on its edge.
         let clip = [LEFT - 4.0, top - 4.0, RIGHT + 4.0, bottom];
         canvas.clipped(&format!("{key}-c"), clip, |canvas| {
-            let band: Vec<_> =
-                self.band.iter().map(|b| b.map(|b| b.map(|v| v.clamp(lo, hi)))).collect();
-            draw_band(canvas, &frame, &x, &band, if is_error { 0.28 } else { 0.16 });
+            let [low, high] = [0, 1]
+                .map(|k| self.band.iter().map(|b| b.map(|b| b[k].clamp(lo, hi))).collect())
+                .map(|side: Vec<Option<f64>>| runs(&placed(&side)));
+            for (mut outline, high) in low.into_iter().zip(high) {
+                outline.extend(high.into_iter().rev());
+                canvas.area(&outline, DETERMINISTIC, if is_error { 0.28 } else { 0.16 });
+            }
             if is_error {
                 let zero = [LEFT, RIGHT].map(|x| [x, frame.y.at(0.0)]);
                 canvas.line(zero[0], zero[1], Stroke::solid(DETERMINISTIC, 1.6));
                 ends.push(EndLabel::deterministic(frame.y.at(0.0)));
             }
             for (model, values) in lines.models.iter().zip(&self.models) {
-                let end = draw_model(canvas, &frame, &x, values, model);
-                if let Some(y) = end.filter(|y| !is_error || (lo..=hi).contains(y)) {
-                    ends.push(EndLabel::of_model(frame.y.at(y).clamp(top, bottom), model));
+                draw_model(canvas, &frame, values, &placed(values), model);
+                let last = values.iter().flatten().last();
+                if let Some(y) = last.filter(|y| !is_error || (lo..=hi).contains(*y)) {
+                    ends.push(EndLabel::of(end(*y), model));
                 }
             }
-            let end = draw_reference(canvas, &frame, &x, &self.reference);
-            let end = end.map(|y| EndLabel::deterministic(frame.y.at(y).clamp(top, bottom)));
-            ends.extend(end);
+            let positive: Vec<Option<f64>> =
+                self.reference.iter().map(|v| v.filter(|v| *v > 0.0)).collect();
+            for run in runs(&placed(&positive)) {
+                canvas.polyline(&run, DETERMINISTIC_STYLE.stroke());
+                for point in run {
+                    canvas.marker(point, 2.6, DETERMINISTIC_STYLE);
+                }
+            }
+            let last = positive.iter().flatten().last();
+            ends.extend(last.map(|y| EndLabel::deterministic(end(*y))));
         });
         // A band too narrow for its name is named in the caption alone.
         if is_error && tolerance[3] - tolerance[1] > 26.0 {
-            canvas.text(&Text {
-                colour: INK2,
-                size: 9.0,
-                halo: true,
-                ..Text::new([LEFT + 4.0, tolerance[1] + 9.5], "within 10\u{202F}%")
-            });
+            let at = [LEFT + 4.0, tolerance[1] + 9.5];
+            canvas.text(&Text::start(at, "within 10\u{202F}%", INK2).small().halo());
         }
         draw_end_labels(&mut canvas, RIGHT, [top + 2.0, bottom - 2.0], &ends);
         canvas.figure(key, self.title, self.description, [COLUMN, HEIGHT])
     }
-}
-
-/// A logarithmic axis for the reference with its band, and models.
-fn log_axis(
-    reference: &[Option<f64>],
-    band: &[Option<[f64; 2]>],
-    models: &[Vec<Option<f64>>],
-    ceiling: f64,
-) -> PlotAxis {
-    let band = band.iter().flatten().flatten().map(|v| Some(*v));
-    let reference: Vec<Option<f64>> = reference.iter().copied().chain(band).collect();
-    PlotAxis::log(log_limits(&reference, models, ceiling), [0.0, 1.0])
 }
 
 /// "▲ MB off scale from 400 MPa" of each model that leaves the axis.
@@ -184,8 +183,8 @@ fn load_notes<'a>(
     lines: &'a LoadLines,
     models: &[Vec<Option<f64>>],
     [lo, hi]: [f64; 2],
-) -> Vec<(&'a ModelLine, String)> {
-    let note = |(model, values): (&'a ModelLine, &Vec<Option<f64>>)| {
+) -> Vec<(&'a LoadLine, String)> {
+    let note = |(model, values): (&'a LoadLine, &Vec<Option<f64>>)| {
         let off = |i: &usize| values[*i].is_some_and(|v| v < lo || v > hi * (1.0 + 1e-9));
         let loads: Vec<usize> = (0..lines.pressures.len()).filter(off).collect();
         let (&first, &last) = (loads.first()?, loads.last()?);
@@ -204,32 +203,21 @@ fn load_notes<'a>(
 }
 
 /// Limits of a logarithmic axis: all of the reference, and every model value within a factor of
-/// 12 of it; one bad model does not flatten the rest. `models` align with `reference`.
-pub(crate) fn log_limits(
-    reference: &[Option<f64>],
-    models: &[Vec<Option<f64>>],
+/// 12 of the reference beside it; one bad model does not flatten the rest.
+pub(crate) fn log_limits<'a>(
+    reference: impl Iterator<Item = &'a f64> + Clone,
+    models: impl Iterator<Item = (&'a Option<f64>, &'a Option<f64>)>,
     ceiling: f64,
 ) -> [f64; 2] {
-    let mut lo = f64::INFINITY;
-    let mut hi = 0.0_f64;
-    let mut take = |v: f64| {
-        if v > 0.0 && v.is_finite() {
-            lo = lo.min(v);
-            hi = hi.max(v);
-        }
+    let has_reference = reference.clone().any(|v| *v > 0.0);
+    let near = |(v, r): (&Option<f64>, &Option<f64>)| match (v, r) {
+        (Some(v), Some(r)) if *r > 0.0 => (1.0 / 12.0..12.0).contains(&(v / r)).then_some(*v),
+        (Some(v), _) => (!has_reference).then_some(*v),
+        (None, _) => None,
     };
-    reference.iter().flatten().for_each(|v| take(*v));
-    let has_reference = reference.iter().flatten().any(|v| *v > 0.0);
-    for (v, r) in models.iter().flat_map(|values| values.iter().zip(reference)) {
-        match (v, r) {
-            (Some(v), Some(r)) if *r > 0.0 && (1.0 / 12.0..12.0).contains(&(v / r)) => take(*v),
-            (Some(v), _) if !has_reference => take(*v),
-            _ => {}
-        }
-    }
-    if hi <= 0.0 {
-        return [0.1, 1.0];
-    }
+    let all = reference.copied().chain(models.filter_map(near));
+    let drawn: Vec<f64> = all.filter(|v| *v > 0.0 && v.is_finite()).collect();
+    let Some((lo, hi)) = min_max(&drawn) else { return [0.1, 1.0] };
     let room = (hi / lo).powf(0.04).max(1.1);
     [lo / room, (hi * room).min(ceiling).max(1.01 * lo)]
 }
@@ -239,34 +227,24 @@ const MOST_ERROR: f64 = 150.0;
 
 /// Fig. 3: signed error of the area of each closed form against the deterministic solution.
 pub(crate) fn error(lines: &LoadLines, key: &str) -> Figure {
-    let errors: Vec<Vec<Option<f64>>> = lines
-        .models
-        .iter()
-        .map(|m| lines.errors(m).into_iter().map(|e| e.map(|e| 100.0 * e)).collect())
-        .collect();
+    let percent = |e: &f64| 100.0 * e;
+    let in_percent =
+        |m: &LoadLine| lines.errors(m).iter().map(|e| e.as_ref().map(percent)).collect();
+    let errors: Vec<Vec<Option<f64>>> = lines.models.iter().map(in_percent).collect();
     let worst = |e: &[Option<f64>]| e.iter().flatten().fold(0.0_f64, |w, e| w.max(e.abs()));
     // The axis holds every model that stays within 60 %; if none does, the best of them and
     // those that are little worse.
     let mut worsts: Vec<f64> = errors.iter().map(|e| worst(e)).filter(|w| *w > 0.0).collect();
     worsts.sort_by(f64::total_cmp);
-    let limit = worsts
-        .iter()
-        .rfind(|w| **w <= 60.0)
-        .copied()
-        .or(worsts.first().map(|best| 1.3 * best))
-        .unwrap_or(15.0)
-        .max(15.0);
-    let held = |e: &&Vec<Option<f64>>| worst(e) <= limit;
+    let within = worsts.iter().rfind(|w| **w <= 60.0).copied();
+    let limit = within.or(worsts.first().map(|best| 1.3 * best)).unwrap_or(15.0).max(15.0);
     let extent = |sign: f64| {
-        errors
-            .iter()
-            .filter(held)
-            .flat_map(|e| e.iter().flatten())
-            .fold(12.0_f64, |w, e| w.max((sign * e).min(MOST_ERROR)))
+        let held = errors.iter().filter(|e| worst(e) <= limit).flatten().flatten();
+        held.fold(12.0_f64, |w, e| w.max((sign * e).min(MOST_ERROR)))
     };
     let (lo, hi) = (-1.06 * extent(-1.0), 1.06 * extent(1.0));
     // "▲ Stacked off scale: +141 to +434 %".
-    let note = |(model, errors): (&'_ ModelLine, &Vec<Option<f64>>)| {
+    let note = |(model, errors): (&'_ LoadLine, &Vec<Option<f64>>)| {
         errors.iter().flatten().find(|e| **e < lo || **e > hi)?;
         let errors: Vec<f64> = lines.errors(model).into_iter().flatten().collect();
         let (low, high) = min_max(&errors)?;
@@ -279,7 +257,7 @@ pub(crate) fn error(lines: &LoadLines, key: &str) -> Figure {
         Some((*i)?.map(|v| 100.0 * (v / a.unwrap_or(v) - 1.0)))
     };
     let band = lines.interval.iter().zip(&lines.area).map(between).collect();
-    Plot {
+    let plot = Plot {
         lines,
         reference: Vec::new(),
         band,
@@ -287,116 +265,89 @@ pub(crate) fn error(lines: &LoadLines, key: &str) -> Figure {
         y: PlotAxis::linear([lo, hi], [0.0, 1.0]),
         notes,
         cells: 'e',
-        title: "Signed error of each closed form against load",
+        title: "Signed error of each closed form against load".into(),
         y_title: "Error in area (%)".into(),
         description: format!(
             "Per cent error of the area relative to the deterministic solution of the same map. {}",
             compared(lines)
         ),
-    }
-    .draw(key, Use::Page)
+    };
+    plot.draw(key, true)
 }
 
 /// The dotted line at the load read off; the report's script moves it, and lists beside it what `cells` of
 /// the slider's data begin with the letter of the figure.
-fn cursor(canvas: &mut Canvas, lines: &LoadLines, frame: &PlotFrame, cells: char) {
-    let (unit, _) = lines.load_axis();
-    let places: Vec<String> =
-        lines.pressures.iter().map(|p| num(frame.x.at(p / unit.scale))).collect();
-    canvas.raw(&format!(
-        "<g class=\"cur\" data-v=\"{cells}\" data-of=\"{}\" data-x=\"{}\" transform=\"translate({} 0)\">",
-        lines.of,
-        places.join(" "),
-        places[lines.headline]
-    ));
+fn cursor(canvas: &mut Canvas, lines: &LoadLines, frame: &PlotFrame, x: &[f64], cells: char) {
+    let places: Vec<String> = x.iter().map(|x| num(frame.x.at(*x))).collect();
+    let (of, all, here) = (lines.of, places.join(" "), &places[lines.headline]);
+    let moved = format!(
+        r#"class="cur" data-v="{cells}" data-of="{of}" data-x="{all}" transform="translate({here} 0)""#
+    );
     let [bottom, top] = frame.y.units;
     let stroke = Stroke { colour: INK2, width: 0.8, dash: "1.5 1.5" };
-    canvas.line([0.0, top], [0.0, bottom], stroke);
-    canvas.raw("</g>");
+    canvas.group(&moved, |canvas| canvas.line([0.0, top], [0.0, bottom], stroke));
 }
 
-/// Draws a band between low and high values, in pieces where values are missing.
-fn draw_band(
-    canvas: &mut Canvas,
-    frame: &PlotFrame,
-    x: &impl Fn(usize) -> f64,
-    band: &[Option<[f64; 2]>],
-    opacity: f64,
-) {
-    for run in runs(band) {
-        let edge = |side: usize| {
-            run.iter().map(move |(i, b)| (i, b[side])).map(|(i, v)| frame.at([x(*i), v]))
-        };
-        let outline: Vec<[f64; 2]> = edge(0).chain(edge(1).rev()).collect();
-        canvas.area(&outline, DETERMINISTIC, opacity);
-    }
-}
-
-/// Draws a model's line and markers; answers with its value at the last load it has.
+/// Draws a model's line, and its markers where the axis has them.
 fn draw_model(
     canvas: &mut Canvas,
     frame: &PlotFrame,
-    x: &impl Fn(usize) -> f64,
     values: &[Option<f64>],
-    model: &ModelLine,
-) -> Option<f64> {
+    placed: &[Option<[f64; 2]>],
+    model: &LoadLine,
+) {
     let look = model.look;
-    let present: Vec<(usize, f64)> =
-        values.iter().enumerate().filter_map(|(i, v)| Some((i, (*v)?))).collect();
+    let is_short = placed.iter().flatten().count() < 3;
     canvas.series(&model.name, |canvas| {
-        for run in runs(values) {
-            let points: Vec<[f64; 2]> = run.iter().map(|(i, v)| frame.at([x(*i), *v])).collect();
-            canvas.polyline(&points, look.stroke());
+        for run in runs(placed) {
+            canvas.polyline(&run, look.stroke());
         }
-        for &(i, v) in &present {
-            if (i % 4 == look.marker_offset || present.len() < 3) && frame.y.holds(v) {
-                canvas.marker(frame.at([x(i), v]), 2.6, look);
+        for (i, (v, at)) in values.iter().zip(placed).enumerate() {
+            let (Some(v), Some(at)) = (v, at) else { continue };
+            if (i % 4 == look.marker_offset || is_short) && frame.y.holds(*v) {
+                canvas.marker(*at, 2.6, look);
             }
         }
     });
-    present.last().map(|(_, v)| *v)
 }
 
-/// Draws the deterministic line with a dot at every load; answers with its last value.
-fn draw_reference(
-    canvas: &mut Canvas,
-    frame: &PlotFrame,
-    x: &impl Fn(usize) -> f64,
-    values: &[Option<f64>],
-) -> Option<f64> {
-    let positive: Vec<Option<f64>> = values.iter().map(|v| v.filter(|v| *v > 0.0)).collect();
-    for run in runs(&positive) {
-        let points: Vec<[f64; 2]> = run.iter().map(|(i, v)| frame.at([x(*i), *v])).collect();
-        canvas.polyline(&points, DETERMINISTIC_STYLE.stroke());
-        for point in points {
-            canvas.marker(point, 2.6, DETERMINISTIC_STYLE);
-        }
+/// Maximal runs of present points.
+fn runs(points: &[Option<[f64; 2]>]) -> Vec<Vec<[f64; 2]>> {
+    let all = points.split(Option::is_none).filter(|run| !run.is_empty());
+    all.map(|run| run.iter().copied().flatten().collect()).collect()
+}
+
+/// `area.svg` and `pressure.svg`, 85 mm wide: one panel per surface, two of bodies that yield, below each other; in two
+/// columns from four.
+pub(crate) fn panels(
+    comparison: &Comparison,
+    key: &str,
+    draw: fn(&LoadLines, &str, bool) -> Figure,
+) -> Figure {
+    const NAME: f64 = 18.0;
+    let panels = comparison.surfaces.iter().flat_map(|surface| {
+        LoadLines::panels(surface).into_iter().map(|lines| (lines.named(surface), lines))
+    });
+    let drawn = |(i, (name, lines))| (name, draw(&lines, &format!("{key}{i}"), false));
+    let mut figures: Vec<(String, Figure)> = panels.enumerate().map(drawn).collect();
+    if figures.len() == 1 {
+        return figures.remove(0).1;
     }
-    positive.iter().flatten().last().copied()
-}
-
-/// Maximal runs of present values with their indices.
-fn runs<T: Copy>(values: &[Option<T>]) -> Vec<Vec<(usize, T)>> {
-    let mut runs: Vec<Vec<(usize, T)>> = vec![Vec::new()];
-    for (i, value) in values.iter().enumerate() {
-        match (value, runs.last_mut()) {
-            (Some(v), Some(run)) => run.push((i, *v)),
-            _ => runs.push(Vec::new()),
-        }
+    let columns = if figures.len() > 3 { 2 } else { 1 };
+    let height = figures.iter().map(|(_, f)| f.size[1]).fold(0.0, f64::max) + NAME;
+    let mut canvas = Canvas::default();
+    for (i, (name, figure)) in figures.iter().enumerate() {
+        let (x, y) = ((i % columns) as f64 * COLUMN, (i / columns) as f64 * height);
+        let letter = char::from(b'a' + (i % 26) as u8);
+        let name = format!("({letter}) {name}");
+        canvas.text(&Text::start([x + 10.0, y + 12.0], &name, INK).bold());
+        let moved = format!(r#"transform="translate({x} {})""#, y + NAME);
+        canvas.group(&moved, |canvas| canvas.raw(&figure.body));
     }
-    runs.retain(|run| !run.is_empty());
-    runs
-}
-
-fn middle(values: &[Option<f64>]) -> Option<f64> {
-    let mut present: Vec<f64> = values.iter().flatten().copied().collect();
-    present.sort_by(f64::total_cmp);
-    present.get(present.len() / 2).copied()
-}
-
-/// The horizontal axis: from the lightest load to the heaviest.
-fn x_axis(lines: &LoadLines, unit: Unit) -> PlotAxis {
-    let (first, last) = (lines.pressures[0], lines.pressures[lines.pressures.len() - 1]);
-    let data = if last > first { [first, last] } else { [first / 3.0, last * 3.0] };
-    PlotAxis::log(data.map(|p| p / unit.scale), [LEFT, RIGHT])
+    let rows = figures.len().div_ceil(columns).max(1);
+    let described: Vec<String> =
+        figures.iter().map(|(name, f)| format!("{name}: {}", f.description)).collect();
+    let title = figures.first().map_or("", |(_, f)| &f.title);
+    let size = [columns as f64 * COLUMN, rows as f64 * height];
+    canvas.figure(key, title, described.join(" "), size)
 }

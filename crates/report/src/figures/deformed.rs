@@ -2,9 +2,9 @@
 
 use crate::draw::axes::{PlotAxis, PlotFrame};
 use crate::draw::palette::{
-    BAND, DETERMINISTIC, GRID, INK, INK2, LINE, OkLab, PRESSURE_RAMP, Stroke, ramp_table,
+    BAND, DETERMINISTIC, GRID, INK, INK2, LINE, PRESSURE_RAMP, Stroke, ramp_table,
 };
-use crate::draw::svg::{Anchor, Canvas, Figure, Text, num};
+use crate::draw::svg::{Canvas, Figure, Text, num};
 use crate::numbers::{METRES, unit_for};
 
 /// Width and height of the figure, and its plot box.
@@ -13,7 +13,6 @@ const FRAME: [f64; 4] = [44.0, 8.0, 692.0, 164.0];
 
 /// What lies along one row, heights (m) from the mean plane of the surface.
 pub(crate) struct SectionCut {
-    /// Length (m).
     pub(crate) length: f64,
     /// Heights of the undeformed surface (m), at the middles of equal parts of the length.
     pub(crate) heights: Vec<f64>,
@@ -21,7 +20,6 @@ pub(crate) struct SectionCut {
     pub(crate) loads: Vec<PressedRow>,
 }
 
-/// One load.
 pub(crate) struct PressedRow {
     /// Height of the flat (m): the mean gap.
     pub(crate) flat: f64,
@@ -94,38 +92,31 @@ pub(crate) fn section(cut: &SectionCut, load: usize, description: String, key: &
     let mut filled = body.clone();
     filled.extend([[x(n as f64 - 0.5), bottom], [x(0.5), bottom]]);
     let mut canvas = Canvas::default();
-    group(&mut canvas, "across", |canvas| across(canvas, &frame));
+    canvas.group(r#"class="across""#, |canvas| across(canvas, &frame));
     frame.draw_with(&mut canvas, &[], &frame.y.ticks());
     canvas.clipped(&format!("{key}-c"), FRAME, |canvas| {
-        group(canvas, "above", |canvas| canvas.rect([left, top, right, flat], GRID, 1.0));
-        group(canvas, "body", |canvas| canvas.area(&filled, BAND, 1.0));
-        group(canvas, "before", |canvas| {
-            let stroke = Stroke { colour: INK2, width: 0.8, dash: "1.5 1.5" };
-            canvas.polyline(&line(&cut.heights), stroke);
-        });
-        group(canvas, "pressed", |canvas| {
-            canvas.polyline(&body, Stroke::solid(DETERMINISTIC, 1.2));
-        });
-        group(canvas, "flat", |canvas| {
-            canvas.line([left, flat], [right, flat], Stroke::solid(INK, 0.8));
-        });
-        group(canvas, "touching px", |canvas| {
+        let above = [left, top, right, flat];
+        canvas.group(r#"class="above""#, |canvas| canvas.rect(above, GRID, 1.0));
+        canvas.group(r#"class="body""#, |canvas| canvas.area(&filled, BAND, 1.0));
+        let dotted = Stroke { colour: INK2, width: 0.8, dash: "1.5 1.5" };
+        let before = line(&cut.heights);
+        canvas.group(r#"class="before""#, |canvas| canvas.polyline(&before, dotted));
+        let (thick, thin) = (Stroke::solid(DETERMINISTIC, 1.2), Stroke::solid(INK, 0.8));
+        canvas.group(r#"class="pressed""#, |canvas| canvas.polyline(&body, thick));
+        canvas.group(r#"class="flat""#, |canvas| canvas.line([left, flat], [right, flat], thin));
+        canvas.group(r#"class="touching px""#, |canvas| {
             for (first, last, colour) in runs(&pressed.pressure) {
+                let [from, y, to] = [x(first as f64), flat, x(last as f64 + 1.0)].map(num);
                 canvas.raw(&format!(
-                    "<path d=\"M{} {}H{}\" stroke=\"{colour}\" stroke-width=\"5\"/>",
-                    num(x(first as f64)),
-                    num(flat),
-                    num(x(last as f64 + 1.0))
+                    r##"<path d="M{from} {y}H{to}" stroke="#{colour}" stroke-width="5"/>"##
                 ));
             }
         });
     });
-    group(&mut canvas, "name", |canvas| {
-        let at = [right - 4.0, (flat - 6.0).max(top + 9.0)];
-        canvas.text(&Text { anchor: Anchor::End, ..Text::new(at, "flat") });
+    canvas.group(r#"class="name""#, |canvas| {
+        canvas.text(&Text::end([right - 4.0, (flat - 6.0).max(top + 9.0)], "flat", INK));
     });
-    let at = [left + 5.0, bottom - 5.0];
-    canvas.text(&Text { halo: true, ..Text::new(at, "rough body") });
+    canvas.text(&Text::start([left + 5.0, bottom - 5.0], "rough body", INK).halo());
     canvas.figure(key, "Section through the contact", description, SIZE)
 }
 
@@ -140,26 +131,15 @@ fn across(canvas: &mut Canvas, frame: &PlotFrame) {
     canvas.ticks(&lines(bottom + 3.5, bottom), Stroke::solid(LINE, 0.6));
     for tick in ticks {
         let (at, text) = ([frame.x.at(tick), bottom + 13.0], frame.x.tick_text(tick));
-        canvas.text(&Text { colour: INK2, anchor: Anchor::Middle, ..Text::new(at, &text) });
+        canvas.text(&Text::middle(at, &text, INK2));
     }
 }
 
-fn group(canvas: &mut Canvas, class: &str, draw: impl FnOnce(&mut Canvas)) {
-    canvas.raw(&format!("<g class=\"{class}\">"));
-    draw(canvas);
-    canvas.raw("</g>");
-}
-
-/// Stretches of one colour of the ramp: first and last part, and the colour.
 fn runs(pressure: &[f64]) -> Vec<(usize, usize, String)> {
     let ramp = ramp_table::<31>(&PRESSURE_RAMP);
-    let hex = |OkLab(l, a, b): OkLab| {
-        let [r, g, b] = OkLab(l, a, b).to_rgb();
-        format!("#{r:02X}{g:02X}{b:02X}")
-    };
     let mut found: Vec<(usize, usize, String)> = Vec::new();
     for (i, p) in pressure.iter().enumerate().filter(|(_, p)| **p > 0.0) {
-        let colour = hex(ramp[(30.0 * p.min(1.0)).round() as usize]);
+        let colour = ramp[(30.0 * p.min(1.0)).round() as usize].hex();
         match found.last_mut() {
             Some((_, last, same)) if *last + 1 == i && *same == colour => *last = i,
             _ => found.push((i, i, colour)),

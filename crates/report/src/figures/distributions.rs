@@ -2,7 +2,7 @@
 
 use crate::draw::axes::{PlotAxis, PlotFrame};
 use crate::draw::palette::{DETERMINISTIC, INK2, PERSSON, Stroke};
-use crate::draw::svg::{Anchor, COLUMN, Canvas, Figure, Text};
+use crate::draw::svg::{COLUMN, Canvas, Figure, Text};
 use crate::numbers::{AREAS, METRES, SPACE, Unit, percent, quantity, significant, unit_for};
 use contact_compare::{Distributions, GapDistribution, PressureHistogram, SpotDistribution};
 use serde_json::{Value, json};
@@ -13,7 +13,6 @@ const HEIGHT: f64 = 232.0;
 /// Room for the longer label of the spots.
 const ROOM: f64 = 66.0;
 
-/// One of the three figures.
 pub(crate) struct DistributionFigure {
     title: &'static str,
     /// Axes that hold all of them; `None` without any.
@@ -34,7 +33,6 @@ pub(crate) const PRESSURE: DistributionFigure = DistributionFigure {
     description: |found| Some(of_pressure(&found.pressure)),
 };
 
-/// Share of the contact in spots of at least an area.
 pub(crate) const SPOTS: DistributionFigure = DistributionFigure {
     title: "Contact spots by their area",
     axes: spot_axes,
@@ -76,10 +74,10 @@ impl DistributionFigure {
         let drawn = |draw: &dyn Fn(&mut Canvas)| {
             let mut canvas = Canvas::default();
             draw(&mut canvas);
-            canvas.body().to_owned()
+            canvas.body
         };
         let middle = [f64::midpoint(FRAME[0], FRAME[2]), f64::midpoint(FRAME[1], FRAME[3])];
-        let none = Text { colour: INK2, anchor: Anchor::Middle, ..Text::new(middle, why) };
+        let none = Text::middle(middle, why, INK2);
         let of = |load: Option<&Distributions>| {
             let found = load.filter(|d| self.is_in(d));
             let marks = drawn(&|canvas| match found {
@@ -146,17 +144,20 @@ fn pressure(canvas: &mut Canvas, Axes { frame, .. }: &Axes, found: &Distribution
     canvas.bars(&bars, INK2, 0.5);
 }
 
-/// Persson's density at a light load, dashed: `(π/2) x exp(−π x²/4)`, which has no parameter there.
+/// Persson's density at a light load, `(π/2) x exp(−π x²/4)`, which has no parameter there.
+fn density(x: f64) -> f64 {
+    FRAC_PI_2 * x * (-0.25 * PI * x * x).exp()
+}
+
+/// That, dashed.
 fn persson(canvas: &mut Canvas, Axes { frame, .. }: &Axes) {
-    let density = |x: f64| FRAC_PI_2 * x * (-0.25 * PI * x * x).exp();
     let right = frame.x.data[1];
     let line: Vec<[f64; 2]> = (0..=120)
         .map(|i| right * f64::from(i) / 120.0)
         .map(|x| frame.at([x, density(x)]))
         .collect();
     let at = frame.at([2.0, density(2.0)]);
-    let label =
-        Text { colour: PERSSON, halo: true, ..Text::new([at[0] + 6.0, at[1] - 8.0], "Persson") };
+    let label = Text::start([at[0] + 6.0, at[1] - 8.0], "Persson", PERSSON).halo();
     canvas.series("persson", |canvas| {
         canvas.polyline(&line, Stroke { colour: PERSSON, width: 1.5, dash: "6 3" });
         canvas.label(&label);
@@ -200,12 +201,7 @@ fn gap(canvas: &mut Canvas, Axes { frame, unit }: &Axes, found: &Distributions) 
         .map(|(gap, share)| frame.at([gap / unit.scale, 100.0 * share]))
         .collect();
     canvas.polyline(&line, Stroke::solid(DETERMINISTIC, 1.8));
-    canvas.label(&Text {
-        colour: INK2,
-        halo: true,
-        anchor: Anchor::End,
-        ..Text::new([FRAME[2] - 4.0, level - 5.0], "touches")
-    });
+    canvas.label(&Text::end([FRAME[2] - 4.0, level - 5.0], "touches", INK2).halo());
 }
 
 fn of_gap(found: &GapDistribution, touching: f64) -> String {
@@ -247,27 +243,15 @@ fn spots(canvas: &mut Canvas, Axes { frame, unit }: &Axes, found: &Distributions
     // On axes for all loads the line of a light one ends early: the label stands right of it.
     let (at, text) = (by_area[of_area], "of the area");
     let right = by_area[by_area.len() - 1][0] + ROOM < FRAME[2];
-    let (anchor, place) = if right {
-        (Anchor::Start, [at[0] + 6.0, at[1]])
+    let label = if right {
+        Text::start([at[0] + 6.0, at[1]], text, DETERMINISTIC)
     } else {
-        (Anchor::End, [FRAME[2], (at[1] - 24.0).max(FRAME[1] + 8.0)])
+        Text::end([FRAME[2], (at[1] - 24.0).max(FRAME[1] + 8.0)], text, DETERMINISTIC)
     };
-    canvas.label(&Text {
-        colour: DETERMINISTIC,
-        halo: true,
-        bold: true,
-        anchor,
-        ..Text::new(place, text)
-    });
-    canvas.label(&Text {
-        colour: INK2,
-        halo: true,
-        anchor: Anchor::End,
-        ..Text::new(
-            [(by_number[of_number][0] - 5.0).max(FRAME[0] + ROOM), by_number[of_number][1] + 12.0],
-            "of the number",
-        )
-    });
+    canvas.label(&label.bold().halo());
+    let [x, y] = by_number[of_number];
+    let at = [(x - 5.0).max(FRAME[0] + ROOM), y + 12.0];
+    canvas.label(&Text::end(at, "of the number", INK2).halo());
 }
 
 fn of_spots(found: &SpotDistribution) -> String {
@@ -286,14 +270,10 @@ mod tests {
     /// Persson's density at a light load has integral 1 and mean 1.
     #[test]
     fn the_line_beside_the_bars_is_a_density_of_mean_one() {
-        let persson = |x: f64| super::FRAC_PI_2 * x * (-0.25 * super::PI * x * x).exp();
         let step = 1e-3;
-        let (mut whole, mut mean) = (0.0, 0.0);
-        for i in 0..20_000 {
-            let x = (f64::from(i) + 0.5) * step;
-            whole += persson(x) * step;
-            mean += x * persson(x) * step;
-        }
-        assert!((whole - 1.0_f64).abs() < 1e-6 && (mean - 1.0_f64).abs() < 1e-6);
+        let places = || (0..20_000).map(|i| (f64::from(i) + 0.5) * step);
+        let whole: f64 = places().map(|x| super::density(x) * step).sum();
+        let mean: f64 = places().map(|x| x * super::density(x) * step).sum();
+        assert!((whole - 1.0).abs() < 1e-6 && (mean - 1.0).abs() < 1e-6);
     }
 }

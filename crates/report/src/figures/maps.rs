@@ -2,8 +2,8 @@
 
 use crate::draw::axes::round_step;
 use crate::draw::palette::{INK, INK2, LINE, OkLab, PRESSURE_RAMP, ramp_table};
-use crate::draw::png::{Grey, Picture};
-use crate::draw::svg::{Anchor, COLUMN, Canvas, Figure, Text, num, text_width};
+use crate::draw::png;
+use crate::draw::svg::{COLUMN, Canvas, Figure, Text, num, text_width};
 use crate::numbers::{METRES, PASCALS, Unit, chosen, significant, unit_for};
 use contact_compare::{PressureMaps, pressure_top};
 use contact_types::Grid;
@@ -29,7 +29,6 @@ pub(crate) enum Reduce {
 /// A rectangular part `[y0, x0, ny, nx]` of a grid.
 pub(crate) type MapPart = [usize; 4];
 
-/// All of a grid.
 pub(super) fn whole(grid: Grid) -> MapPart {
     [0, 0, grid.shape()[0], grid.shape()[1]]
 }
@@ -92,51 +91,42 @@ pub(super) fn shading(heights: &[f64], [ny, nx]: [usize; 2]) -> Vec<f64> {
     }
 }
 
-/// A picture whose pixels have these colours.
-pub(super) fn picture([ny, nx]: [usize; 2], colour: impl Fn(usize) -> OkLab) -> Picture {
-    let rgb = (0..ny * nx).flat_map(|i| colour(i).to_rgb()).collect();
-    Picture { width: nx, height: ny, rgb }
+/// The address of a picture whose pixels have these colours.
+pub(super) fn picture([ny, nx]: [usize; 2], colour: impl Fn(usize) -> OkLab) -> String {
+    let bytes: Vec<u8> = (0..ny * nx).flat_map(|i| colour(i).to_rgb()).collect();
+    png::rgb([ny, nx], &bytes)
 }
 
 /// Pressure by colour from 0 to `top`; where nothing touches, the relief in faint grey.
-fn contact_picture(pressure: &[f64], heights: &[f64], shape: [usize; 2], top: f64) -> Picture {
+fn contact_picture(pressure: &[f64], heights: &[f64], shape: [usize; 2], top: f64) -> String {
     let ramp = ramp_table::<256>(&PRESSURE_RAMP);
     let shade = shading(heights, shape);
-    picture(shape, |i| {
-        if pressure[i] > 0.0 {
-            ramp[((pressure[i] / top).clamp(0.0, 1.0) * 255.0).round() as usize]
-        } else {
-            OkLab(RELIEF.0 + RELIEF.1 * shade[i], 0.0, 0.0)
-        }
+    picture(shape, |i| match pressure[i] {
+        p if p > 0.0 => ramp[((p / top).clamp(0.0, 1.0) * 255.0).round() as usize],
+        _ => faint(shade[i]),
     })
 }
 
-/// The pressure of a load of a study: by colour, grey where nothing touches; `None` of a load that is not there.
-pub fn pressures(maps: &PressureMaps, load: usize) -> Option<Picture> {
-    let map = maps.loads.get(load)?;
+fn faint(shade: f64) -> OkLab {
+    OkLab(RELIEF.0 + RELIEF.1 * shade, 0.0, 0.0)
+}
+
+/// The pressure of a load of a study as a picture (`data:image/png;base64,…`): by colour, grey where nothing touches;
+/// `None` of a load that is not there.
+pub fn pressures(maps: &PressureMaps, load: usize) -> Option<String> {
+    let classes = &maps.loads.get(load)?.classes;
     let ramp = ramp_table::<256>(&PRESSURE_RAMP);
-    let grey = OkLab(RELIEF.0, 0.0, 0.0);
-    let colour = |i: usize| match map.classes[i] {
-        0 => grey,
+    Some(picture(maps.shape, |i| match classes[i] {
+        0 => faint(0.0),
         class => ramp[usize::from(class)],
-    };
-    Some(picture(maps.shape, colour))
+    }))
 }
 
 /// The surface in faint grey, as [`contact`] shows it where nothing touches.
-pub(crate) fn relief(heights: &[f64], grid: Grid, window: MapPart, limit: usize) -> Grey {
-    let (small, [ny, nx]) = reduced(heights, grid, window, limit, Reduce::Mean);
-    let shade = shading(&small, [ny, nx]);
-    let grey = |s: &f64| OkLab(RELIEF.0 + RELIEF.1 * s, 0.0, 0.0).to_rgb()[0];
-    Grey { width: nx, height: ny, values: shade.iter().map(grey).collect() }
-}
-
-/// What a map figure shows besides its picture.
-pub(super) struct Legend<'a> {
-    pub(super) low: String,
-    pub(super) high: String,
-    pub(super) title: &'a str,
-    pub(super) ramp: &'static [u32; 9],
+pub(crate) fn relief(heights: &[f64], grid: Grid, window: MapPart, limit: usize) -> String {
+    let (small, shape) = reduced(heights, grid, window, limit, Reduce::Mean);
+    let shade = shading(&small, shape);
+    png::grey(shape, &shade.iter().map(|s| faint(*s).to_rgb()[0]).collect::<Vec<u8>>())
 }
 
 /// Width and height of a map in units: as wide as the column, no taller than wide.
@@ -145,50 +135,34 @@ pub(super) fn map_size([height, width]: [f64; 2]) -> [f64; 2] {
     [(width * scale).max(8.0), (height * scale).max(8.0)]
 }
 
-/// What a contact map points out.
-pub(crate) struct MapMarks {
-    /// The part that [`enlarged`] shows.
-    pub(crate) window: Option<MapPart>,
-    /// The row along which there is a section.
-    pub(crate) row: Option<usize>,
-}
-
-/// The contact at one load: pressure by colour, the surface in grey, and what is shown elsewhere.
+/// The contact at one load: pressure by colour, the surface in grey, and what is shown elsewhere: the part that
+/// [`enlarged`] shows, and the row of the section.
 pub(crate) fn contact(
     pressure: &[f64],
     heights: &[f64],
     grid: Grid,
-    marks: &MapMarks,
+    (window, row): (Option<MapPart>, Option<usize>),
     limit: usize,
     key: &str,
-) -> Result<Figure, png::EncodingError> {
+) -> Figure {
     let ((p, shape), (h, _)) = join(
         || reduced(pressure, grid, whole(grid), limit, Reduce::Max),
         || reduced(heights, grid, whole(grid), limit, Reduce::Mean),
     );
     let (top, clipped) = pressure_top(pressure);
     let unit = unit_for(top, PASCALS);
-    let title = format!("Local pressure ({})", unit.name);
-    let legend = Legend {
-        low: "0".into(),
-        high: upper_end(top, clipped, unit),
-        title: &title,
-        ramp: &PRESSURE_RAMP,
-    };
-    let address = contact_picture(&p, &h, shape, top).data_address()?;
-    let shown = Some((marks, grid.shape()));
-    let figure = map_figure(&address, grid.size(), key, Some(&legend), shown, false);
+    let mut canvas = map_canvas(&contact_picture(&p, &h, shape, top), grid.size(), "");
+    mark(&mut canvas, grid.size(), grid.shape(), window, row);
+    let (title, high) = (format!("Local pressure ({})", unit.name), upper_end(top, clipped, unit));
+    colour_bar(&mut canvas, grid.size(), ["0", &high, &title], &PRESSURE_RAMP, key);
     let touching = pressure.iter().filter(|p| **p > 0.0).count();
-    Ok(Figure {
-        title: "Contact map".into(),
-        description: format!(
-            "{touching} of {} points of the map carry pressure; highest {} {}.",
-            grid.len(),
-            significant(pressure.iter().copied().fold(0.0, f64::max) / unit.scale, 2),
-            unit.name
-        ),
-        ..figure
-    })
+    let description = format!(
+        "{touching} of {} points of the map carry pressure; highest {} {}.",
+        grid.len(),
+        significant(pressure.iter().copied().fold(0.0, f64::max) / unit.scale, 2),
+        unit.name
+    );
+    map_figure(canvas, grid.size(), key, "Contact map", description)
 }
 
 /// The number at the upper end of a bar of pressures.
@@ -205,81 +179,71 @@ pub(crate) fn enlarged(
     window: MapPart,
     row: Option<usize>,
     key: &str,
-) -> Result<Figure, png::EncodingError> {
-    let limit = window[2].max(window[3]);
+) -> Figure {
+    let [y0, _, ny, nx] = window;
+    let limit = ny.max(nx);
     let (p, shape) = reduced(pressure, grid, window, limit, Reduce::Max);
     let (h, _) = reduced(heights, grid, window, limit, Reduce::Mean);
     let (top, _) = pressure_top(pressure);
-    let address = contact_picture(&p, &h, shape, top).data_address()?;
     let [dy, dx] = grid.pixel();
     let size = [shape[0] as f64 * dy, shape[1] as f64 * dx];
-    let inside = |row: &usize| (window[0]..window[0] + window[2]).contains(row);
-    let marks = MapMarks { window: None, row: row.filter(inside).map(|row| row - window[0]) };
-    let shown = Some((&marks, [window[2], window[3]]));
-    let figure = map_figure(&address, size, key, None, shown, true);
-    Ok(Figure {
-        title: "Enlargement of the boxed area".into(),
-        description: format!(
-            "{} by {} of the contact map, one square per point.",
-            chosen(size[1], METRES),
-            chosen(size[0], METRES)
-        ),
-        ..figure
-    })
+    let squares = " style=\"image-rendering:pixelated\"";
+    let mut canvas = map_canvas(&contact_picture(&p, &h, shape, top), size, squares);
+    let inside = row.filter(|row| (y0..y0 + ny).contains(row)).map(|row| row - y0);
+    mark(&mut canvas, size, [ny, nx], None, inside);
+    let [height, width] = size.map(|side| chosen(side, METRES));
+    let description = format!("{width} by {height} of the contact map, one square per point.");
+    map_figure(canvas, size, key, "Enlargement of the boxed area", description)
 }
 
-/// A map around the picture at this address.
-pub(super) fn map_figure(
-    address: &str,
-    size: [f64; 2],
-    key: &str,
-    legend: Option<&Legend<'_>>,
-    marks: Option<(&MapMarks, [usize; 2])>,
-    squares: bool,
-) -> Figure {
+/// A map of this size (m) around the picture at this address.
+pub(super) fn map_canvas(address: &str, size: [f64; 2], extra: &str) -> Canvas {
     let [width, height] = map_size(size);
     let mut canvas = Canvas::default();
+    let ([w, h], [inner_w, inner_h]) =
+        ([width, height].map(num), [width - 0.6, height - 0.6].map(num));
+    let line = LINE.light;
     canvas.raw(&format!(
-        "<image class=\"px\" href=\"{}\" x=\"0\" y=\"0\" width=\"{}\" height=\"{}\" \
-         preserveAspectRatio=\"none\"{}/>",
-        address,
-        num(width),
-        num(height),
-        if squares { " style=\"image-rendering:pixelated\"" } else { "" }
-    ));
-    canvas.raw(&format!(
-        "<rect x=\".3\" y=\".3\" width=\"{}\" height=\"{}\" fill=\"none\" class=\"s-line\" \
-         stroke=\"{}\" stroke-width=\".6\"/>",
-        num(width - 0.6),
-        num(height - 0.6),
-        LINE.light
+        r#"<image class="px" href="{address}" x="0" y="0" width="{w}" height="{h}" preserveAspectRatio="none"{extra}/><rect x=".3" y=".3" width="{inner_w}" height="{inner_h}" fill="none" class="s-line" stroke="{line}" stroke-width=".6"/>"#
     ));
     scale_bar(&mut canvas, [width, height], size[1]);
-    if let Some((row, shape)) = marks.and_then(|(marks, shape)| Some((marks.row?, shape))) {
-        let y = (row as f64 + 0.5) / shape[0] as f64 * height;
+    canvas
+}
+
+/// A figure of a map with room for its colour bar.
+pub(super) fn map_figure(
+    canvas: Canvas,
+    size: [f64; 2],
+    key: &str,
+    title: &str,
+    description: String,
+) -> Figure {
+    canvas.figure(key, title, description, [COLUMN, map_size(size)[1] + LEGEND])
+}
+
+/// A dashed line along a row, and a box around a part of a map of this size (m) and shape.
+fn mark(
+    canvas: &mut Canvas,
+    size: [f64; 2],
+    [rows, columns]: [usize; 2],
+    window: Option<MapPart>,
+    row: Option<usize>,
+) {
+    let [width, height] = map_size(size);
+    let x = |points: usize| num(points as f64 / columns as f64 * width);
+    let y = |points: usize| num(points as f64 / rows as f64 * height);
+    if let Some(row) = row {
+        let (y, right) = (num((row as f64 + 0.5) / rows as f64 * height), num(width));
         canvas.raw(&format!(
-            "<line x1=\"0\" y1=\"{0}\" x2=\"{1}\" y2=\"{0}\" stroke=\"#111\" stroke-width=\".8\" \
-             stroke-dasharray=\"4 3\"/>",
-            num(y),
-            num(width)
+            r##"<line x1="0" y1="{y}" x2="{right}" y2="{y}" stroke="#111" stroke-width=".8" stroke-dasharray="4 3"/>"##
         ));
     }
-    if let Some(([y0, x0, ny, nx], shape)) =
-        marks.and_then(|(marks, shape)| Some((marks.window?, shape)))
-    {
-        let [gy, gx] = shape.map(|n| n as f64);
+    if let Some([y0, x0, ny, nx]) = window {
+        let (left, top, wide, high) = (x(x0), y(y0), x(nx), y(ny));
         canvas.raw(&format!(
-            "<rect x=\"{}\" y=\"{}\" width=\"{}\" height=\"{}\" fill=\"none\" stroke=\"#111\"/>",
-            num(x0 as f64 / gx * width),
-            num(y0 as f64 / gy * height),
-            num(nx as f64 / gx * width),
-            num(ny as f64 / gy * height)
+            r##"<rect x="{left}" y="{top}" width="{wide}" height="{high}" fill="none" stroke="#111"/>"##
         ));
     }
-    if let Some(legend) = legend {
-        colour_bar(&mut canvas, height + 9.0, legend, key);
-    }
-    canvas.figure(key, String::new(), String::new(), [COLUMN, height + LEGEND])
 }
 
 /// A bar of round length, at most a third of the width, on a light ground.
@@ -294,47 +258,37 @@ fn scale_bar(canvas: &mut Canvas, [width, height]: [f64; 2], metres: f64) {
     let wide = bar.max(text_width(&text, 10.0, false)) + 12.0;
     let (left, top) = (width - wide - 6.0, height - 28.0);
     let middle = left + wide / 2.0;
+    let [left, wide, from, bar, middle] = [left, wide, middle - bar / 2.0, bar, middle].map(num);
+    let [top, bar_top, base] = [top, top + 16.0, top + 12.0].map(num);
     canvas.raw(&format!(
-        "<rect x=\"{}\" y=\"{}\" width=\"{}\" height=\"22\" fill=\"#fff\" fill-opacity=\".86\"/>\
-         <rect x=\"{}\" y=\"{}\" width=\"{}\" height=\"2.4\" fill=\"#111\"/>\
-         <text x=\"{}\" y=\"{}\" text-anchor=\"middle\" fill=\"#111\">{text}</text>",
-        num(left),
-        num(top),
-        num(wide),
-        num(middle - bar / 2.0),
-        num(top + 16.0),
-        num(bar),
-        num(middle),
-        num(top + 12.0)
+        r##"<rect x="{left}" y="{top}" width="{wide}" height="22" fill="#fff" fill-opacity=".86"/><rect x="{from}" y="{bar_top}" width="{bar}" height="2.4" fill="#111"/><text x="{middle}" y="{base}" text-anchor="middle" fill="#111">{text}</text>"##
     ));
 }
 
-fn colour_bar(canvas: &mut Canvas, top: f64, legend: &Legend<'_>, key: &str) {
+/// The colours below a map of this size (m) with lowest and highest number, and what they are.
+pub(super) fn colour_bar(
+    canvas: &mut Canvas,
+    size: [f64; 2],
+    [low, high, title]: [&str; 3],
+    ramp: &[u32; 9],
+    key: &str,
+) {
     const WIDTH: f64 = 130.0;
-    let stops: String = ramp_table::<17>(legend.ramp)
-        .iter()
-        .enumerate()
-        .map(|(i, c)| {
-            let [r, g, b] = c.to_rgb();
-            format!(
-                "<stop offset=\"{}\" stop-color=\"#{r:02X}{g:02X}{b:02X}\"/>",
-                num(i as f64 / 16.0)
-            )
-        })
-        .collect();
-    canvas.raw(&format!(
-        "<g class=\"legend\"><defs><linearGradient id=\"{key}-g\">{stops}</linearGradient></defs>\
-         <rect class=\"px\" x=\"0\" y=\"{}\" width=\"{WIDTH}\" height=\"8\" fill=\"url(#{key}-g)\"/>",
-        num(top)
-    ));
-    canvas.text(&Text { colour: INK2, ..Text::new([0.0, top + 19.0], &legend.low) });
-    canvas.text(&Text {
-        colour: INK2,
-        anchor: Anchor::End,
-        ..Text::new([WIDTH, top + 19.0], &legend.high)
+    let top = map_size(size)[1] + 9.0;
+    let stop = |(i, c): (usize, OkLab)| {
+        let (at, colour) = (num(i as f64 / 16.0), c.hex());
+        format!(r##"<stop offset="{at}" stop-color="#{colour}"/>"##)
+    };
+    let stops: String = ramp_table::<17>(ramp).into_iter().enumerate().map(stop).collect();
+    let y = num(top);
+    canvas.group(r#"class="legend""#, |canvas| {
+        canvas.raw(&format!(
+            r#"<defs><linearGradient id="{key}-g">{stops}</linearGradient></defs><rect class="px" x="0" y="{y}" width="{WIDTH}" height="8" fill="url(#{key}-g)"/>"#
+        ));
+        canvas.text(&Text::start([0.0, top + 19.0], low, INK2));
+        canvas.text(&Text::end([WIDTH, top + 19.0], high, INK2));
+        canvas.text(&Text::start([WIDTH + 8.0, top + 8.0], title, INK));
     });
-    canvas.text(&Text { colour: INK, ..Text::new([WIDTH + 8.0, top + 8.0], legend.title) });
-    canvas.raw("</g>");
 }
 
 /// The square of about a sixth of the map (at least 32 points) that carries the most contact

@@ -3,7 +3,7 @@
 use crate::digest::Quantiles;
 use crate::draw::axes::{PlotAxis, PlotFrame};
 use crate::draw::palette::{BAND, DETERMINISTIC, INK, INK2, LINE, Stroke, Style};
-use crate::draw::svg::{Anchor, COLUMN, Canvas, Figure, Text};
+use crate::draw::svg::{COLUMN, Canvas, Figure, Text};
 use crate::numbers::{SPACE, Unit, power_of_ten, signed_percent, significant, unit_for};
 
 /// Area over load of many maps, `[load, area fraction]` each.
@@ -154,31 +154,15 @@ pub(crate) fn strips(strips: &[Strip], key: &str) -> Figure {
         } else {
             let text = format!("{} ▶", signed_percent(median / 100.0));
             let end = [COLUMN - 12.0, y - 6.0];
-            canvas.label(&Text { colour, anchor: Anchor::End, size: 9.0, ..Text::new(end, &text) });
+            canvas.label(&Text::end(end, &text, colour).small());
         }
-        canvas.text(&Text {
-            colour,
-            anchor: Anchor::End,
-            ..Text::new([LEFT - 6.0, y + 3.4], &strip.label)
-        });
-        said.push(format!(
-            "{} median {}, 10th–90th percentile {} to {}",
-            strip.label,
-            signed_percent(strip.errors.median()),
-            signed_percent(strip.errors.quantile(0.1)),
-            signed_percent(strip.errors.quantile(0.9))
-        ));
+        canvas.text(&Text::end([LEFT - 6.0, y + 3.4], &strip.label, colour));
+        said.push(format!("{} {}", strip.label, strip.errors.words(signed_percent)));
     }
-    let description = format!("{}.", said.join("; "));
-    canvas.figure(
-        key,
-        "Error of each closed form over the maps",
-        description,
-        [COLUMN, bottom + 34.0],
-    )
+    let (title, size) = ("Error of each closed form over the maps", [COLUMN, bottom + 34.0]);
+    canvas.figure(key, title, format!("{}.", said.join("; ")), size)
 }
 
-/// One distribution.
 pub(crate) struct QuantityHistogram {
     /// "Quantity (unit)".
     pub title: String,
@@ -199,22 +183,10 @@ pub(crate) fn histograms(all: &[QuantityHistogram], key: &str) -> Figure {
         let left = LEFT + PITCH[0] * (i % PER_ROW) as f64;
         let top = 10.0 + PITCH[1] * (i / PER_ROW) as f64;
         histogram(one, [left, top, left + PANEL[0], top + PANEL[1]], &mut canvas);
-        let q = |part| significant(one.values.quantile(part), 3);
-        said.push(format!(
-            "{}: median {}, 10th–90th percentile {} to {}",
-            one.title,
-            q(0.5),
-            q(0.1),
-            q(0.9)
-        ));
+        said.push(format!("{}: {}", one.title, one.values.words(|v| significant(v, 3))));
     }
-    let description = format!("{}.", said.join("; "));
-    canvas.figure(
-        key,
-        "Distributions over the maps",
-        description,
-        [LEFT + PITCH[0] * 3.0 - 24.0, PITCH[1] * rows as f64 + 4.0],
-    )
+    let size = [LEFT + PITCH[0] * 3.0 - 24.0, PITCH[1] * rows as f64 + 4.0];
+    canvas.figure(key, "Distributions over the maps", format!("{}.", said.join("; ")), size)
 }
 
 /// Classes of equal width, on a logarithmic axis if the numbers are wide.

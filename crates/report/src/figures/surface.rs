@@ -2,7 +2,7 @@
 
 use crate::draw::axes::{PlotAxis, PlotFrame};
 use crate::draw::palette::{BAND, DETERMINISTIC, GW, INK, INK2, LINE, Stroke};
-use crate::draw::svg::{Anchor, COLUMN, Canvas, Figure, Rect, Text};
+use crate::draw::svg::{COLUMN, Canvas, Figure, Rect, Text};
 use crate::numbers::{METRES, SPACE, chosen, quantity, significant, unit_for};
 use std::f64::consts::TAU;
 
@@ -20,6 +20,14 @@ pub(crate) struct Histogram {
     pub all: Vec<f64>,
     /// The part of it that touches.
     pub touching: Vec<f64>,
+}
+
+impl Histogram {
+    /// Lower edge, in rms heights, of the lowest bin in which something touches.
+    pub(crate) fn lowest_touching(&self) -> Option<f64> {
+        let lowest = self.touching.iter().position(|v| *v > 0.0)?;
+        Some(self.start + self.step * lowest as f64)
+    }
 }
 
 /// Counts heights about their mean. `None` for a flat map.
@@ -53,28 +61,22 @@ pub(crate) fn heights(histogram: &Histogram, at: &str, key: &str) -> Figure {
     let Histogram { start, step, all, touching } = histogram;
     let end = start + step * all.len() as f64;
     let (left, right) = (start.clamp(-8.0, -4.0), end.clamp(4.0, 8.0));
+    let top = 1.0_f64.max(1.2 * all.iter().copied().fold(0.0, f64::max));
     let frame = PlotFrame {
         x: PlotAxis::linear([left - 0.2, right + 0.2], [FRAME[0], FRAME[2]]),
-        y: PlotAxis::log(
-            [FLOOR, 1.0_f64.max(1.2 * all.iter().copied().fold(0.0, f64::max))],
-            [FRAME[3], FRAME[1]],
-        ),
+        y: PlotAxis::log([FLOOR, top], [FRAME[3], FRAME[1]]),
         x_title: "Height / Sq".into(),
         y_title: "Probability density".into(),
     };
     let mut canvas = Canvas::default();
     frame.draw(&mut canvas);
     let steps = |values: &[f64]| -> Vec<[f64; 2]> {
-        let mut points = vec![];
-        for (k, &v) in values.iter().enumerate() {
-            let (a, b) = (start + step * k as f64, start + step * (k + 1) as f64);
-            if a < left - 0.2 || b > right + 0.2 {
-                continue;
-            }
-            let y = v.max(FLOOR);
-            points.push(frame.at([a, y]));
-            points.push(frame.at([b, y]));
-        }
+        let bins = values.iter().enumerate().map(|(k, &v)| {
+            ([start + step * k as f64, start + step * (k + 1) as f64], v.max(FLOOR))
+        });
+        let seen = bins.filter(|([a, b], _)| *a >= left - 0.2 && *b <= right + 0.2);
+        let mut points: Vec<[f64; 2]> =
+            seen.flat_map(|(ends, y)| ends.map(|x| frame.at([x, y]))).collect();
         if let (Some(first), Some(last)) = (points.first().copied(), points.last().copied()) {
             points.insert(0, [first[0], FRAME[3]]);
             points.push([last[0], FRAME[3]]);
@@ -82,7 +84,7 @@ pub(crate) fn heights(histogram: &Histogram, at: &str, key: &str) -> Figure {
         points
     };
     canvas.area(&steps(all), LINE, 0.35);
-    if touching.iter().any(|v| *v > 0.0) {
+    if histogram.lowest_touching().is_some() {
         canvas.area(&steps(touching), GW, 0.75);
     }
     // phi(x) falls below the floor at |x| = sqrt(-2 ln(floor sqrt(2 pi))).
@@ -92,35 +94,19 @@ pub(crate) fn heights(histogram: &Histogram, at: &str, key: &str) -> Figure {
         .map(|x| frame.at([x, (-x * x / 2.0).exp() / TAU.sqrt()]))
         .collect();
     canvas.polyline(&normal, Stroke::solid(DETERMINISTIC, 1.2));
-    canvas.label(&Text {
-        anchor: Anchor::End,
-        halo: true,
-        ..Text::new([frame.x.at(-2.35), frame.y.at(0.045)], "normal")
-    });
-    canvas.label(&Text {
-        colour: INK2,
-        anchor: Anchor::Middle,
-        ..Text::new([frame.x.at(-0.35), frame.y.at(0.012)], "measured")
-    });
-    let text = format!("touching at {at}");
-    if touching.iter().any(|v| *v > 0.0) {
-        canvas.label(&Text {
-            colour: GW,
-            anchor: Anchor::End,
-            halo: true,
-            ..Text::new([FRAME[2] - 2.0, frame.y.at(0.35)], &text)
-        });
-    }
-    let lowest = touching.iter().position(|v| *v > 0.0).map(|k| start + step * k as f64);
-    let description = format!(
-        "Semi-log histogram of heights from {} to {} rms heights with the normal curve.{}",
+    canvas.label(&Text::end(frame.at([-2.35, 0.045]), "normal", INK).halo());
+    canvas.label(&Text::middle(frame.at([-0.35, 0.012]), "measured", INK2));
+    let mut description = format!(
+        "Semi-log histogram of heights from {} to {} rms heights with the normal curve.",
         significant(*start, 2),
-        significant(end, 2),
-        lowest.map_or(String::new(), |x| format!(
-            " Only heights above {} rms heights touch at {at}.",
-            significant(x, 2)
-        ))
+        significant(end, 2)
     );
+    if let Some(lowest) = histogram.lowest_touching() {
+        let place = [FRAME[2] - 2.0, frame.y.at(0.35)];
+        canvas.label(&Text::end(place, &format!("touching at {at}"), GW).halo());
+        let lowest = significant(lowest, 2);
+        description += &format!(" Only heights above {lowest} rms heights touch at {at}.");
+    }
     canvas.figure(key, "Height distribution", description, [COLUMN, HEIGHT])
 }
 
@@ -150,13 +136,10 @@ pub(crate) fn spectrum(spectrum: &Spectrum, key: &str) -> Option<Figure> {
     } else {
         (4, "Radial power spectral density", format!("Radial PSD C ({}⁴)", unit.name))
     };
-    let unit_of_psd = unit.scale.powi(power);
+    let psd = unit.scale.powi(power); // unit of the density
     let frame = PlotFrame {
         x: PlotAxis::log([first[0] / unit.scale, last[0] / unit.scale], [FRAME[0], FRAME[2]]),
-        y: PlotAxis::log(
-            [lowest / unit_of_psd / 2.0, highest / unit_of_psd * 4.0],
-            [FRAME[3], FRAME[1]],
-        ),
+        y: PlotAxis::log([lowest / psd / 2.0, highest / psd * 4.0], [FRAME[3], FRAME[1]]),
         x_title: format!("Wavelength ({})", unit.name),
         y_title: symbol,
     };
@@ -169,7 +152,7 @@ pub(crate) fn spectrum(spectrum: &Spectrum, key: &str) -> Option<Figure> {
     let line: Vec<[f64; 2]> = points
         .iter()
         .filter(|p| p[1] >= lowest)
-        .map(|[l, c]| frame.at([l / unit.scale, c / unit_of_psd]))
+        .map(|[l, c]| frame.at([l / unit.scale, c / psd]))
         .collect();
     canvas.polyline(&line, Stroke::solid(DETERMINISTIC, 1.4));
     let mut description = format!(
@@ -186,22 +169,18 @@ pub(crate) fn spectrum(spectrum: &Spectrum, key: &str) -> Option<Figure> {
             // The line passes above the points by a factor of 2.2, to stay visible.
             let level: f64 = inside.iter().map(|[l, c]| c.ln() + slope * l.ln()).sum::<f64>()
                 / inside.len() as f64;
-            let fit = |l: f64| 2.2 * (level - slope * l.ln()).exp() / unit_of_psd;
+            let fit = |l: f64| 2.2 * (level - slope * l.ln()).exp() / psd;
             let ends = [long, short].map(|l| frame.at([l / unit.scale, fit(l)]));
             canvas.polyline(&ends, Stroke { colour: GW, width: 1.4, dash: "5 3" });
             let middle = (short * long).sqrt();
             let [x, y] = frame.at([middle / unit.scale, fit(middle)]);
             let text = format!("H = {}", significant(hurst, 2));
-            canvas.label(&Text { colour: GW, halo: true, ..Text::new([x + 6.0, y - 4.0], &text) });
+            canvas.label(&Text::start([x + 6.0, y - 4.0], &text, GW).halo());
         }
         let text =
             format!("fitted {}–{}", significant(long / unit.scale, 2), quantity(short, METRES, 2));
-        canvas.label(&Text {
-            colour: INK2,
-            size: 9.0,
-            halo: true,
-            ..Text::new([FRAME[0] + 4.0, FRAME[3] - 5.0], &text)
-        });
+        let at = [FRAME[0] + 4.0, FRAME[3] - 5.0];
+        canvas.label(&Text::start(at, &text, INK2).small().halo());
         description.push_str(&format!(
             " Between {} and {} it falls as a Hurst exponent of {}.",
             quantity(long, METRES, 2),
@@ -209,13 +188,8 @@ pub(crate) fn spectrum(spectrum: &Spectrum, key: &str) -> Option<Figure> {
             significant(hurst, 2)
         ));
     }
-    canvas.text(&Text {
-        colour: INK,
-        size: 9.0,
-        anchor: Anchor::End,
-        halo: true,
-        ..Text::new([FRAME[2] - 2.0, FRAME[1] + 8.0], &format!("long{SPACE}→{SPACE}short"))
-    });
+    let (at, text) = ([FRAME[2] - 2.0, FRAME[1] + 8.0], format!("long{SPACE}→{SPACE}short"));
+    canvas.text(&Text::end(at, &text, INK).small().halo());
     Some(canvas.figure(key, name, description, [COLUMN, HEIGHT]))
 }
 

@@ -13,11 +13,8 @@ pub(crate) fn verdict(found: &Adhesion) -> [String; 2] {
         return [claim, "The work of adhesion is 0.".to_owned()];
     }
     let joules = |w: f64| {
-        if w.abs() < 1.0 {
-            format!("{} mJ/m²", significant(1e3 * w, 2))
-        } else {
-            format!("{} J/m²", significant(w, 2))
-        }
+        let (scale, unit) = if w.abs() < 1.0 { (1e3, "mJ/m²") } else { (1.0, "J/m²") };
+        format!("{} {unit}", significant(scale * w, 2))
     };
     let mut parts = vec![match found.fuller_tabor {
         Some(theta) => format!(
@@ -35,29 +32,24 @@ pub(crate) fn verdict(found: &Adhesion) -> [String; 2] {
     }
     if let Some((left, energy)) = found.effective_work.zip(found.full_contact_energy) {
         let what = if left > 0.0 { "could hold" } else { "does not hold" };
+        let energy = joules(energy);
         parts.push(format!(
-            "full contact takes {} and {what} by itself (Persson and Tosatti 2001)",
-            joules(energy)
+            "full contact takes {energy} and {what} by itself (Persson and Tosatti 2001)"
         ));
     }
     if let Some(share) = found.attraction {
-        let at = found.at.map_or_else(
-            || "of a light load".to_owned(),
-            |p| format!("of the load of {}", chosen(p, PASCALS)),
-        );
-        parts.push(format!("the attraction is {} {at} (5\u{202F}% is little)", percent(share)));
+        let load = found.at.map(|p| format!("the load of {}", chosen(p, PASCALS)));
+        let (share, load) = (percent(share), load.unwrap_or_else(|| "a light load".to_owned()));
+        parts.push(format!("the attraction is {share} of {load} (5\u{202F}% is little)"));
     }
-    let shortest = found
-        .shortest
-        .map_or_else(String::new, |wave| format!(", the shortest wave being {}", length(wave)));
+    let shortest = found.shortest.map(|wave| format!(", the shortest wave being {}", length(wave)));
+    let (parts, shortest) = (parts.join("; "), shortest.unwrap_or_default());
+    let (work, range) = (joules(found.given.work), quantity(found.given.range, METRES, 2));
+    let gradient = significant(found.gradient, 2);
     let text = format!(
-        "With {} over {}: {}. All of it depends on the shortest waves measured (rms gradient {}{shortest}). Water is not \
-         in it: in humid air it condenses where the gap is below about 1.5\u{202F}nm (Kelvin, 50\u{202F}% humidity) and \
-         pulls by capillary forces.",
-        joules(found.given.work),
-        quantity(found.given.range, METRES, 2),
-        parts.join("; "),
-        significant(found.gradient, 2)
+        "With {work} over {range}: {parts}. All of it depends on the shortest waves measured (rms gradient \
+         {gradient}{shortest}). Water is not in it: in humid air it condenses where the gap is below about 1.5\u{202F}nm \
+         (Kelvin, 50\u{202F}% humidity) and pulls by capillary forces."
     );
     [claim, text]
 }

@@ -1,6 +1,7 @@
 //! Sentences on the deterministic answer. They state what was computed and name the number.
 
 use crate::draw::svg::escape;
+use crate::messages::conduction::resistance_lines;
 use crate::messages::yielding;
 use crate::numbers::{PASCALS, SPACE, percent_within, quantity_within};
 use contact_compare::{DeterministicAnswer, End, SurfaceComparison};
@@ -44,13 +45,14 @@ pub fn headline_line(surface: &SurfaceComparison) -> Option<String> {
     Some(line.replace(SPACE, " "))
 }
 
-/// How a sentence on an answer begins that is not to tolerance.
-fn opening(converged: bool, stopped_at_rounding: bool) -> &'static str {
-    match (converged, stopped_at_rounding) {
-        (true, _) => "",
-        (false, true) => "Stopped at rounding: ",
-        (false, false) => "Not converged: ",
-    }
+/// The lines of a terminal on a surface: resistances, its size and headline, for which bodies an elastic area holds.
+pub fn surface_lines(surface: &SurfaceComparison) -> Vec<String> {
+    let [ny, nx] = surface.surface.grid().shape();
+    let headline = headline_line(surface).map_or_else(String::new, |line| format!(": {line}"));
+    let mut lines = resistance_lines(surface);
+    lines.push(format!("{}, {ny} × {nx} points{headline}", surface.name));
+    lines.extend(yielding::elastic_line(surface));
+    lines
 }
 
 /// The first sentence, as HTML.
@@ -64,7 +66,11 @@ pub(crate) fn headline(surface: &SurfaceComparison) -> String {
     if answer.diagnostics.contact_pixels == 0 {
         return format!("At {p} nothing touches.");
     }
-    let opening = opening(answer.converged, answer.diagnostics.end == End::Rounding);
+    let (opening, at) = match (answer.converged, answer.stopped_at_rounding) {
+        (true, _) => ("", "At"),
+        (false, true) => ("Stopped at rounding: ", "at"),
+        (false, false) => ("Not converged: ", "at"),
+    };
     let about = if answer.budget.area.half_width().is_ok() { "" } else { "about " };
     let unresolved = if answer.budget.area.interval().is_ok_and(|[low, _]| low <= 0.0) {
         ": this map does not resolve its contacts"
@@ -72,25 +78,10 @@ pub(crate) fn headline(surface: &SurfaceComparison) -> String {
         ""
     };
     let whole = if surface.origin.pair().is_some() { "the area in common" } else { "the surface" };
+    let (area, pressure) = (area(answer), real_pressure(answer));
+    let (share, yielded) = (yielding::share(surface), yielding::or_yielded(surface));
     format!(
-        "{opening}{}t {p}, {about}<b>{}</b> of {whole} touches{}{}; the mean real pressure is \
-         {about}<b>{}</b>{unresolved}.",
-        if opening.is_empty() { 'A' } else { 'a' },
-        area(answer),
-        yielding::share(surface),
-        yielding::or_yielded(surface),
-        real_pressure(answer)
+        "{opening}{at} {p}, {about}<b>{area}</b> of {whole} touches{share}{yielded}; the mean real pressure is \
+         {about}<b>{pressure}</b>{unresolved}."
     )
-}
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-
-    #[test]
-    fn rounding_is_not_convergence() {
-        assert_eq!(opening(true, false), "");
-        assert_eq!(opening(false, true), "Stopped at rounding: ");
-        assert_eq!(opening(false, false), "Not converged: ");
-    }
 }

@@ -40,24 +40,9 @@ pub(crate) fn kinds(found: &Conduction) -> Vec<ConductanceKind> {
     electrical.into_iter().chain(thermal).collect()
 }
 
-/// A resistance of the part in words: the number with its ends, relative ends, Holm's single spot.
-#[derive(Debug, Clone)]
-pub struct ResistanceWords {
-    /// What is resisted: "Contact resistance", "Thermal resistance".
-    pub name: &'static str,
-    /// "1.20 ± 0.05 mΩ".
-    pub value: String,
-    /// That of one spot of the same load and hardness, if that is known.
-    pub one_spot: Option<String>,
-}
-
-impl ResistanceWords {
-    /// Where the hand estimate stands, if it is known: "one spot (Holm) 16.5 K/W".
-    pub(crate) fn beside(&self) -> Option<String> {
-        let spot = self.one_spot.as_ref()?;
-        Some(format!("one spot (Holm) {spot}"))
-    }
-}
+/// A resistance of the part in words: what is resisted, "1.20 ± 0.05 mΩ", and that of one spot of the same load and
+/// hardness, if that is known.
+pub(crate) type ResistanceWords = (&'static str, String, Option<String>);
 
 /// Those of the part, if its area is known.
 pub fn resistances(found: &Conducted) -> Vec<ResistanceWords> {
@@ -71,17 +56,17 @@ pub fn resistances(found: &Conducted) -> Vec<ResistanceWords> {
             r => quantity_within(r, ends, units),
         };
         let one_spot = spot.map(|spot| shown(spot, None));
-        Some(ResistanceWords { name, value: shown(value, stated), one_spot })
+        Some((name, shown(value, stated), one_spot))
     })
     .collect()
 }
 
 /// "Thermal resistance 30 ± 3 mK/W at 10 MPa (one spot 16.5 K/W)" for each, in plain text.
-pub fn resistance_lines(surface: &SurfaceComparison) -> Vec<String> {
+pub(crate) fn resistance_lines(surface: &SurfaceComparison) -> Vec<String> {
     let at = super::headline_load(surface);
-    let line = |r: ResistanceWords| {
-        let spot = r.one_spot.map_or_else(String::new, |spot| format!(" (one spot {spot})"));
-        format!("{} {} at {at}{spot}", r.name, r.value).replace(SPACE, " ")
+    let line = |(name, value, spot): ResistanceWords| {
+        let spot = spot.map_or_else(String::new, |spot| format!(" (one spot {spot})"));
+        format!("{name} {value} at {at}{spot}").replace(SPACE, " ")
     };
     surface.conducted(surface.headline).iter().flat_map(resistances).map(line).collect()
 }
@@ -101,9 +86,6 @@ pub fn joint_words(joint: &Joint, gaps: &[f64]) -> String {
         None if joint.conductivities.is_some() => "Vacuum in the gap.".to_owned(),
         None => String::new(),
         Some(gas) => {
-            let [a, b] = gas.accommodation;
-            let name = gas.gas.name();
-            let radiation = 4.0 * STEFAN_BOLTZMANN * gas.temperature.powi(3);
             let widest = gaps.iter().copied().fold(0.0, f64::max);
             let narrowest = gaps.iter().copied().fold(f64::INFINITY, f64::min);
             let knudsen = [widest, narrowest].map(|gap| gas.free_path() / gap);
@@ -112,24 +94,19 @@ pub fn joint_words(joint: &Joint, gaps: &[f64]) -> String {
                 k if k <= SLIP[1] => "slip",
                 _ => "transition, where M is an approximation",
             };
-            let regime = if widest > 0.0 && narrowest > 0.0 {
-                let numbers = match knudsen.map(|k| significant(k, 2)) {
-                    [one, other] if one == other => one,
-                    [one, other] => format!("{one} to {other}"),
-                };
-                format!("; free path over mean gap {numbers}: {regime}")
-            } else {
-                String::new()
+            let regime = match knudsen.map(|k| significant(k, 2)) {
+                _ if widest <= 0.0 || narrowest <= 0.0 => String::new(),
+                [k, other] if k == other => format!("; free path over mean gap {k}: {regime}"),
+                [k, other] => format!("; free path over mean gap {k} to {other}: {regime}"),
             };
+            let (name, temperature) = (gas.gas.name(), significant(gas.temperature, 3));
+            let (pressure, jump) =
+                (quantity(gas.pressure, PASCALS, 3), quantity(gas.jump(), METRES, 2));
+            let [a, b] = gas.accommodation.map(|a| significant(a, 2));
+            let k = significant(gas.conductivity(), 3);
+            let radiation = significant(4.0 * STEFAN_BOLTZMANN * gas.temperature.powi(3), 2);
             format!(
-                "In the gap {name} at {}{SPACE}K and {}, {}{SPACE}W/m/K, jumps of temperature M = {} (accommodation {} and {}; at 1 it conducts most){regime}. Radiation adds at most {}{SPACE}W/m²/K.",
-                significant(gas.temperature, 3),
-                quantity(gas.pressure, PASCALS, 3),
-                significant(gas.conductivity(), 3),
-                quantity(gas.jump(), METRES, 2),
-                significant(a, 2),
-                significant(b, 2),
-                significant(radiation, 2),
+                "In the gap {name} at {temperature}{SPACE}K and {pressure}, {k}{SPACE}W/m/K, jumps of temperature M = {jump} (accommodation {a} and {b}; at 1 it conducts most){regime}. Radiation adds at most {radiation}{SPACE}W/m²/K."
             )
         }
     };
@@ -150,19 +127,15 @@ pub(crate) fn conductance(kind: ConductanceKind, stiffness: f64) -> f64 {
 
 /// "2.16 × 10¹⁰ S/m²", "∞ S/m²".
 pub(crate) fn scientific(value: f64, unit: &str) -> String {
-    if value.is_infinite() {
-        return format!("∞{SPACE}{unit}");
-    }
-    if value <= 0.0 {
-        return format!("0{SPACE}{unit}");
-    }
-    if (0.01..1e4).contains(&value) {
-        return format!("{}{SPACE}{unit}", significant(value, 3));
-    }
-    let exponent = value.log10().floor();
-    format!(
-        "{} × {}{SPACE}{unit}",
-        significant(value / 10f64.powf(exponent), 3),
-        power_of_ten(exponent as i32)
-    )
+    let number = match value {
+        v if v.is_infinite() => "∞".into(),
+        v if v <= 0.0 => "0".into(),
+        v if (0.01..1e4).contains(&v) => significant(v, 3),
+        v => {
+            let exponent = v.log10().floor();
+            let mantissa = significant(v / 10f64.powf(exponent), 3);
+            format!("{mantissa} × {}", power_of_ten(exponent as i32))
+        }
+    };
+    format!("{number}{SPACE}{unit}")
 }

@@ -1,18 +1,20 @@
 //! Findings in words: plain text, the same on the page, on the terminal and in files.
 
 use crate::messages::adhesion;
-use crate::messages::edges::seam_effect;
 use crate::messages::pair;
 use crate::messages::plan;
 use crate::messages::profile;
-use crate::messages::spikes::spikes;
 use crate::messages::yielding;
-use crate::numbers::{METRES, PASCALS, SPACE, counted, fixed, percent, quantity, significant};
+use crate::numbers::{
+    METRES, PASCALS, SPACE, counted, fixed, percent, quantity, signed_percent, significant,
+};
 use contact_accuracy::{INDICATOR_LIMIT, NoUncertainty, Reached};
-use contact_compare::{EdgesName, Fact, Finding, Passed, Seam, Yield};
+use contact_compare::{
+    EdgesName, Fact, Finding, Origin, Passed, SPIKE_THRESHOLD, Seam, SurfaceComparison, Yield, seam,
+};
+use surface_stats::Edges;
 use surface_stats::clean::{FormParameters, Record};
 
-/// Claim and text.
 pub(crate) type Words = [String; 2];
 
 fn words(claim: impl Into<String>, text: impl Into<String>) -> Words {
@@ -41,20 +43,19 @@ pub(crate) fn of_fact(fact: &Fact) -> Words {
             spikes([*count, *taken, *of], *largest, *share)
         }
         Fact::PlanUnmet(outcome) => unmet(outcome),
-        Fact::Interpolation { indicator, loads, of, .. } => words(
-            format!(
-                "Result depends on interpolation between points (indicator {}, limit {INDICATOR_LIMIT}).",
-                significant(*indicator, 2)
-            ),
-            format!(
-                "{}The uncertainty covers both ways to interpolate. Measure on a finer grid.",
-                if of > loads {
-                    format!("At {loads} of {}. ", counted(*of, "load"))
-                } else {
-                    String::new()
-                },
-            ),
-        ),
+        Fact::Interpolation { indicator, loads, of, .. } => {
+            let indicator = significant(*indicator, 2);
+            let some = (of > loads).then(|| format!("At {loads} of {}. ", counted(*of, "load")));
+            let some = some.unwrap_or_default();
+            words(
+                format!(
+                    "Result depends on interpolation between points (indicator {indicator}, limit {INDICATOR_LIMIT})."
+                ),
+                format!(
+                    "{some}The uncertainty covers both ways to interpolate. Measure on a finer grid."
+                ),
+            )
+        }
         Fact::BelowPoint { loads, of } => words(
             format!(
                 "At {loads} of {} the contact is smaller than a point of the map.",
@@ -79,7 +80,20 @@ pub(crate) fn of_fact(fact: &Fact) -> Words {
         Fact::Filter { wavelength, limit, ra: None } => profile::no_short(*wavelength, *limit),
         Fact::Warned(found) => found.message(),
         Fact::EdgeJump { ratio, edges, seam } => edge_jump(*ratio, *edges, seam.as_ref()),
-        Fact::Cleaned { steps, filled, how } => cleaned(steps, *filled, how),
+        Fact::Filled { share, spikes, how } => {
+            let what = if *spikes { "missing or spikes" } else { "missing" };
+            words(
+                format!("{} of the points were {what}.", percent(*share)),
+                format!(
+                    "They were filled ({how}) from their neighbours, which makes them smoother than \
+                     the surface; contact there is a guess."
+                ),
+            )
+        }
+        Fact::Cleaned(records) => words(
+            format!("The heights were cleaned: {}.", steps(records)),
+            "What was taken off is in no answer here.",
+        ),
         Fact::Pair { names, moments } => pair::dependent(names, moments),
         Fact::Laid { names, pixels, shares } => {
             let pixels = pixels.map(|pixels| pair::pixels_differ(names, pixels));
@@ -96,40 +110,32 @@ fn unit([gradient, rms_height, radius]: [Option<f64>; 3]) -> Words {
         rms_height.map(|h| format!("an rms height of {}", quantity(h, METRES, 3))),
         radius.map(|r| format!("asperities of radius {}", quantity(r, METRES, 3))),
     ];
-    let found: Vec<String> = found.into_iter().flatten().collect();
+    let found = found.into_iter().flatten().collect::<Vec<_>>().join(" and ");
     words(
         "Is the unit right?",
         format!(
-            "No rough surface has {}. Look at the unit of the heights and at the point spacing; \
-             until they are right, no number here means anything.",
-            found.join(" and ")
+            "No rough surface has {found}. Look at the unit of the heights and at the point spacing; \
+             until they are right, no number here means anything."
         ),
     )
 }
 
 fn steep(gradient: f64, is_over: bool) -> Words {
-    let gradient = significant(gradient, 2);
-    if is_over {
-        words(
-            format!("Slopes are too steep: the rms gradient is {gradient}."),
-            "Small-slope elasticity ends near 0.5. Solver and models still answer, but for a flat \
-             half-space, which this surface is not.",
-        )
+    let text = if is_over {
+        "Small-slope elasticity ends near 0.5. Solver and models still answer, but for a flat \
+         half-space, which this surface is not."
     } else {
-        words(
-            format!("Slopes are steep: the rms gradient is {gradient}."),
-            "Small-slope elasticity strains from 0.3 and ends near 0.5.",
-        )
-    }
+        "Small-slope elasticity strains from 0.3 and ends near 0.5."
+    };
+    let (too, gradient) = (if is_over { "too " } else { "" }, significant(gradient, 2));
+    words(format!("Slopes are {too}steep: the rms gradient is {gradient}."), text)
 }
 
 fn beyond_yield(found: &Yield) -> Words {
     let show = |p: f64| quantity(p, PASCALS, 2);
     let [low, high] = found.hardness;
-    let highest = found
-        .at
-        .highest
-        .map_or_else(String::new, |p| format!(", {} at the highest point", show(p)));
+    let highest = found.at.highest.map(|p| format!(", {} at the highest point", show(p)));
+    let highest = highest.unwrap_or_default();
     let is_known = low >= high;
     let claim = if is_known {
         "These bodies yield under these pressures."
@@ -143,28 +149,27 @@ fn beyond_yield(found: &Yield) -> Words {
     } else {
         format!("solids of this modulus have a hardness of {} to {}", show(low), show(high))
     };
+    let (nominal, mean) = (found.at.nominal, found.at.mean);
     let ends = found.full.map_or_else(String::new, |full| {
-        if found.at.mean > full && found.at.nominal > 0.5 * found.at.mean {
-            return format!(" That is more than E* g = {}: the surface is pressed flat.", show(full));
-        }
-        if found.at.mean > full {
+        let shown = show(full);
+        if mean <= full {
             return format!(
-                " That is more than E* g = {}: a few points far steeper than the rest carry the load.",
-                show(full)
+                " The elastic area holds for a hardness H of at least {shown} (E* h′rms)."
             );
         }
-        format!(
-            " The elastic area holds for a hardness H of at least {} (E* h′rms).",
-            show(full)
-        )
+        let why = if nominal > 0.5 * mean {
+            "the surface is pressed flat"
+        } else {
+            "a few points far steeper than the rest carry the load"
+        };
+        format!(" That is more than E* g = {shown}: {why}.")
     });
+    let (nominal, mean) = (show(nominal), show(mean));
     words(
         claim,
         format!(
-            "At {} the mean real pressure is {}{highest}; {bear}.{ends} Where the contact yields, the area is \
-             larger.",
-            show(found.at.nominal),
-            show(found.at.mean)
+            "At {nominal} the mean real pressure is {mean}{highest}; {bear}.{ends} Where the contact yields, the area is \
+             larger."
         ),
     )
 }
@@ -192,31 +197,87 @@ fn edge_jump(ratio: f64, edges: EdgesName, seam: Option<&Seam>) -> Words {
     )
 }
 
-/// Both claims and both texts, of what there is.
-fn together(first: Option<Words>, second: Option<Words>) -> Words {
-    let all: Vec<Words> = first.into_iter().chain(second).collect();
-    [0, 1].map(|k| all.iter().map(|words| words[k].as_str()).collect::<Vec<_>>().join(" "))
+/// The treatment of the edges.
+fn treatment(surface: &SurfaceComparison) -> &'static str {
+    match (surface.edges, &surface.origin) {
+        (EdgesName::Mirrored, _) => "Continued by its mirror images.",
+        (EdgesName::Periodic, Origin::Recipe(_)) => "Periodic, as made.",
+        (EdgesName::Periodic, Origin::Given(given)) if given.repeats == Some(true) => {
+            "Periodic, as given."
+        }
+        (EdgesName::Periodic, Origin::Pair(_)) if surface.origin.edges() == Edges::Periodic => {
+            "Periodic, as both bodies were made."
+        }
+        (EdgesName::Periodic, Origin::File(_) | Origin::Given(_) | Origin::Pair(_)) => {
+            "Repeated periodically as it is."
+        }
+    }
 }
 
-fn cleaned(records: &[Record], filled: f64, how: &str) -> Words {
-    let steps = (!records.is_empty()).then(|| {
-        words(
-            format!("The heights were cleaned: {}.", steps(records)),
-            "What was taken off is in no answer here.",
-        )
-    });
-    let is_spike = |r: &Record| matches!(r, Record::Outliers { count, .. } if *count > 0);
-    let spikes = if records.iter().any(is_spike) { "missing or spikes" } else { "missing" };
-    let filled = (filled > 0.0).then(|| {
-        words(
-            format!("{} of the points were {spikes}.", percent(filled)),
+/// The treatment, and for a map whose edges were made up its effect.
+pub(crate) fn edge_words(surface: &SurfaceComparison) -> String {
+    let done = treatment(surface);
+    if done.starts_with("Periodic") {
+        return done.to_owned();
+    }
+    seam(surface).map_or(done.to_owned(), |s| format!("{done} {}", seam_effect(&s)))
+}
+
+/// What the strip along the edges does to the area, in one sentence.
+fn seam_effect(seam: &Seam) -> String {
+    format!(
+        "The strip along the edges moves the area by {}.",
+        signed_percent(seam.share.direct_effect())
+    )
+}
+
+/// Part of the points from which spikes of an instrument are not the likely reading.
+const MANY_SPIKES: f64 = 0.01;
+
+/// Claim and text: what `count` spikes of `of` points say, after `taken` were taken out.
+fn spikes([count, taken, of]: [usize; 3], largest: f64, share: Option<f64>) -> Words {
+    let (who, stand) = if count == 1 { ("It carries", "stands") } else { ("They carry", "stand") };
+    let carried = share.map_or_else(String::new, |s| format!("{who} {} of the load. ", percent(s)));
+    let [part, ever] = [count, count + taken].map(|n| n as f64 / of.max(1) as f64);
+    let up_to = quantity(largest, METRES, 2);
+    let points = if count == 1 { "1 point".to_owned() } else { format!("{count} points") };
+    let many = "So many are seldom spikes of an instrument: a surface of smooth ground with peaks, grains or walls on it \
+                looks so too";
+    match (taken > 0, ever > MANY_SPIKES) {
+        (true, is_many) => [
             format!(
-                "They were filled ({how}) from their neighbours, which makes them smoother than \
-                 the surface; contact there is a guess."
+                "{points} still {stand} far from the neighbours, up to {up_to}, after {taken} {} taken out.",
+                if taken == 1 { "was" } else { "were" }
             ),
-        )
-    });
-    together(filled, steps)
+            if is_many {
+                format!(
+                    "{carried}{many}, and taking them out takes peaks from it. Look at the map."
+                )
+            } else {
+                format!(
+                    "{carried}Another round would find others again: rims of wide spikes, peaks and edges of the surface \
+                     itself. Look at the map; what is an error of the instrument can be made a missing point in the file."
+                )
+            },
+        ],
+        (false, true) => [
+            format!(
+                "{} of the points stand far from their neighbours, up to {up_to}.",
+                percent(part)
+            ),
+            format!("{carried}{many}. Look at the map before you take all out."),
+        ],
+        (false, false) => [
+            format!(
+                "{points} {}, up to {up_to} from the neighbours.",
+                if count == 1 { "is a spike" } else { "are spikes" }
+            ),
+            format!(
+                "{carried}If they are errors of the instrument, take them out and fill: outliers {SPIKE_THRESHOLD}, \
+                 fill harmonic."
+            ),
+        ],
+    }
 }
 
 /// The steps of cleaning in a few words.
@@ -283,35 +344,29 @@ fn no_uncertainty(why: NoUncertainty, loads: usize, of: usize) -> Words {
 
 /// What was tested and is fine, in one entry.
 fn tested(passed: &Passed) -> Words {
-    let mut claims: Vec<&str> = Vec::new();
-    let mut texts: Vec<String> = Vec::new();
-    if let Some(bandwidth) = passed.bandwidth {
-        claims.push("bandwidth");
-        texts.push(format!("α = {} (≥{SPACE}1.5 needed)", significant(bandwidth, 3)));
-    }
-    if let Some([skewness, kurtosis]) = passed.heights {
-        claims.push("height distribution");
-        texts.push(format!(
-            "skewness {}, kurtosis {}",
-            fixed(skewness, 2),
-            significant(kurtosis, 3)
-        ));
-    }
-    if let Some(anisotropy) = passed.anisotropy {
-        claims.push("isotropy");
-        texts.push(format!("slope anisotropy {}", significant(anisotropy, 3)));
-    }
-    if let Some(resolved) = passed.resolved {
-        claims.push("resolution");
-        texts.push(format!(
-            "finite differences recover {} of the spectral rms gradient",
-            percent(resolved)
-        ));
-    }
-    if let Some(found) = &passed.independence {
-        claims.push("independence");
-        texts.push(pair::independent(found));
-    }
+    let tests = [
+        passed.bandwidth.map(|bandwidth| {
+            ("bandwidth", format!("α = {} (≥{SPACE}1.5 needed)", significant(bandwidth, 3)))
+        }),
+        passed.heights.map(|[skewness, kurtosis]| {
+            let (skewness, kurtosis) = (fixed(skewness, 2), significant(kurtosis, 3));
+            ("height distribution", format!("skewness {skewness}, kurtosis {kurtosis}"))
+        }),
+        passed
+            .anisotropy
+            .map(|ratio| ("isotropy", format!("slope anisotropy {}", significant(ratio, 3)))),
+        passed.resolved.map(|resolved| {
+            let share = percent(resolved);
+            (
+                "resolution",
+                format!("finite differences recover {share} of the spectral rms gradient"),
+            )
+        }),
+        passed.independence.as_ref().map(|found| {
+            ("independence", format!("moments of the two bodies add ({})", pair::excess(found)))
+        }),
+    ];
+    let (claims, texts): (Vec<&str>, Vec<String>) = tests.into_iter().flatten().unzip();
     words(format!("{}.", capital(&claims.join(", "))), format!("{}.", capital(&texts.join("; "))))
 }
 
@@ -324,5 +379,24 @@ mod tests {
         assert_eq!(capital("skewness 0.1"), "Skewness 0.1");
         assert_eq!(capital("α = 15"), "α = 15");
         assert_eq!(capital(""), "");
+    }
+
+    #[test]
+    fn half_a_map_is_no_spike() {
+        let told = |count, taken| {
+            let [claim, text] = spikes([count, taken, 1000], 1e-6, None);
+            (claim + " " + &text).replace(SPACE, " ")
+        };
+        assert!(told(9, 0).contains("9 points are spikes") && told(9, 0).contains("fill harmonic"));
+        assert!(
+            !told(500, 0).contains("are spikes") && told(500, 0).contains("50 % of the points")
+        );
+        // What was done is not advised again.
+        for left in [told(1, 8), told(9, 1), told(500, 40)] {
+            assert!(left.contains("still stand") && !left.contains("fill harmonic"), "{left}");
+        }
+        assert!(
+            told(9, 1).contains("Another round") && told(9, 40).contains("takes peaks from it")
+        );
     }
 }

@@ -3,14 +3,9 @@
 use crate::numbers::{METRES, NEWTONS, PASCALS, SPACE, chosen, quantity, significant, unit_for};
 use contact_compare::{Settings, SurfaceComparison};
 
-/// Forces, the area they press on and the pressures that gives, in plain text; `None` if the loads of
+/// Forces, the area they press on and the pressures that gives; `None` if the loads of
 /// the study were not given as forces.
 pub fn loads_line(settings: &Settings) -> Option<String> {
-    loads_words(settings).map(|words| words.replace(SPACE, " "))
-}
-
-/// The same for the page.
-pub(crate) fn loads_words(settings: &Settings) -> Option<String> {
     let area = settings.load_area?;
     let one =
         |p: &f64| format!("{} is {}", quantity(p * area, NEWTONS, 3), quantity(*p, PASCALS, 3));
@@ -24,10 +19,10 @@ pub(crate) fn loads_words(settings: &Settings) -> Option<String> {
 /// A nominal pressure (Pa) as its load is read: as a force on this area (m²) with the pressure behind it, or as it is.
 pub(crate) fn load(pressure: f64, area: Option<f64>) -> String {
     let pascals = chosen(pressure, PASCALS);
-    area.map_or_else(
-        || pascals.clone(),
-        |a| format!("{} ({pascals})", chosen(pressure * a, NEWTONS)),
-    )
+    match area {
+        None => pascals,
+        Some(area) => format!("{} ({pascals})", chosen(pressure * area, NEWTONS)),
+    }
 }
 
 /// That of the headline.
@@ -46,7 +41,7 @@ mod tests {
             load_area: Some(2e-6),
             ..Settings::default()
         };
-        let line = loads_line(&settings).unwrap();
+        let line = loads_line(&settings).unwrap().replace(SPACE, " ");
         assert_eq!(line, "on 2.000 mm²: 10.0 N is 5.00 MPa, 20.0 N is 10.0 MPa");
         assert_eq!(loads_line(&Settings { load_area: None, ..settings }), None);
     }

@@ -5,7 +5,6 @@ use contact_compare::{Listed, Material, MaterialUse, Property, material, source_
 use contact_types::Named;
 use serde_json::{Map, Value, json};
 
-/// A number with its unit.
 fn shown(property: Property, value: f64) -> String {
     match property {
         Property::Young | Property::Hardness => quantity(value, PASCALS, 3),

@@ -2,10 +2,7 @@
 
 pub(crate) mod adhesion;
 mod answer;
-pub(crate) mod coarser;
 pub(crate) mod conduction;
-mod date;
-pub(crate) mod edges;
 pub(crate) mod finding;
 pub(crate) mod leak;
 pub(crate) mod loads;
@@ -14,13 +11,12 @@ pub(crate) mod pair;
 pub(crate) mod plan;
 pub(crate) mod profile;
 mod ranking;
-mod spikes;
 mod verdict;
 pub(crate) mod yielding;
 
-pub use answer::headline_line;
 pub(crate) use answer::{area, headline, real_pressure};
-pub(crate) use date::date;
+pub use answer::{headline_line, surface_lines};
+pub(crate) use finding::edge_words;
 pub(crate) use loads::{headline_load, load};
-pub(crate) use ranking::{cheapest, is_known, named, nearest, published, ranked};
-pub(crate) use verdict::{SMALL_SLOPES, reason, reason_of};
+pub(crate) use ranking::{cheapest, coarser_routes, is_known, named, nearest, published, ranked};
+pub(crate) use verdict::{SMALL_SLOPES, reason_of};

@@ -5,7 +5,6 @@ use crate::numbers::{
 };
 use contact_compare::{Body, Flip, Independence, PairOrigin, Settings};
 
-/// How a body was turned over.
 fn turned(flip: Flip) -> &'static str {
     match flip {
         Flip::Columns => "turned over as a book is closed, its first column on the last",
@@ -14,7 +13,6 @@ fn turned(flip: Flip) -> &'static str {
     }
 }
 
-/// A way along one axis.
 fn moved(way: f64) -> String {
     if way == 0.0 { "0".to_owned() } else { quantity(way, METRES, 4) }
 }
@@ -57,12 +55,11 @@ pub(crate) fn lying(pair: &PairOrigin) -> String {
 }
 
 /// "m0 +0.3 %, m2 −0.1 %, m4 +0.0 %".
-fn excess(found: &Independence) -> String {
+pub(crate) fn excess(found: &Independence) -> String {
     let one = |(name, value): (&str, &f64)| format!("{name} {}", signed_percent(*value));
     ["m₀", "m₂", "m₄"].into_iter().zip(&found.excess).map(one).collect::<Vec<_>>().join(", ")
 }
 
-/// What chance alone makes of it.
 fn chance(found: &Independence) -> String {
     let [a, b, c] = found.chance.map(|x| significant(100.0 * x, 2));
     format!("chance alone makes ± {a}, {b} and {c}{SPACE}%")
@@ -75,49 +72,37 @@ pub(crate) fn moments(pair: &PairOrigin) -> Option<String> {
     if found.bodies.iter().any(|body| body.m0 <= 0.0) {
         return Some(whose.to_owned());
     }
+    let (excess, chance) = (excess(&found), chance(&found));
     Some(format!(
-        "{whose}; they differ from the sums of the moments of the two by {} ({})",
-        excess(&found),
-        chance(&found)
+        "{whose}; they differ from the sums of the moments of the two by {excess} ({chance})"
     ))
 }
 
 /// The finding that they do not add: claim and text.
 pub(crate) fn dependent([first, second]: &[String; 2], found: &Independence) -> [String; 2] {
-    let mates = found.excess[1] < 0.0;
-    let claim = if mates {
-        format!("{first} and {second} fit into each other.")
-    } else {
-        format!("{first} and {second} meet high on high.")
-    };
+    let how = if found.excess[1] < 0.0 { "fit into each other" } else { "meet high on high" };
+    let (excess, chance) = (excess(found), chance(found));
     [
-        claim,
+        format!("{first} and {second} {how}."),
         format!(
-            "Moments of the sum differ from the sums of those of the two by {}; {}. The two are not \
-             independent where they lie: another place (shifted, or flipped otherwise) gives another area.",
-            excess(found),
-            chance(found)
+            "Moments of the sum differ from the sums of those of the two by {excess}; {chance}. The two are not \
+             independent where they lie: another place (shifted, or flipped otherwise) gives another area."
         ),
     ]
 }
 
 /// The finding that the points differ: claim and text.
 pub(crate) fn pixels_differ(names: &[String; 2], pixels: [[f64; 2]; 2]) -> [String; 2] {
-    let size = |p: [f64; 2]| p[0].max(p[1]);
-    let (fine, coarse) = if size(pixels[0]) < size(pixels[1]) { (0, 1) } else { (1, 0) };
-    let points = |k: usize| quantity(size(pixels[k]), METRES, 3);
+    let sizes = pixels.map(|p| p[0].max(p[1]));
+    let (fine, coarse) = if sizes[0] < sizes[1] { (0, 1) } else { (1, 0) };
+    let [first, second] = sizes.map(|size| quantity(size, METRES, 3));
+    let (fine, coarse, wave) =
+        (&names[fine], &names[coarse], quantity(2.0 * sizes[coarse], METRES, 2));
     [
+        format!("The bodies were measured at different point spacings: {first} and {second}."),
         format!(
-            "The bodies were measured at different point spacings: {} and {}.",
-            points(0),
-            points(1)
-        ),
-        format!(
-            "{} was interpolated at the points of {}, which adds no wave: its waves shorter than {} are \
-             not in the sum, and the area depends on the shortest waves.",
-            names[coarse],
-            names[fine],
-            quantity(2.0 * size(pixels[coarse]), METRES, 2)
+            "{coarse} was interpolated at the points of {fine}, which adds no wave: its waves shorter than {wave} are \
+             not in the sum, and the area depends on the shortest waves."
         ),
     ]
 }
@@ -129,11 +114,6 @@ pub(crate) fn common_part(names: &[String; 2], shares: [f64; 2]) -> [String; 2] 
         format!("{a} of {} and {b} of {} lie on each other.", names[0], names[1]),
         "Only that part is solved, and a load is one on its area.".to_owned(),
     ]
-}
-
-/// "independence" among what passed.
-pub(crate) fn independent(found: &Independence) -> String {
-    format!("moments of the two bodies add ({})", excess(found))
 }
 
 /// "E = 210 GPa, ν = 0.3".

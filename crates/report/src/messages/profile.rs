@@ -16,27 +16,23 @@ pub(crate) fn one_direction() -> [String; 2] {
 
 /// That Ra asks for a longer cut-off.
 pub(crate) fn coarser_class(cutoff: f64, ra: f64, length: f64) -> [String; 2] {
+    let [ra, length] = [ra, length].map(|metres| quantity(metres, METRES, 3));
     [
+        format!("Ra = {ra} asks for a longer cut-off than {}.", chosen(cutoff, METRES)),
         format!(
-            "Ra = {} asks for a longer cut-off than {}.",
-            quantity(ra, METRES, 3),
-            chosen(cutoff, METRES)
-        ),
-        format!(
-            "ISO 21920-3 measures such a surface over more than the {} that were traced: the \
-             roughness parameters are those of a part of its waves.",
-            quantity(length, METRES, 3)
+            "ISO 21920-3 measures such a surface over more than the {length} that were traced: the \
+             roughness parameters are those of a part of its waves."
         ),
     ]
 }
 
 /// That λs was left out.
 pub(crate) fn no_short(short: f64, spacing: f64) -> [String; 2] {
+    let (short, spacing) = (chosen(short, METRES), quantity(spacing, METRES, 3));
     [
-        format!("λs = {} was not applied.", chosen(short, METRES)),
+        format!("λs = {short} was not applied."),
         format!(
-            "ISO 21920-3 asks for points five times closer than that; these are {} apart.",
-            quantity(spacing, METRES, 3)
+            "ISO 21920-3 asks for points five times closer than that; these are {spacing} apart."
         ),
     ]
 }
@@ -48,27 +44,18 @@ pub(crate) fn sample(
     factors: [Option<f64>; 3],
     between: Option<[f64; 3]>,
 ) -> [String; 2] {
-    let what = match traces {
-        1 => format!("One trace of {}", quantity(length, METRES, 3)),
-        n => format!("{n} traces of {}", quantity(length, METRES, 3)),
-    };
-    let names = ["m₀", "m₂", "m₄"];
-    let known: Vec<String> = names
-        .iter()
-        .zip(factors)
-        .map(|(name, factor)| format!("{name} {}", spread(factor)))
-        .collect();
-    let claim = format!("{what}: {}.", known.join(", "));
-    let mut text = String::from(
-        "So far would the moments of other traces of the same surface and length scatter (95 %). \
-         Waves longer than the trace are not in it.",
-    );
-    if let Some(between) = between {
-        let each: Vec<String> =
-            names.iter().zip(between).map(|(name, s)| format!("{name} {}", percent(s))).collect();
-        text = format!("{text} Standard deviation from trace to trace: {}.", each.join(", "));
-    }
-    [claim, text]
+    let what = if traces == 1 { "One trace".to_owned() } else { format!("{traces} traces") };
+    let each = |[m0, m2, m4]: [String; 3]| format!("m₀ {m0}, m₂ {m2}, m₄ {m4}.");
+    let between = between.map_or_else(String::new, |between| {
+        format!(" Standard deviation from trace to trace: {}", each(between.map(percent)))
+    });
+    [
+        format!("{what} of {}: {}", quantity(length, METRES, 3), each(factors.map(spread))),
+        format!(
+            "So far would the moments of other traces of the same surface and length scatter (95 %). \
+             Waves longer than the trace are not in it.{between}"
+        ),
+    ]
 }
 
 /// "±12 %", "within a factor of 1.8", "not known".
@@ -84,17 +71,13 @@ pub(crate) fn spread(factor: Option<f64>) -> String {
 
 /// That the points were not evenly spaced.
 pub(crate) fn unevenly(uneven: Unevenness) -> [String; 2] {
-    let [short, long] = uneven.steps;
+    let [short, long] = uneven.steps.map(|step| quantity(step, METRES, 3));
+    let spacing = quantity(uneven.spacing, METRES, 3);
     [
+        format!("The points are not evenly spaced: {short} to {long} apart."),
         format!(
-            "The points are not evenly spaced: {} to {} apart.",
-            quantity(short, METRES, 3),
-            quantity(long, METRES, 3)
-        ),
-        format!(
-            "They were put {} apart on the straight lines between neighbours, as many over the same \
-             length; slopes and curvatures of waves shorter than a few of the longest steps are lost.",
-            quantity(uneven.spacing, METRES, 3)
+            "They were put {spacing} apart on the straight lines between neighbours, as many over the same \
+             length; slopes and curvatures of waves shorter than a few of the longest steps are lost."
         ),
     ]
 }

@@ -1,12 +1,13 @@
-//! The closed forms by their error at the reference load.
+//! The closed forms and coarser grids by their error at the reference load.
 
+use crate::draw::palette::{DETERMINISTIC_STYLE, INK2, Style};
 use crate::draw::svg::escape;
+use crate::figures::cost::CostRoute;
 use crate::lines::WANTED;
-use crate::messages::coarser;
 use crate::messages::finding::capital;
 use crate::numbers::{SPACE, duration, signed_percent};
 use contact_compare::{
-    Applies, DeterministicAnswer, ModelComparison, SurfaceComparison, elastic_holds,
+    Applies, Coarser, DeterministicAnswer, ModelComparison, SurfaceComparison, elastic_holds,
 };
 
 /// A model within a sentence, its article small; escaped.
@@ -33,20 +34,15 @@ pub(crate) struct Ranked<'a> {
 
 /// The closed forms that answer at the reference load, nearest first; where the contact yields, those of
 /// bodies that yield.
-pub(crate) fn ranked(surface: &SurfaceComparison) -> Vec<Ranked<'_>> {
+pub(crate) fn ranked<'a>(surface: &'a SurfaceComparison) -> Vec<Ranked<'a>> {
     let elastic = elastic_holds(surface);
-    let mut list: Vec<Ranked<'_>> = surface
-        .models
-        .iter()
-        .enumerate()
-        .filter(|(_, model)| model.card.yields || elastic)
-        .filter_map(|(place, model)| {
-            let curve = model.outcome.as_ref().ok()?;
-            let error = (*curve.errors.get(surface.headline)?)?;
-            let typed = (!model.card.inputs.is_empty()).then_some(curve.seconds);
-            Some(Ranked { model, place, error, seconds: curve.preparation + curve.seconds, typed })
-        })
-        .collect();
+    let rank = |(place, model): (usize, &'a ModelComparison)| {
+        let curve = model.outcome.as_ref().ok().filter(|_| model.card.yields || elastic)?;
+        let error = (*curve.errors.get(surface.headline)?)?;
+        let typed = (!model.card.inputs.is_empty()).then_some(curve.seconds);
+        Some(Ranked { model, place, error, seconds: curve.preparation + curve.seconds, typed })
+    };
+    let mut list: Vec<Ranked<'a>> = surface.models.iter().enumerate().filter_map(rank).collect();
     list.sort_by(|a, b| a.error.abs().total_cmp(&b.error.abs()));
     list
 }
@@ -79,8 +75,8 @@ pub(crate) fn cheapest(surface: &SurfaceComparison) -> Option<[String; 2]> {
     let form = forms.min_by(|a, b| a.seconds.total_cmp(&b.seconds));
     Some(
         form.map(|r| way(&r))
-            .or_else(|| coarser::cheapest_words(surface))
-            .unwrap_or_else(|| ["This solution".into(), duration(answer.diagnostics.seconds)]),
+            .or_else(|| cheapest_grid(surface))
+            .unwrap_or_else(|| ["This solution".into(), duration(answer.seconds)]),
     )
 }
 
@@ -95,4 +91,56 @@ pub(crate) fn is_known(surface: &SurfaceComparison) -> bool {
         Some(a.budget.area.half_width().ok()? <= WANTED * a.area_fraction)
     };
     surface.headline_answer().and_then(known).unwrap_or(false)
+}
+
+/// A filled dot as the deterministic solution has, in the grey of notes.
+const LOOK: Style = Style { colour: INK2, ..DETERMINISTIC_STYLE };
+
+/// "½ grid": half as many points along each side.
+fn label(factor: usize) -> String {
+    match factor {
+        2 => "½ grid".into(),
+        4 => "¼ grid".into(),
+        8 => "⅛ grid".into(),
+        other => format!("1/{other} grid"),
+    }
+}
+
+/// The coarser grids as routes to an answer.
+pub(crate) fn coarser_routes(surface: &SurfaceComparison) -> impl Iterator<Item = CostRoute> {
+    surface.coarser.iter().map(|c| CostRoute::new(label(c.factor), LOOK, c.seconds, c.error))
+}
+
+/// The coarsest grid that is within the wanted error together with all finer ones: a coarse grid
+/// that is near while a finer one is not is near by chance.
+fn cheapest_of(grids: &[Coarser]) -> Option<&Coarser> {
+    grids.iter().take_while(|c| c.error.abs() <= WANTED).last()
+}
+
+/// That grid with its error and time; `None` if no coarser grid comes that near.
+fn cheapest_grid(surface: &SurfaceComparison) -> Option<[String; 2]> {
+    let grid = cheapest_of(&surface.coarser)?;
+    let [ny, nx] = grid.shape;
+    let words = format!("{}, {}", signed_percent(grid.error), duration(grid.seconds));
+    Some([format!("Solver on {nx} × {ny} points"), words])
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_grid_that_is_near_by_chance_is_not_recommended() {
+        let chosen = |errors: [f64; 3]| {
+            let (touching_fraction, area_fraction, seconds) = (0.02, 0.02, 1.0);
+            let grids = [2, 4, 8].into_iter().zip(errors).map(|(factor, error)| {
+                let shape = [512 / factor; 2];
+                Coarser { factor, shape, touching_fraction, area_fraction, error, seconds }
+            });
+            cheapest_of(&grids.collect::<Vec<_>>()).map(|c| c.factor)
+        };
+        assert_eq!(chosen([0.01, 0.05, 0.30]), Some(4));
+        assert_eq!(chosen([-0.01, -0.05, 0.09]), Some(8));
+        assert_eq!(chosen([0.12, 0.05, 0.02]), None);
+    }
 }

@@ -2,20 +2,13 @@
 
 use crate::messages::finding::of_fact;
 use crate::numbers::{SPACE, counted, length, pressure, significant};
-use contact_compare::{
-    Assumes, BuildError, Card, Caveat, Fact, ModelComparison, ModelError, Reason, Verdict,
-};
+use contact_compare::{Assumes, BuildError, Card, Caveat, Fact, ModelError, Reason, Verdict};
 use surface_stats::Warning;
 
 /// What steep slopes strain.
 pub(crate) const SMALL_SLOPES: &str = "small-slope elasticity ends near 0.5";
 
 /// Why a model applies to a surface, or only with caution, or not.
-pub(crate) fn reason(model: &ModelComparison) -> String {
-    reason_of(&model.card, &model.verdict)
-}
-
-/// The same of a card and a verdict.
 pub(crate) fn reason_of(card: &Card, verdict: &Verdict) -> String {
     if verdict.reasons.is_empty() {
         return within(card).into();

@@ -9,37 +9,25 @@ pub(crate) const LEFT_OUT: &str =
 
 /// Of the headline.
 pub(crate) fn headline(found: &Yielding) -> [String; 2] {
-    let claim = format!(
-        "The contact yields: {} of it is at the hardness of {}.",
-        percent(found.share),
-        quantity(found.hardness, PASCALS, 3)
-    );
+    let share = percent(found.share);
     let elastic = found.elastic_area.filter(|a| *a > 0.0).map_or_else(String::new, |elastic| {
-        format!(
-            " Elastic bodies would touch on {} ({}).",
-            percent(elastic),
-            signed_percent(elastic / found.area - 1.0)
-        )
+        let more = signed_percent(elastic / found.area - 1.0);
+        format!(" Elastic bodies would touch on {} ({more}).", percent(elastic))
     });
-    let text = format!(
-        "At {} it carries {} of the load.{elastic} {LEFT_OUT}",
-        chosen(found.load, PASCALS),
-        percent(found.load_share)
-    );
-    [claim, text]
+    let (load, load_share) = (chosen(found.load, PASCALS), percent(found.load_share));
+    let hardness = quantity(found.hardness, PASCALS, 3);
+    [
+        format!("The contact yields: {share} of it is at the hardness of {hardness}."),
+        format!("At {load} it carries {load_share} of the load.{elastic} {LEFT_OUT}"),
+    ]
 }
 
 /// Of a hardness that no solid of this modulus has.
-pub(crate) fn odd([hardness, low, high]: [f64; 3]) -> [String; 2] {
-    let show = |p: f64| quantity(p, PASCALS, 2);
+pub(crate) fn odd(hardness: f64, [low, high]: [f64; 2]) -> [String; 2] {
+    let [hardness, low, high] = [hardness, low, high].map(|p| quantity(p, PASCALS, 2));
     [
         "Is the unit of the hardness right?".into(),
-        format!(
-            "It is {}; solids with this contact modulus have about {} to {}.",
-            show(hardness),
-            show(low),
-            show(high)
-        ),
+        format!("It is {hardness}; solids with this contact modulus have about {low} to {high}."),
     ]
 }
 
@@ -57,7 +45,7 @@ pub(crate) fn bulk(highest: f64, hardness: f64) -> [String; 2] {
 
 /// For which bodies the elastic area holds, in plain text; `None` where a hardness was given, or has no
 /// meaning.
-pub fn elastic_line(surface: &SurfaceComparison) -> Option<String> {
+pub(crate) fn elastic_line(surface: &SurfaceComparison) -> Option<String> {
     let limit = quantity(elastic_limit(surface)?, PASCALS, 2).replace(SPACE, " ");
     Some(format!(
         "elastic area right to 2 % for a hardness of {limit} or more (E* g); softer bodies need their hardness"
@@ -72,25 +60,22 @@ pub(crate) fn or_yielded(surface: &SurfaceComparison) -> String {
     let soft = typical_hardness(modulus).filter(|_| surface.inputs.hardness.is_none());
     // Where all of a contact has yielded, its area is the load over the hardness, and no less where a part has.
     let yielded = soft.map(|[soft, _]| (soft, (surface.headline_pressure() / soft).min(1.0)));
-    match yielded.filter(|(_, area)| *area > answer.area_fraction) {
-        Some((soft, area)) => format!(
-            " if it stays elastic, <b>{}</b> or more if it yields at {}, as soft solids of this modulus do",
-            percent(area),
-            quantity(soft, PASCALS, 2)
-        ),
-        None => String::new(),
-    }
+    let yielded = yielded.filter(|(_, area)| *area > answer.area_fraction);
+    yielded.map_or_else(String::new, |(soft, area)| {
+        let (area, soft) = (percent(area), quantity(soft, PASCALS, 2));
+        format!(
+            " if it stays elastic, <b>{area}</b> or more if it yields at {soft}, as soft solids of this modulus do"
+        )
+    })
 }
 
 /// ", 43 % of that at the hardness"; empty where nothing is.
 pub(crate) fn share(surface: &SurfaceComparison) -> String {
-    let yielded =
-        surface.headline_answer().and_then(|a| Some((a.diagnostics.yielded?, a.area_fraction)));
-    match yielded {
-        Some((yielded, area)) if yielded.area_fraction > 0.0 => {
-            let share = (yielded.area_fraction / area).min(1.0);
-            format!(", <b>{}</b> of that at the hardness", percent(share))
-        }
-        _ => String::new(),
-    }
+    let share = surface.headline_answer().and_then(|a| {
+        let yielded = a.yielded?.area_fraction;
+        (yielded > 0.0).then(|| (yielded / a.area_fraction).min(1.0))
+    });
+    share.map_or_else(String::new, |share| {
+        format!(", <b>{}</b> of that at the hardness", percent(share))
+    })
 }

@@ -1,13 +1,12 @@
 //! The error budget of the headline by source, and choices that move it.
 
 use crate::draw::svg::escape;
-use crate::messages;
-use crate::messages::edges::edge_words;
+use crate::messages::{self, edge_words};
 use crate::numbers::{
     METRES, PASCALS, SPACE, quantity, quantity_within, relative_interval, signed_percent,
     significant,
 };
-use crate::page::phrases::tolerance_words;
+use crate::page::shared::{row, table, tolerance_words, why};
 use contact_accuracy::{Estimate, Parts};
 use contact_compare::{ChoiceKind, DeterministicAnswer, SurfaceComparison};
 
@@ -23,28 +22,14 @@ fn shares(value: f64, ends: Option<[f64; 2]>) -> String {
 }
 
 /// Rows by source, columns by number, and how each part was obtained.
-pub(crate) fn table(
+pub(crate) fn sources(
     answer: &DeterministicAnswer,
     surface: &SurfaceComparison,
     at: &str,
     correction: usize,
 ) -> String {
     let budget = &answer.budget;
-    let row = |class: &str, name: &str, part: &dyn Fn(&Estimate) -> Option<[f64; 2]>, how: &str| {
-        let of = |e: Option<Estimate>| e.map_or("–".into(), |e| shares(e.value, part(&e)));
-        let turned = part(&budget.area).map(|[low, high]| [1.0 / high, 1.0 / low]);
-        format!(
-            "<tr{class}><th scope=\"row\">{name}</th><td class=\"n\">{}</td>\
-             <td class=\"n\">{}</td><td class=\"n\">{}</td><td class=\"n\">{}</td>\
-             <td class=\"why\">{how}</td></tr>\n",
-            of(Some(budget.area)),
-            shares(1.0 / budget.area.value, turned),
-            of(budget.mean_gap),
-            of(budget.stiffness)
-        )
-    };
-    let left = tolerance_words(answer.diagnostics.residuals.preconditioned.max(1e-16));
-    let part = |e: &Estimate, of: fn(&Parts) -> f64| ends(e.value, Some(of(&e.uncertainty.ok()?)));
+    let mut rows = String::new();
     let micro = 1e-6; // Pa per metre -> Pa per micrometre
     let value = |e: Option<Estimate>, scale: f64, units| {
         e.map_or("–".into(), |e| {
@@ -52,60 +37,53 @@ pub(crate) fn table(
             quantity_within(e.value * scale, stated, units)
         })
     };
-    let mut rows = vec![
-        format!(
-            "<tr><th scope=\"row\">Value</th><td class=\"n\">{}</td><td class=\"n\">{}</td><td class=\"n\">{}</td>\
-             <td class=\"n\">{}/µm</td><td class=\"why\">stiffness −d<i>p</i>/d(mean gap) at fixed contact area</td></tr>\n",
-            messages::area(answer),
-            messages::real_pressure(answer),
-            value(budget.mean_gap, 1.0, METRES),
-            value(budget.stiffness, micro, PASCALS)
-        ),
-        row("", "Half the points", &|e| part(e, |p| p.coarser), &coarser_words(answer)),
-        row(
-            "",
-            "Contact line",
-            &|e| part(e, |p| p.contact_line.hypot(p.counting)),
-            &format!(
-                "a tenth of the perimeter correction [<a href=\"#r{correction}\">{correction}</a>], and counting"
-            ),
-        ),
+    let values = [
+        messages::area(answer),
+        messages::real_pressure(answer),
+        value(budget.mean_gap, 1.0, METRES),
+        value(budget.stiffness, micro, PASCALS) + "/µm",
     ];
+    let of_stiffness = "stiffness −d<i>p</i>/d(mean gap) at fixed contact area";
+    rows.push_str(&row("Value", values, &why(of_stiffness)));
+    let mut add = |name: &str, part: &dyn Fn(&Estimate) -> Option<[f64; 2]>, how: &str| {
+        let of = |e: Option<Estimate>| e.map_or("–".into(), |e| shares(e.value, part(&e)));
+        let turned = part(&budget.area).map(|[low, high]| [1.0 / high, 1.0 / low]);
+        let pressure = shares(1.0 / budget.area.value, turned);
+        let cells = [of(Some(budget.area)), pressure, of(budget.mean_gap), of(budget.stiffness)];
+        let row = row(name, cells, &why(how));
+        // Sums stand out.
+        let is_sum = name.ends_with('±');
+        rows += &if is_sum { row.replacen("<tr>", "<tr class=\"sum\">", 1) } else { row };
+    };
+    let part = |e: &Estimate, of: fn(&Parts) -> f64| ends(e.value, Some(of(&e.uncertainty.ok()?)));
+    add("Half the points", &|e| part(e, |p| p.coarser), &coarser_words(answer));
+    let how = format!(
+        "a tenth of the perimeter correction [<a href=\"#r{correction}\">{correction}</a>], and counting"
+    );
+    add("Contact line", &|e| part(e, |p| p.contact_line.hypot(p.counting)), &how);
     if let Some(finer) = answer.finer {
-        let read = significant(100.0 * finer.area, 3);
-        let how = format!("they read {read}{SPACE}%");
-        rows.push(row("", "Twice the points", &|e| part(e, |p| p.finer), &how));
+        let how = format!("they read {}{SPACE}%", significant(100.0 * finer.area, 3));
+        add("Twice the points", &|e| part(e, |p| p.finer), &how);
     }
-    rows.push(row(
-        "",
-        "Iteration",
-        &|e| part(e, |p| p.iteration),
-        &format!("rms pressure error {left}"),
-    ));
-    rows.push(row(" class=\"sum\"", "Of this map ±", &|e| e.interval().ok(), ""));
+    let left = tolerance_words(answer.residuals.preconditioned.max(1e-16));
+    add("Iteration", &|e| part(e, |p| p.iteration), &format!("rms pressure error {left}"));
+    add("Of this map ±", &|e| e.interval().ok(), "");
     if budget.area.sampling.is_some() {
         let how = "8 × 8 blocks, and the long waves";
-        rows.push(row("", "Sampling variability", &|e| ends(e.value, e.sampling), how));
+        add("Sampling variability", &|e| ends(e.value, e.sampling), how);
     }
     if budget.area.materials > 0.0 {
-        rows.push(row(
-            "",
-            "Materials",
-            &|e| ends(e.value, Some(e.materials).filter(|m| *m > 0.0)),
-            "range of modulus and hardness",
-        ));
+        let part = |e: &Estimate| ends(e.value, Some(e.materials).filter(|m| *m > 0.0));
+        add("Materials", &part, "range of modulus and hardness");
     }
-    rows.push(row(" class=\"sum\"", "Of the surface ±", &Estimate::prediction, ""));
-    format!(
-        "<table class=\"bud\"><caption>Uncertainty at {at}, relative, 95{SPACE}%</caption>\
-         <thead><tr><th scope=\"col\">Source</th><th scope=\"col\" class=\"n\">Area</th>\
-         <th scope=\"col\" class=\"n\">Real pressure</th><th scope=\"col\" class=\"n\">Mean \
-         gap</th><th scope=\"col\" class=\"n\">Stiffness</th><th scope=\"col\">How \
-         obtained</th></tr></thead><tbody>\n{}<tr><th scope=\"row\">Edges, in no ±</th>\
-         <td class=\"why\" colspan=\"5\">{}</td></tr>\n</tbody></table>\n",
-        rows.concat(),
+    add("Of the surface ±", &Estimate::prediction, "");
+    rows += &format!(
+        "<tr><th scope=\"row\">Edges, in no ±</th><td class=\"why\" colspan=\"5\">{}</td></tr>\n",
         edge_words(surface)
-    )
+    );
+    let caption = format!("Uncertainty at {at}, relative, 95{SPACE}%");
+    let columns = "Source|#Area|#Real pressure|#Mean gap|#Stiffness|How obtained";
+    table(r#"class="bud""#, &caption, columns, &rows)
 }
 
 /// What every second point said.
@@ -130,19 +108,9 @@ pub(crate) fn choices(surface: &SurfaceComparison) -> String {
         list.push((counted, "contact points counted, perimeter not corrected".into()));
     }
     list.sort_by(|a, b| b.0.abs().total_cmp(&a.0.abs()));
-    let rows: String = list
-        .iter()
-        .map(|(effect, what)| {
-            format!(
-                "<tr><th scope=\"row\">{what}</th><td class=\"n\">{}</td></tr>\n",
-                signed_percent(*effect)
-            )
-        })
-        .collect();
-    format!(
-        "<table class=\"key\"><caption>Choices that move the answer: area</caption>\
-         <tbody>\n{rows}</tbody></table>\n"
-    )
+    let one = |(effect, what): &(f64, String)| row(what, [signed_percent(*effect)], "");
+    let rows: String = list.iter().map(one).collect();
+    table(r#"class="key""#, "Choices that move the answer: area", "", &rows)
 }
 
 fn choice(kind: ChoiceKind) -> String {

@@ -1,14 +1,13 @@
 //! Electrical and thermal contact conductance: where resistivities or conductivities were given.
 
 use crate::draw::svg::escape;
-use crate::figures::conduction::{self as figures, LoadLine};
+use crate::figures::conduction as figures;
+use crate::lines::LoadLine;
 use crate::messages::conduction::{conductance, joint_words, kinds, scientific};
 use crate::messages::finding::capital;
 use crate::numbers::relative_interval;
-use crate::page::context::ReportPage;
-use crate::page::phrases::key_table;
+use crate::page::shared::{CONDUCTANCE, ReportPage, key_table};
 use crate::plot_styles::plot_style;
-use crate::sources::CONDUCTANCE;
 use contact_compare::{SurfaceComparison, TheoryStiffness};
 
 /// Numbers at the headline, resistance over the load, and what the shortest waves do to it.
@@ -68,15 +67,18 @@ pub(crate) fn section(page: &mut ReportPage<'_>, surface: &SurfaceComparison, id
             let (name, values) = (theory.name.clone(), of(&theory.stiffness));
             let is_correlation = ["mikic", "cmy"].contains(&name.as_str());
             let series = if is_correlation { String::new() } else { name.clone() };
-            LoadLine { label: theory.label.clone(), series, look: plot_style(&name, 0), values }
+            LoadLine {
+                label: theory.label.clone(),
+                name: series,
+                look: plot_style(&name, 0),
+                values,
+            }
         };
         let lines: Vec<LoadLine> = found.theories.iter().map(theory).collect();
-        let pressures: Vec<f64> = surface.deterministic.iter().map(|p| p.mean_pressure).collect();
         let deterministic = of(&found.stiffness);
-        let loads = (&pressures[..], surface.load_area);
         let title = format!("{} contact resistance", capital(kind.name));
         let draw =
-            |key: &str| figures::over_load(loads, &deterministic, &lines, (&title, unit), key);
+            |key: &str| figures::over_load(surface, &deterministic, &lines, (&title, unit), key);
         let caption = format!(
             "{title}</b>{}. Dots: solver. Grey: correlations of Mikic{}.",
             if area.is_some() { "" } else { " of unit nominal area" },
@@ -85,13 +87,11 @@ pub(crate) fn section(page: &mut ReportPage<'_>, surface: &SurfaceComparison, id
         out.push_str(&page.numbers.figure(id, draw, &caption));
     }
     if found.octaves.len() > 1 {
-        out.push_str(&page.numbers.figure(
-            id,
-            |key| figures::octaves(&found.octaves, key),
-            &format!(
-                "Without the shortest waves</b> at {p}: area and conductance over those of the whole map."
-            ),
-        ));
+        let caption = format!(
+            "Without the shortest waves</b> at {p}: area and conductance over those of the whole map."
+        );
+        let draw = |key: &str| figures::octaves(&found.octaves, key);
+        out.push_str(&page.numbers.figure(id, draw, &caption));
     }
     out.push_str("</div>\n");
     out

@@ -1,71 +1,56 @@
-//! Where it touches: the contact map, an enlargement, and a section through both bodies.
+//! Where it touches: the contact map, an enlargement, a section through both bodies; how pressure and spots are
+//! distributed there, and the gap elsewhere.
 
-use crate::error::ReportError;
+use crate::figures::distributions::{GAP, PRESSURE, SPOTS as SPOT_AREAS};
 use crate::figures::maps;
-use crate::numbers::significant;
-use crate::page::context::{ReportPage, figure};
+use crate::numbers::{AREAS, METRES, PASCALS, percent, quantity, significant};
 use crate::page::deformed;
 use crate::page::moving::Moving;
-use crate::page::phrases::reduced_words;
-use contact_compare::SurfaceComparison;
+use crate::page::shared::{ReportPage, attribute, figure, reduced_words};
+use contact_compare::{Distributions, SurfaceComparison};
 use grid_fft::parallel::join;
 
-/// The contact map and an enlargement.
 pub(crate) fn where_it_touches(
     page: &mut ReportPage<'_>,
     surface: &SurfaceComparison,
     id: &str,
-) -> Result<String, ReportError> {
-    let grid = surface.solved_map().grid();
-    if surface.pressure.len() != grid.len() || grid.shape().contains(&1) {
-        return Ok(String::new());
+) -> String {
+    let (grid, pressure) = (surface.solved_map().grid(), &surface.pressure);
+    if pressure.len() != grid.len() || grid.shape().contains(&1) {
+        return String::new();
     }
     let h = page.heading();
     let p = crate::messages::headline_load(surface);
     let heights = surface.solved_map().heights();
-    let window = maps::busiest_window(&surface.pressure, grid.shape());
+    let window = maps::busiest_window(pressure, grid.shape());
     let n = page.numbers.next_figure();
     let key = format!("{id}-f{n}");
     let row = deformed::cut(surface).and(surface.sections.as_ref()).map(|s| s.row);
-    let marks = maps::MapMarks { window, row };
     let moving = moving(page, surface);
     let (limit, surfaces) = (page.map_limit, page.comparison.surfaces.len());
     let (map, hidden) = join(
-        || maps::contact(&surface.pressure, heights, grid, &marks, limit, &key),
-        || moving.as_ref().map(|moving| moving.whole(limit, surfaces)).transpose(),
+        || maps::contact(pressure, heights, grid, (window, row), limit, &key).inline(),
+        || moving.as_ref().map_or_else(String::new, |moving| moving.whole(limit, surfaces)),
     );
-    let map = map?;
-    let hidden = hidden?.unwrap_or_default();
-    let mut out = format!(
-        "<{h}>Where it touches at {}</{h}>\n<div class=\"two maps\">\n{}",
-        if moving.is_some() { format!("<span data-k=\"load\">{p}</span>") } else { p },
-        figure(
-            &(map.inline() + &hidden),
-            &format!(
-                "<b>Fig. {n}. Contact map.</b> Colour: pressure; grey: no contact.{}",
-                reduced_words(grid.shape(), page.map_limit)
-            )
-        )
-    );
+    let load = if moving.is_some() { format!("<span data-k=\"load\">{p}</span>") } else { p };
+    let reduced = reduced_words(grid.shape(), limit);
+    let caption =
+        format!("<b>Fig. {n}. Contact map.</b> Colour: pressure; grey: no contact.{reduced}");
+    let mut shown = figure(&(map + &hidden), &caption);
     if let Some(window) = window {
-        let key = format!("{key}b");
-        let zoom = maps::enlarged(&surface.pressure, heights, grid, window, row, &key)?;
+        let zoom = maps::enlarged(pressure, heights, grid, window, row, &format!("{key}b"));
         let [ny, nx] = grid.shape();
-        let hidden = match &moving {
-            Some(moving) => moving.relief(window, [0, 0, ny, nx], window[2].max(window[3]))?,
-            None => String::new(),
-        };
-        out.push_str(&figure(
-            &(zoom.inline() + &hidden),
-            &format!(
-                "<b>Boxed area</b>, enlarged {}×.",
-                significant(grid.shape()[1] as f64 / window[3] as f64, 2)
-            ),
-        ));
+        let relief =
+            |moving: &Moving<'_>| moving.relief(window, [0, 0, ny, nx], window[2].max(window[3]));
+        let hidden = moving.as_ref().map_or_else(String::new, relief);
+        let times = significant(nx as f64 / window[3] as f64, 2);
+        let caption = format!("<b>Boxed area</b>, enlarged {times}×.");
+        shown += &figure(&(zoom.inline() + &hidden), &caption);
     }
-    out.push_str("</div>\n");
-    out.push_str(&deformed::through(page, surface, moving.is_some(), id));
-    Ok(out)
+    let section = deformed::through(page, surface, moving.is_some(), id);
+    format!(
+        "<{h}>Where it touches at {load}</{h}>\n<div class=\"two maps\">\n{shown}</div>\n{section}"
+    )
 }
 
 /// What moves with the slider, if the page bears it.
@@ -78,3 +63,75 @@ pub(crate) fn moving<'a>(
 
 /// Of more surfaces the pictures that move would make the page too large.
 const MOST_MOVING: usize = 4;
+
+/// Touching points below which classes say little.
+const LEAST: usize = 200;
+
+/// What the captions say of a load: the key of a cell of the slider, and its words; `None` where there are none.
+type Say = (&'static str, fn(&Distributions) -> Option<String>);
+
+const HIGHEST: Say = ("d-highest", |d| Some(quantity(*d.pressure.edges.last()?, PASCALS, 2)));
+const SPOTS: Say = ("d-spots", |d| Some(d.spots.count.to_string()));
+const HALF: Say = ("d-half", |d| {
+    let half = d.spots.area_share.iter().rposition(|s| *s >= 0.5).unwrap_or(0);
+    Some(quantity(d.spots.areas[half], AREAS, 2))
+});
+const TOUCHES: Say = ("d-touches", |d| Some(percent(1.0 - d.pressure.apart)));
+const MEAN_GAP: Say = ("d-mean", |d| Some(quantity(d.gap.as_ref()?.mean, METRES, 2)));
+const MOST_GAP: Say = ("d-most", |d| Some(quantity(*d.gap.as_ref()?.gaps.last()?, METRES, 2)));
+
+/// Distributions of a load of which enough points touch.
+fn at(surface: &SurfaceComparison, load: usize) -> Option<&Distributions> {
+    let answer = surface.deterministic.get(load)?.answer.as_ref()?;
+    let found = surface.distributions.get(load)?.as_ref()?;
+    (answer.contact_pixels >= LEAST).then_some(found)
+}
+
+/// What the slider writes into the captions at each load.
+pub(crate) fn cells(surface: &SurfaceComparison) -> impl Iterator<Item = (&str, Vec<String>)> {
+    let all = [HIGHEST, SPOTS, HALF, TOUCHES, MEAN_GAP, MOST_GAP];
+    all.into_iter().map(|(key, words)| {
+        let of = |load| at(surface, load).and_then(words).unwrap_or_else(|| "–".into());
+        (key, (0..surface.deterministic.len()).map(of).collect())
+    })
+}
+
+/// Three figures; nothing where few points touch.
+pub(crate) fn distributions(
+    page: &mut ReportPage<'_>,
+    surface: &SurfaceComparison,
+    id: &str,
+) -> String {
+    let Some(found) = at(surface, surface.headline) else { return String::new() };
+    let moves = moving(page, surface).is_some();
+    let say = |(key, words): Say| {
+        let words = words(found).unwrap_or_default();
+        if moves { format!("<span data-k=\"{key}\">{words}</span>") } else { words }
+    };
+    let [highest, spots, half] = [HIGHEST, SPOTS, HALF].map(say);
+    let [touches, mean, most] = [TOUCHES, MEAN_GAP, MOST_GAP].map(say);
+    let captions = [
+        format!("Pressure in contact</b>, at most {highest}. Dashed: Persson, light load."),
+        format!(
+            "Contact spots</b>: {spots}; half of the contact area in spots of at least {half}."
+        ),
+        format!(
+            "Gap</b>: none at {touches} of the points; elsewhere {mean} in the mean, {most} at most."
+        ),
+    ];
+    let loads: Vec<_> = (0..surface.deterministic.len()).map(|i| at(surface, i)).collect();
+    let why = format!("Fewer than {LEAST} points touch at this load.");
+    let mut figures = String::new();
+    let there =
+        [PRESSURE, SPOT_AREAS, GAP].into_iter().zip(captions).filter(|(of, _)| of.is_in(found));
+    for (of, caption) in there {
+        let n = page.numbers.next_figure();
+        let Some(still) = of.figure(found, &format!("{id}-f{n}")) else { continue };
+        let facts = of.moving(&loads, &why).filter(|_| moves).map(|facts| {
+            format!("<span class=\"spread\" hidden data-facts='{}'></span>", attribute(&facts))
+        });
+        let shown = still.inline() + &facts.unwrap_or_default();
+        figures += &figure(&shown, &format!("<b>Fig. {n}. {caption}"));
+    }
+    format!("<div class=\"two\">\n{figures}</div>\n")
+}

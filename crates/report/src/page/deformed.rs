@@ -1,15 +1,14 @@
 //! The section through the contact: its figure at the headline, and what the script needs for the other loads.
 
-use crate::draw::palette::{PRESSURE_RAMP, ramp_table};
+use crate::draw::palette::{OkLab, PRESSURE_RAMP, ramp_table};
 use crate::figures::deformed::{PressedRow, SectionCut, section};
 use crate::figures::maps::FEWEST_STEPS;
 use crate::numbers::{METRES, fixed, quantity, significant};
-use crate::page::context::{ReportPage, figure, wide};
 use crate::page::moving::LARGEST;
-use crate::page::phrases::{attribute, touching};
+use crate::page::shared::{ReportPage, attribute, figure, touching, wide};
 use base64::Engine as _;
 use base64::engine::general_purpose::STANDARD;
-use contact_compare::SurfaceComparison;
+use contact_compare::{DeterministicPoint, SurfaceComparison};
 use serde_json::json;
 
 /// What lies along the row of a surface; `None` if not every load has an answer or nothing is rough.
@@ -64,18 +63,15 @@ pub(crate) fn through(
     };
     let n = page.numbers.next_figure();
     let touching = touching(surface);
-    let titles: Vec<String> = surface
-        .deterministic
-        .iter()
-        .zip(cut.loads.iter().zip(&touching))
-        .map(|(point, (load, share))| {
-            format!(
-                "At {} the flat stands {} above the mean plane; {share} of this line touches.",
-                crate::messages::load(point.mean_pressure, surface.load_area),
-                quantity(load.flat, METRES, 3)
-            )
-        })
-        .collect();
+    let title = |(point, (load, share)): (&DeterministicPoint, (&PressedRow, &String))| {
+        let at = crate::messages::load(point.mean_pressure, surface.load_area);
+        let flat = quantity(load.flat, METRES, 3);
+        format!(
+            "At {at} the flat stands {flat} above the mean plane; {share} of this line touches."
+        )
+    };
+    let loads = surface.deterministic.iter().zip(cut.loads.iter().zip(&touching));
+    let titles: Vec<String> = loads.map(title).collect();
     let headline = surface.headline;
     let svg = section(&cut, headline, titles[headline].clone(), &format!("{id}-f{n}"));
     let facts = if moves {
@@ -87,15 +83,12 @@ pub(crate) fn through(
     let tall = cut.exaggeration();
     let tall = if tall < 9.5 { significant(tall, 2) } else { fixed(tall.round(), 0) };
     let k = if moves { " data-k=\"cut\"" } else { "" };
-    let shown = figure(
-        &(svg.inline() + &facts),
-        &format!(
-            "<b>Fig. {n}. Section</b> along the dashed line; <span{k}>{}</span> of it touches. Dotted: before \
-             loading. Vertical exaggeration <span class=\"tall\">{tall}</span>×.",
-            touching[headline]
-        ),
+    let caption = format!(
+        "<b>Fig. {n}. Section</b> along the dashed line; <span{k}>{}</span> of it touches. Dotted: before \
+         loading. Vertical exaggeration <span class=\"tall\">{tall}</span>×.",
+        touching[headline]
     );
-    wide(&shown)
+    wide(&figure(&(svg.inline() + &facts), &caption))
 }
 
 /// Heights and gaps in 16 bits of one step, pressures in classes of the ramp; little end first, loads one after
@@ -115,10 +108,7 @@ fn facts(cut: &SectionCut, row: usize, rows: usize, titles: &[String]) -> serde_
         |p: f64| if p > 0.0 { 1 + (f64::from(FEWEST_STEPS - 1) * p).round() as u8 } else { 0 };
     let pressure: Vec<u8> =
         cut.loads.iter().flat_map(|l| l.pressure.iter().map(|p| class(*p))).collect();
-    let colours: Vec<String> = ramp_table::<{ FEWEST_STEPS as usize }>(&PRESSURE_RAMP)
-        .iter()
-        .map(|c| c.to_rgb().iter().map(|v| format!("{v:02X}")).collect())
-        .collect();
+    let colours = ramp_table::<{ FEWEST_STEPS as usize }>(&PRESSURE_RAMP).map(OkLab::hex);
     json!({
         "scales": cut.scales(),
         "tall": cut.exaggeration(),
@@ -129,7 +119,7 @@ fn facts(cut: &SectionCut, row: usize, rows: usize, titles: &[String]) -> serde_
         "heights": sixteen(&mut cut.heights.iter().map(|z| z - low)),
         "gaps": sixteen(&mut gaps()),
         "pressures": STANDARD.encode(pressure),
-        "colours": colours.join(""),
+        "colours": colours.concat(),
         "titles": titles,
     })
 }

@@ -1,20 +1,17 @@
 //! How a report was made: program, inputs, material, solver, and how to repeat it.
 
 use crate::draw::svg::escape;
-use crate::messages::loads::loads_words;
+use crate::messages::loads::loads_line;
 use crate::messages::materials::material_line;
 use crate::messages::pair::{bodies, lying, moments, of_body};
 use crate::messages::plan as plan_messages;
 use crate::numbers::{METRES, PASCALS, SPACE, chosen, counted, duration, significant};
-use crate::page::context::ReportPage;
-use crate::page::phrases::{levelled, terms, tolerance_words};
-use contact_accuracy::PERIMETER_CORRECTION;
-use contact_accuracy::Reached;
-use contact_compare::{
-    Body, DeterministicAnswer, FileOrigin, Origin, Recipe, Settings, SurfaceComparison,
-};
+use crate::page::shared::{ReportPage, levelled, terms, tolerance_words};
+use contact_accuracy::{PERIMETER_CORRECTION, Reached};
+use contact_compare::{Body, FileOrigin, Origin, Recipe, Settings, SurfaceComparison};
 use contact_types::Named;
 use surface_stats::Level;
+use surface_stats::clean::Record;
 
 /// Program, inputs, settings, the command that repeats it.
 pub(crate) fn section(page: &ReportPage<'_>) -> String {
@@ -35,13 +32,11 @@ pub(crate) fn section(page: &ReportPage<'_>) -> String {
             if page.several() { escape(&surface.name) } else { "Input".into() },
             format!("{}. {}", origin_words(&surface.origin), map_words(surface)),
         ));
-        let cleaned = surface.origin.cleaned();
-        if !cleaned.is_empty() {
-            let steps: Vec<String> = cleaned
-                .iter()
-                .enumerate()
-                .map(|(i, step)| format!("{}. {}", i + 1, escape(&step.to_string())))
-                .collect();
+        let cleaned = surface.origin.cleaned().iter().enumerate();
+        let step =
+            |(i, step): (usize, &Record)| format!("{}. {}", i + 1, escape(&step.to_string()));
+        let steps: Vec<String> = cleaned.map(step).collect();
+        if !steps.is_empty() {
             let term = if page.several() { "its cleaning" } else { "Cleaning" };
             rows.push((term.into(), steps.join("<br>\n")));
         }
@@ -52,13 +47,7 @@ pub(crate) fn section(page: &ReportPage<'_>) -> String {
     }
     let pair = page.comparison.surfaces.first().and_then(|s| s.origin.pair());
     let material = pair.map_or_else(
-        || {
-            format!(
-                "<i>E</i>* = {}, {}",
-                chosen(settings.modulus, PASCALS),
-                bodies_words(&settings.bodies)
-            )
-        },
+        || bodies_words(settings),
         |pair| {
             // Of several pairs each has its own names.
             let names = pair.names.each_ref().map(String::as_str);
@@ -68,15 +57,11 @@ pub(crate) fn section(page: &ReportPage<'_>) -> String {
     );
     rows.push(("Material".into(), material + &materials_words(settings)));
     rows.extend(hardness_words(settings).map(|words| ("Hardness".to_owned(), words)));
-    rows.extend(loads_words(settings).map(|words| ("Loads".to_owned(), words)));
+    rows.extend(loads_line(settings).map(|words| ("Loads".to_owned(), words)));
     for surface in &page.comparison.surfaces {
         let Some(plan) = &surface.plan else { continue };
-        let term = if page.several() {
-            format!("{}, accuracy", escape(&surface.name))
-        } else {
-            "Accuracy".into()
-        };
-        rows.push((term, plan_messages(plan)));
+        let several = page.several().then(|| format!("{}, accuracy", escape(&surface.name)));
+        rows.push((several.unwrap_or_else(|| "Accuracy".into()), plan_messages(plan)));
     }
     rows.push(("Solver".into(), solver_words(page)));
     format!(
@@ -93,16 +78,11 @@ pub(crate) fn materials_words(settings: &Settings) -> String {
     settings.materials.iter().map(line).collect()
 }
 
-/// The hardness, and what else a theory of yield was given.
 pub(crate) fn hardness_words(settings: &Settings) -> Option<String> {
     let hardness = settings.hardness?;
     let poisson = significant(contact_compare::poisson(&settings.bodies), 2);
-    let whose = if settings.bodies.is_empty() {
-        format!("CEB assumes ν = {poisson}")
-    } else {
-        format!("CEB takes ν = {poisson}")
-    };
-    Some(format!("<i>H</i> = {}; {whose}", chosen(hardness, PASCALS)))
+    let how = if settings.bodies.is_empty() { "assumes" } else { "takes" };
+    Some(format!("<i>H</i> = {}; CEB {how} ν = {poisson}", chosen(hardness, PASCALS)))
 }
 
 /// The form taken off, of all maps.
@@ -123,17 +103,16 @@ pub(crate) fn modulus_in_head(settings: &Settings) -> String {
     format!("<i>E</i>* = {}{other}", chosen(settings.modulus, PASCALS))
 }
 
-/// What E* is made of. Contact is solved as that of one rough elastic half space and a rigid flat.
-pub(crate) fn bodies_words(bodies: &[Body]) -> String {
+/// E* and what it is made of. Contact is solved as that of one rough elastic half space and a rigid flat.
+pub(crate) fn bodies_words(settings: &Settings) -> String {
     let one = |body: &Body| of_body(body).replacen('E', "<i>E</i>", 1);
-    match bodies {
+    let bodies: Vec<String> = settings.bodies.iter().map(one).collect();
+    let made_of = match &bodies[..] {
         [] => "as given".into(),
-        [body] => format!("elastic half space ({}) against a rigid flat", one(body)),
-        many => {
-            let list: Vec<String> = many.iter().map(one).collect();
-            format!("two elastic half spaces ({})", list.join("; "))
-        }
-    }
+        [body] => format!("elastic half space ({body}) against a rigid flat"),
+        many => format!("two elastic half spaces ({})", many.join("; ")),
+    };
+    format!("<i>E</i>* = {}, {made_of}", chosen(settings.modulus, PASCALS))
 }
 
 pub(crate) fn origin_words(origin: &Origin) -> String {
@@ -155,12 +134,9 @@ pub(crate) fn origin_words(origin: &Origin) -> String {
             text
         }
         Origin::Pair(pair) => {
+            let cleaned = |step: &Record| format!("; cleaned: {}", escape(&step.to_string()));
             let bodies = pair.names.iter().zip(&*pair.bodies).map(|(name, origin)| {
-                let steps: String = origin
-                    .cleaned()
-                    .iter()
-                    .map(|step| format!("; cleaned: {}", escape(&step.to_string())))
-                    .collect();
+                let steps: String = origin.cleaned().iter().map(cleaned).collect();
                 format!("<b>{}</b>: {}{steps}", escape(name), origin_words(origin))
             });
             let mut lines: Vec<String> = bodies.collect();
@@ -170,30 +146,25 @@ pub(crate) fn origin_words(origin: &Origin) -> String {
             lines.join("<br>\n")
         }
         Origin::Given(given) => {
-            let filled = if given.missing > 0 {
-                format!(", {} filled before", counted(given.missing, "missing point"))
-            } else {
-                String::new()
+            let filled = match given.missing {
+                0 => String::new(),
+                n => format!(", {} filled before", counted(n, "missing point")),
             };
+            let (note, hash) = (escape(&given.note), escape(&given.sha256));
             format!(
-                "{} (heights handed over by a program{filled}), SHA-256 of the heights \
-                 <code>{}</code>",
-                escape(&given.note),
-                escape(&given.sha256)
+                "{note} (heights handed over by a program{filled}), SHA-256 of the heights <code>{hash}</code>"
             )
         }
         Origin::Recipe(Recipe { description, hurst, rolloff, cutoff, seed, quantise, .. }) => {
-            let about = if description.is_empty() {
-                String::new()
-            } else {
-                format!("{}. ", escape(description))
+            let about = match escape(description) {
+                none if none.is_empty() => none,
+                about => about + ". ",
             };
+            let [rolloff, cutoff] = [*rolloff, *cutoff].map(|wave| chosen(wave, METRES));
+            let step = |q| format!(", height steps {}", chosen(q, METRES));
+            let steps = quantise.map_or_else(String::new, step);
             format!(
-                "{about}Made from a recipe: self-affine, H = {hurst}, roll-off {}, cut-off {}{}, \
-                 seed {seed}",
-                chosen(*rolloff, METRES),
-                chosen(*cutoff, METRES),
-                quantise.map_or(String::new(), |q| format!(", height steps {}", chosen(q, METRES)))
+                "{about}Made from a recipe: self-affine, H = {hurst}, roll-off {rolloff}, cut-off {cutoff}{steps}, seed {seed}"
             )
         }
     }
@@ -225,17 +196,11 @@ fn plan_messages(plan: &Reached) -> String {
 
 fn solver_words(page: &ReportPage<'_>) -> String {
     let settings = &page.comparison.settings;
-    let answers = || {
-        page.comparison
-            .surfaces
-            .iter()
-            .flat_map(|s| &s.deterministic)
-            .filter_map(|p| p.answer.as_ref())
-    };
-    let found = || answers().map(|a: &DeterministicAnswer| &a.diagnostics);
-    let methods: std::collections::BTreeSet<&str> = found().map(|d| d.method.name()).collect();
-    let pairs: f64 = found().map(|d| d.transforms).sum();
-    let seconds: f64 = found().map(|d| d.seconds).sum();
+    let points = || page.comparison.surfaces.iter().flat_map(|s| &s.deterministic);
+    let answers = || points().filter_map(|p| p.answer.as_ref());
+    let methods: std::collections::BTreeSet<&str> = answers().map(|a| a.method.as_str()).collect();
+    let pairs: f64 = answers().map(|a| a.transforms).sum();
+    let seconds: f64 = answers().map(|a| a.seconds).sum();
     let plan = page.comparison.surfaces.iter().find_map(|s| s.plan.as_ref());
     let (precision, tolerance) =
         plan.map_or((settings.precision, settings.tolerance), |p| (p.precision, p.tolerance));
@@ -259,10 +224,10 @@ mod tests {
     fn two_elastic_bodies_are_not_called_rigid() {
         let steel = Body { young: 210e9, poisson: 0.3 };
         let rubber = Body { young: 5e6, poisson: 0.5 };
-        assert_eq!(
-            bodies_words(&[steel, rubber]).replace(SPACE, " "),
+        let of = |bodies| bodies_words(&Settings { bodies, ..Settings::default() });
+        assert!(of(vec![steel, rubber]).replace(SPACE, " ").ends_with(
             "two elastic half spaces (<i>E</i> = 210 GPa, ν = 0.3; <i>E</i> = 5 MPa, ν = 0.5)"
-        );
-        assert!(bodies_words(&[steel]).ends_with("against a rigid flat"));
+        ));
+        assert!(of(vec![steel]).ends_with("against a rigid flat"));
     }
 }

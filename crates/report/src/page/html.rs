@@ -2,18 +2,13 @@
 
 use crate::draw::palette::{COLOURS, Colour};
 use crate::draw::svg::escape;
-use crate::error::ReportError;
 use crate::messages;
-use crate::numbers::{PASCALS, chosen};
-use crate::page::context::{Numbering, ReportPage};
-use crate::page::{
-    conduction, contact_map, distributions, how_made, leak, overview, sections, slider,
-};
+use crate::page::shared::{Numbering, ReportPage, date};
+use crate::page::{conduction, contact_map, how_made, leak, overview, sections, slider};
 use crate::provenance::Provenance;
 use contact_compare::{Comparison, SurfaceComparison};
 use contact_types::Citation;
 use grid_fft::parallel::join;
-use std::io::Write;
 
 const STYLE: &str = include_str!("style.css");
 /// The slider, then what follows it.
@@ -28,15 +23,7 @@ const SCRIPT: &str = concat!(
 const POLICY: &str = "default-src 'none'; img-src data:; style-src 'unsafe-inline'; \
                       script-src 'unsafe-inline'";
 
-/// Writes the report.
-///
-/// # Errors
-/// [`ReportError`] if the writer fails or a picture cannot be encoded.
-pub fn write(
-    comparison: &Comparison,
-    provenance: &Provenance,
-    out: &mut impl Write,
-) -> Result<(), ReportError> {
+pub(crate) fn report(comparison: &Comparison, provenance: &Provenance) -> String {
     let several = comparison.surfaces.len() > 1;
     let mut page = ReportPage {
         comparison,
@@ -46,40 +33,26 @@ pub fn write(
         // keeps those that stand still under 3 MB for up to ten surfaces. What moves adds 0.5 MB for each of up to four.
         map_limit: ((640.0 / (comparison.surfaces.len().max(1) as f64).sqrt()) as usize).max(160),
     };
-    let mut body = String::new();
-    if several {
-        body.push_str(&overview::section(&mut page));
-    }
+    let mut body = if several { overview::section(&mut page) } else { String::new() };
     for (index, surface) in comparison.surfaces.iter().enumerate() {
-        body.push_str(&surface_sections(&mut page, surface, index)?);
+        body += &surface_sections(&mut page, surface, index);
     }
-    body.push_str(&how_made::section(&page));
-    body.push_str(&references(&page.numbers.sources));
-
-    let title = title(comparison);
-    document(&title, several, &body, &format!("<script>{SCRIPT}</script>"), out)
+    body += &how_made::section(&page);
+    body += &references(&page.numbers.sources);
+    document(&title(comparison), several, &body, &format!("<script>{SCRIPT}</script>"))
 }
 
 /// The frame of a page: style, policy, body and, behind it, a script.
-pub(crate) fn document(
-    title: &str,
-    several: bool,
-    body: &str,
-    script: &str,
-    out: &mut impl Write,
-) -> Result<(), ReportError> {
-    write!(
-        out,
+pub(crate) fn document(title: &str, several: bool, body: &str, script: &str) -> String {
+    let (title, style) = (escape(title), style());
+    let class = if several { " class=\"several\"" } else { "" };
+    format!(
         "<!doctype html>\n<html lang=\"en\"><head><meta charset=\"utf-8\">\
          <meta name=\"viewport\" content=\"width=device-width,initial-scale=1\">\
          <meta http-equiv=\"Content-Security-Policy\" content=\"{POLICY}\">\
-         <meta name=\"color-scheme\" content=\"light dark\"><title>{}</title>\n<style>\n{}</style>\
-         </head>\n<body><main{}>\n{body}</main>\n{script}</body></html>\n",
-        escape(title),
-        style(),
-        if several { " class=\"several\"" } else { "" }
-    )?;
-    Ok(())
+         <meta name=\"color-scheme\" content=\"light dark\"><title>{title}</title>\n<style>\n{style}</style>\
+         </head>\n<body><main{class}>\n{body}</main>\n{script}</body></html>\n"
+    )
 }
 
 /// The style sheet of every page: colours, light and dark, and type.
@@ -105,7 +78,7 @@ fn surface_sections(
     page: &mut ReportPage<'_>,
     surface: &SurfaceComparison,
     index: usize,
-) -> Result<String, ReportError> {
+) -> String {
     let id = format!("s{index}");
     let loads = surface.deterministic.len();
     let heading = format!("<h2>{}</h2>", escape(&surface.name));
@@ -114,25 +87,24 @@ fn surface_sections(
         2 => ("div", heading),
         _ => ("details", format!("<summary>{heading}</summary>")),
     };
-    let mut out = format!("<{element} class=\"surface\" data-loads=\"{loads}\">\n{title}");
-    out.push_str(&opening(page, surface));
-    out.push_str(&sections::key_and_notes(page, surface, &id));
-    out.push_str(&sections::over_load(page, surface, &id));
-    out.push_str(&sections::models(page, surface));
     let limit = page.map_limit;
+    let mut out = format!("<{element} class=\"surface\" data-loads=\"{loads}\">\n{title}");
+    out += &opening(page, surface);
+    out += &sections::key_and_notes(page, surface, &id);
+    out += &sections::over_load(page, surface, &id);
+    out += &sections::models(page, surface);
     let (touches, heights) = join(
         || contact_map::where_it_touches(page, surface, &id),
         || sections::HeightFigures::of(surface, limit),
     );
-    out.push_str(&touches?);
-    out.push_str(&distributions::section(page, surface, &id));
-    out.push_str(&conduction::section(page, surface, &id));
-    out.push_str(&leak::section(page, surface, &id)?);
-    out.push_str(&sections::the_surface(page, surface, &heights?, &id));
-    out.push_str(&sections::accuracy(page, surface));
-    out.push_str(&slider::data(surface));
-    out.push_str(&format!("</{element}>\n"));
-    Ok(out)
+    out += &touches;
+    out += &contact_map::distributions(page, surface, &id);
+    out += &conduction::section(page, surface, &id);
+    out += &leak::section(page, surface, &id);
+    out += &sections::the_surface(page, surface, &heights, &id);
+    out += &sections::accuracy(page, surface);
+    out += &slider::data(surface);
+    out + &format!("</{element}>\n")
 }
 
 fn opening(page: &ReportPage<'_>, surface: &SurfaceComparison) -> String {
@@ -143,49 +115,36 @@ fn opening(page: &ReportPage<'_>, surface: &SurfaceComparison) -> String {
     format!(
         "<header><p class=\"file\">rough-contact report · <b>{}</b> · {}</p>\n<h1>{say}</h1></header>\n",
         escape(&surface.name),
-        messages::date(page.provenance.unix_time)
+        date(page.provenance.unix_time)
     )
-}
-
-/// " · H = 2 GPa"; nothing of elastic bodies.
-pub(crate) fn hardness_in_head(hardness: Option<f64>) -> String {
-    hardness.map_or_else(String::new, |h| format!(" · <i>H</i> = {}", chosen(h, PASCALS)))
 }
 
 /// The list of sources, numbered as cited.
 pub(crate) fn references(sources: &[Citation]) -> String {
-    let items: String = sources
-        .iter()
-        .enumerate()
-        .map(|(i, c)| {
-            let doi =
-                if c.doi.is_empty() { String::new() } else { format!(", doi:{}", escape(&c.doi)) };
-            // A model of a user's own may have none.
-            let year = if c.year > 0 { format!(" ({})", c.year) } else { String::new() };
-            let title =
-                if doi.is_empty() { format!("{}, ", escape(&c.title)) } else { String::new() };
-            let (authors, journal) = (escape(&c.authors), escape(&c.journal));
-            format!("<li id=\"r{}\">{authors}, {title}{journal}{year}{doi}.</li>\n", i + 1)
-        })
-        .collect();
+    let item = |(i, c): (usize, &Citation)| {
+        let [title, doi] = match escape(&c.doi) {
+            none if none.is_empty() => [format!("{}, ", escape(&c.title)), none],
+            doi => [String::new(), format!(", doi:{doi}")],
+        };
+        // A model of a user's own may have none.
+        let year = if c.year > 0 { format!(" ({})", c.year) } else { String::new() };
+        let (authors, journal) = (escape(&c.authors), escape(&c.journal));
+        format!("<li id=\"r{}\">{authors}, {title}{journal}{year}{doi}.</li>\n", i + 1)
+    };
+    let items: String = sources.iter().enumerate().map(item).collect();
     format!("<h2>References</h2>\n<ol class=\"refs\">{items}</ol>\n")
 }
 
 /// Colours by role: light, dark by preference or on request, and always light in print.
 fn palette_css() -> String {
-    let variables = |dark: bool| -> String {
-        COLOURS
-            .iter()
-            .map(|c| format!("--{}:{};", c.class, if dark { c.dark } else { c.light }))
-            .collect()
+    let variables = |of: fn(&Colour) -> &'static str| -> String {
+        COLOURS.iter().map(|c| format!("--{}:{};", c.class, of(c))).collect()
     };
-    let (light, dark) = (variables(false), variables(true));
-    let classes: String = COLOURS
-        .iter()
-        .map(|Colour { class, .. }| {
-            format!(".s-{class}{{stroke:var(--{class})}}.f-{class}{{fill:var(--{class})}}")
-        })
-        .collect();
+    let (light, dark) = (variables(|c| c.light), variables(|c| c.dark));
+    let class = |Colour { class, .. }: &Colour| {
+        format!(".s-{class}{{stroke:var(--{class})}}.f-{class}{{fill:var(--{class})}}")
+    };
+    let classes: String = COLOURS.iter().map(class).collect();
     format!(
         ":root{{color-scheme:light dark;{light}}}\n\
          @media screen and (prefers-color-scheme:dark){{:root:not([data-theme=light]){{{dark}}}\

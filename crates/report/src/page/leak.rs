@@ -1,16 +1,15 @@
 //! The leak through the gap, where it was asked for: closed forms beside the solution, and a map of the flow.
 
 use crate::draw::palette::{DETERMINISTIC_STYLE, ELASTIC_LOOK};
-use crate::error::ReportError;
-use crate::figures::conduction::{LoadLine, over_load};
+use crate::figures::conduction::over_load;
 use crate::figures::cost::{self, CostRoute};
 use crate::figures::flow;
+use crate::lines::{LoadLine, min_max};
 use crate::messages::conduction::scientific;
 use crate::messages::finding::capital;
 use crate::messages::leak::{known, leak_notes};
 use crate::numbers::{METRES, duration, quantity, signed_percent, signed_range};
-use crate::page::context::{ReportPage, figure};
-use crate::page::phrases::reduced_words;
+use crate::page::shared::{ReportPage, reduced_words, table};
 use crate::page::tables::swatch;
 use crate::plot_styles::plot_style;
 use contact_accuracy::{Axis, Leak, Leaks};
@@ -73,18 +72,12 @@ impl<'a> LeakCurves<'a> {
         };
         let time = leaks.seconds[0] / leaks.along.len() as f64;
         let cells = [known(leak, "m³", |k| k), "reference".into(), "–".into(), duration(time)];
-        let mut rows = row(
-            " class=\"ref\"",
-            swatch(DETERMINISTIC_STYLE),
-            "Reynolds on the gap",
-            cells,
-            &channel,
-        );
+        let reference = swatch(DETERMINISTIC_STYLE);
+        let mut rows = row(" class=\"ref\"", reference, "Reynolds on the gap", cells, &channel);
         for (k, (name, permeability, seconds)) in leaks.closed_forms().into_iter().enumerate() {
             let errors = self.errors(k);
-            let all = || errors.iter().flatten().copied();
-            let (low, high) = (all().min_by(f64::total_cmp), all().max_by(f64::total_cmp));
-            let range = low.zip(high).map_or_else(|| "–".into(), |(l, h)| signed_range(l, h));
+            let range = min_max(&errors.iter().flatten().copied().collect::<Vec<_>>());
+            let range = range.map_or_else(|| "–".into(), |(low, high)| signed_range(low, high));
             let error = errors[at].map_or_else(|| "–".into(), signed_percent);
             let cells = [scientific(permeability, "m³"), error, range, duration(seconds)];
             rows.push_str(&row("", swatch(plot_style(name, k)), FORMS[k][0], cells, ""));
@@ -108,35 +101,22 @@ impl<'a> LeakCurves<'a> {
 }
 
 /// The table, permeability over the load, error against time, the map of the flow along each axis.
-pub(crate) fn section(
-    page: &mut ReportPage<'_>,
-    surface: &SurfaceComparison,
-    id: &str,
-) -> Result<String, ReportError> {
+pub(crate) fn section(page: &mut ReportPage<'_>, surface: &SurfaceComparison, id: &str) -> String {
     let settings = &page.comparison.settings;
     let leaks = surface.leaks.get(surface.headline).and_then(Option::as_ref);
-    let (Some(asked), Some(leaks)) = (settings.leak, leaks) else { return Ok(String::new()) };
-    let notes = leak_notes(
-        &surface.leaks.iter().flatten().collect::<Vec<_>>(),
-        settings.modulus,
-        settings.hardness.is_some(),
-    );
+    let (Some(asked), Some(leaks)) = (settings.leak, leaks) else { return String::new() };
+    let all: Vec<&Leaks> = surface.leaks.iter().flatten().collect();
+    let notes = leak_notes(&all, settings.modulus, settings.hardness.is_some());
     let notes: String = notes.iter().map(|note| format!(" {}.", capital(note))).collect();
     let (at, h, p) = (surface.headline, page.heading(), crate::messages::headline_load(surface));
-    let curves: Vec<LeakCurves<'_>> = asked
-        .along
-        .axes()
-        .iter()
-        .enumerate()
-        .map(|(k, &axis)| LeakCurves::of(surface, k, axis))
-        .collect();
+    let axes = asked.along.axes().iter().enumerate();
+    let curves: Vec<LeakCurves<'_>> =
+        axes.map(|(k, &axis)| LeakCurves::of(surface, k, axis)).collect();
     let rows: String = curves.iter().map(|curves| curves.rows(at)).collect();
+    let columns = "Model|#Permeability|#Error|#Error,<br>all loads|#Time<br>per load|Channel";
+    let table = table(r#"class="models""#, "", columns, &rows);
     let mut out = format!(
-        "<{h}>Leak at {p}</{h}>\n<table class=\"models\"><thead><tr><th scope=\"col\">Model</th>\
-         <th scope=\"col\" class=\"n\">Permeability</th><th scope=\"col\" class=\"n\">Error</th>\
-         <th scope=\"col\" class=\"n\">Error,<br>all loads</th><th scope=\"col\" class=\"n\">Time<br>per load</th>\
-         <th scope=\"col\">Channel</th></tr></thead><tbody>\n{rows}</tbody></table>\n\
-         <p class=\"why\"><i>Q</i> = <i>K W</i> Δ<i>p</i>/(12 <i>η L</i>). ± of this map.{notes}</p>\n<div class=\"two\">\n"
+        "<{h}>Leak at {p}</{h}>\n{table}<p class=\"why\"><i>Q</i> = <i>K W</i> Δ<i>p</i>/(12 <i>η L</i>). ± of this map.{notes}</p>\n<div class=\"two\">\n"
     );
     let first = &curves[0];
     let along = first.axis.name();
@@ -145,32 +125,27 @@ pub(crate) fn section(
         let line = |k: usize| {
             let name = leaks.closed_forms()[k].0;
             let (label, values) = (FORMS[k][1].into(), first.form(k));
-            LoadLine { label, series: String::new(), look: plot_style(name, k), values }
+            LoadLine { label, name: String::new(), look: plot_style(name, k), values }
         };
         let other = curves.get(1).map(|curves| LoadLine {
             label: String::new(), // it may end before the others; the caption has it
-            series: String::new(),
+            name: String::new(),
             look: ELASTIC_LOOK,
             values: curves.permeability(),
         });
         let lines: Vec<LoadLine> = other.into_iter().chain([0, 1].map(line)).collect();
-        let pressures: Vec<f64> = surface.deterministic.iter().map(|p| p.mean_pressure).collect();
-        let loads = (&pressures[..], surface.load_area);
         let rings = if curves.len() > 1 { "; rings: along y" } else { "" };
-        out.push_str(&page.numbers.figure(
-            id,
-            |key| over_load(loads, &reference, &lines, ("Permeability", "m³"), key),
-            &format!("Permeability of the gap</b> along {along}. Dots: solver{rings}."),
-        ));
+        let caption = format!("Permeability of the gap</b> along {along}. Dots: solver{rings}.");
+        let draw = |key: &str| over_load(surface, &reference, &lines, ("Permeability", "m³"), key);
+        out.push_str(&page.numbers.figure(id, draw, &caption));
     }
     if let Some((routes, floor)) = first.routes(at) {
-        out.push_str(&page.numbers.figure(
-            id,
-            |key| cost::figure(&routes, floor, ("permeability", &p), "Time per load", key),
-            &format!(
-                "Error against time</b> of the permeability along {along}, once the gap is known."
-            ),
-        ));
+        let caption = format!(
+            "Error against time</b> of the permeability along {along}, once the gap is known."
+        );
+        let of = ("permeability", p.as_str());
+        let draw = |key: &str| cost::figure(&routes, floor, of, "Time per load", key);
+        out.push_str(&page.numbers.figure(id, draw, &caption));
     }
     out.push_str("</div>\n<div class=\"two maps\">\n");
     let grid = surface.solved_map().grid();
@@ -179,18 +154,12 @@ pub(crate) fn section(
         if flow.flux.len() != grid.len() || surface.pressure.len() != grid.len() {
             continue;
         }
-        let n = page.numbers.next_figure();
-        let key = format!("{id}-f{n}");
-        let svg = flow::flux(flow, &surface.pressure, grid, page.map_limit, &key)?;
-        out.push_str(&figure(
-            &svg.inline(),
-            &format!(
-                "<b>Fig. {n}. Flow along {}.</b> Grey: contact; ring: bottleneck.{}",
-                axis.name(),
-                reduced_words(grid.shape(), page.map_limit)
-            ),
-        ));
+        let limit = page.map_limit;
+        let reduced = reduced_words(grid.shape(), limit);
+        let caption =
+            format!("Flow along {}.</b> Grey: contact; ring: bottleneck.{reduced}", axis.name());
+        let draw = |key: &str| flow::flux(flow, &surface.pressure, grid, limit, key);
+        out.push_str(&page.numbers.figure(id, draw, &caption));
     }
-    out.push_str("</div>\n");
-    Ok(out)
+    out + "</div>\n"
 }

@@ -4,14 +4,14 @@
 //! `STEP` times the index of the load. Points that come off again at a higher load are listed. Its colours are the
 //! pressures of that load, in dots that may cover more than one point: one picture a load.
 
-use crate::draw::palette::{PRESSURE_RAMP, ramp_table};
-use crate::draw::png::Grey;
-use crate::error::ReportError;
+use crate::draw::palette::{OkLab, PRESSURE_RAMP, ramp_table};
+use crate::draw::png;
 use crate::figures::maps::{self, MapPart};
 use crate::numbers::{METRES, PASCALS, quantity, unit_for};
-use crate::page::phrases::attribute;
+use crate::page::shared::attribute;
 use contact_compare::{
-    FirstContact, PressureMap, PressureMaps, SurfaceComparison, pressure_class, pressure_top,
+    DeterministicPoint, FirstContact, PressureMap, PressureMaps, SurfaceComparison, pressure_class,
+    pressure_top,
 };
 use grid_fft::parallel::{self, join};
 use serde_json::json;
@@ -47,99 +47,64 @@ impl<'a> Moving<'a> {
     }
 
     /// Hidden pictures and facts behind the whole map: relief, load of first contact, pressures. The page is of so many `surfaces`.
-    pub(crate) fn whole(
-        &self,
-        relief_limit: usize,
-        surfaces: usize,
-    ) -> Result<String, ReportError> {
-        let grid = self.surface.solved_map().grid();
+    pub(crate) fn whole(&self, relief_limit: usize, surfaces: usize) -> String {
+        let Self { surface, contact } = *self;
+        let grid = surface.solved_map().grid();
         let [ny, nx] = grid.shape();
-        let loads = self.surface.deterministic.len();
-        let (first, shape) = reduced(&self.contact.first, [ny, nx], LARGEST);
+        let loads = surface.deterministic.len();
+        let (first, shape) = reduced(&contact.first, [ny, nx], LARGEST);
         let step = 240 / loads.max(1); // FirstContact keeps at most so many loads
         let grey = |load: u8| if load == FirstContact::NEVER { 255 } else { load as usize * step };
-        let picture = Grey {
-            width: shape[1],
-            height: shape[0],
-            values: first.iter().map(|&load| grey(load) as u8).collect(),
-        };
+        let first: Vec<u8> = first.iter().map(|&load| grey(load) as u8).collect();
         let whole = [0, 0, ny, nx];
         let ((pressures, headline), (first, relief)) = join(
-            || join(|| Pressures::of(self.surface, surfaces), || self.pressure(shape)),
-            || {
-                let relief = || self.relief(whole, whole, relief_limit);
-                join(|| picture.data_address_of_classes(), relief)
-            },
+            || join(|| Pressures::of(surface, surfaces), || self.pressure(shape)),
+            || join(|| png::classes(shape, &first), || self.relief(whole, whole, relief_limit)),
         );
-        let pressures = pressures?;
-        let lost: Vec<_> = if shape == [ny, nx] { self.contact.lost.clone() } else { Vec::new() };
+        let lost: Vec<_> = if shape == [ny, nx] { contact.lost.clone() } else { Vec::new() };
         let points = grid.len();
-        let titles: Vec<String> = self
-            .surface
-            .deterministic
-            .iter()
-            .map(|p| {
-                let (touching, highest) =
-                    p.answer.as_ref().map_or((0, 0.0), |a| (a.diagnostics.contact_pixels, a.diagnostics.max_pressure));
-                let load = crate::messages::load(p.mean_pressure, self.surface.load_area);
-                format!(
-                    "Contact map at {load}: {touching} of {points} points of the map carry pressure, at most {}.",
-                    quantity(highest, PASCALS, 2)
-                )
-            })
-            .collect();
-        let [r, g, b] = ramp_table::<3>(&PRESSURE_RAMP)[1].to_rgb();
-        let ramp: String = ramp_table::<256>(&PRESSURE_RAMP)
-            .iter()
-            .flat_map(|c| c.to_rgb())
-            .map(|v| format!("{v:02X}"))
-            .collect();
+        let title = |p: &DeterministicPoint| {
+            let (touching, highest) =
+                p.answer.as_ref().map_or((0, 0.0), |a| (a.contact_pixels, a.max_pressure));
+            let load = crate::messages::load(p.mean_pressure, surface.load_area);
+            let highest = quantity(highest, PASCALS, 2);
+            format!(
+                "Contact map at {load}: {touching} of {points} points of the map carry pressure, at most {highest}."
+            )
+        };
+        let titles: Vec<String> = surface.deterministic.iter().map(title).collect();
+        let middle = ramp_table::<3>(&PRESSURE_RAMP)[1].to_rgb();
+        let ramp: String = ramp_table::<256>(&PRESSURE_RAMP).map(OkLab::hex).concat();
         let unit = unit_for(grid.size()[1], METRES);
-        let facts = json!({
-            "step": step, "lost": lost, "titles": titles, "colour": [r, g, b], "ramp": ramp,
+        let facts = attribute(&json!({
+            "step": step, "lost": lost, "titles": titles, "colour": middle, "ramp": ramp,
             "across": grid.size()[1] / unit.scale, "unit": unit.name,
             "points": [ny, nx], "block": pressures.block, "tops": pressures.tops,
-        });
-        let images = format!(
-            "<img class=\"first\" hidden alt=\"\" src=\"{}\" data-facts='{}'>\
-             <img class=\"pressure\" hidden alt=\"\" src=\"{}\">{}{}",
-            first?,
-            attribute(&facts),
-            headline?,
-            pressures.pictures,
-            relief?
-        );
-        Ok(images)
+        }));
+        let pictures = pressures.pictures;
+        format!(
+            "<img class=\"first\" hidden alt=\"\" src=\"{first}\" data-facts='{facts}'>\
+             <img class=\"pressure\" hidden alt=\"\" src=\"{headline}\">{pictures}{relief}"
+        )
     }
 
     /// The pressure of the headline in the dots of the contact: 0 where nothing touches, else 1 to 255 along the
     /// ramp.
-    fn pressure(&self, [height, width]: [usize; 2]) -> Result<String, ReportError> {
-        let grid = self.surface.solved_map().grid();
-        let [ny, nx] = grid.shape();
-        let (top, _) = pressure_top(&self.surface.pressure);
-        let dots = combined(&self.surface.pressure, [ny, nx], [height, width], f64::max);
-        let values = dots.iter().map(|p| pressure_class(*p, top)).collect();
-        let picture = Grey { width, height, values };
-        Ok(picture.data_address_of_classes()?)
+    fn pressure(&self, shape: [usize; 2]) -> String {
+        let pressure = &self.surface.pressure;
+        let (top, _) = pressure_top(pressure);
+        let dots = combined(pressure, self.surface.solved_map().grid().shape(), shape, f64::max);
+        let classes: Vec<u8> = dots.iter().map(|p| pressure_class(*p, top)).collect();
+        png::classes(shape, &classes)
     }
 
     /// The relief of a window, and where it lies in the whole map.
-    pub(crate) fn relief(
-        &self,
-        window: MapPart,
-        whole: MapPart,
-        limit: usize,
-    ) -> Result<String, ReportError> {
+    pub(crate) fn relief(&self, window: MapPart, whole: MapPart, limit: usize) -> String {
         let map = self.surface.solved_map();
         let picture = maps::relief(map.heights(), map.grid(), window, limit);
-        let part = |i: usize| window[i] as f64 / whole[2 + i % 2] as f64;
-        let place: Vec<String> = (0..4).map(|i| part(i).to_string()).collect();
-        Ok(format!(
-            "<img class=\"relief\" hidden alt=\"\" src=\"{}\" data-part=\"{}\">",
-            picture.data_address()?,
-            place.join(" ")
-        ))
+        let part = |i: usize| (window[i] as f64 / whole[2 + i % 2] as f64).to_string();
+        let place = [0, 1, 2, 3].map(part).join(" ");
+        format!(r#"<img class="relief" hidden alt="" src="{picture}" data-part="{place}">"#)
     }
 }
 
@@ -156,13 +121,13 @@ pub(crate) struct Pressures {
 impl Pressures {
     /// All of a surface, in as many steps as its share of a page of `surfaces` bears; if that is too much even in the
     /// fewest, every second, every fourth, and at least the lightest and the heaviest.
-    pub(crate) fn of(surface: &SurfaceComparison, surfaces: usize) -> Result<Self, ReportError> {
-        let Some(maps) = &surface.pressure_maps else { return Ok(Self::default()) };
+    pub(crate) fn of(surface: &SurfaceComparison, surfaces: usize) -> Self {
+        let Some(maps) = &surface.pressure_maps else { return Self::default() };
         let last = maps.loads.len().saturating_sub(1);
         let most = PRESSURES / surfaces.max(1);
         let mut encoded = Vec::new();
         for steps in STEPS {
-            encoded = encoded_until(maps, surface.headline, steps, most)?;
+            encoded = encoded_until(maps, surface.headline, steps, most);
             if encoded.iter().map(String::len).sum::<usize>() <= most {
                 break;
             }
@@ -176,12 +141,12 @@ impl Pressures {
         for load in kept.into_iter().filter(|load| *load != surface.headline) {
             let PressureMap { top, clipped, .. } = maps.loads[load];
             found.tops[load] = Some(maps::upper_end(top, clipped, unit));
-            found.pictures.push_str(&format!(
-                "<img class=\"pressed\" hidden alt=\"\" data-load=\"{load}\" src=\"{}\">",
-                encoded[load]
-            ));
+            let picture = &encoded[load];
+            found.pictures += &format!(
+                r#"<img class="pressed" hidden alt="" data-load="{load}" src="{picture}">"#
+            );
         }
-        Ok(found)
+        found
     }
 }
 
@@ -190,36 +155,27 @@ const AT_ONCE: usize = 4;
 
 /// The pictures of all loads but the headline, whose place stays empty. Ends early where they take more than `most`
 /// bytes and there are coarser steps.
-fn encoded_until(
-    maps: &PressureMaps,
-    headline: usize,
-    steps: u8,
-    most: usize,
-) -> Result<Vec<String>, ReportError> {
-    let [height, width] = maps.shape;
+fn encoded_until(maps: &PressureMaps, headline: usize, steps: u8, most: usize) -> Vec<String> {
     let table: [u8; 256] = std::array::from_fn(|class| stepped(class as u8, steps));
-    let picture = |load: usize| -> Result<String, ReportError> {
+    let picture = |load: usize| {
         if load == headline {
-            return Ok(String::new());
+            return String::new();
         }
-        let values = maps.loads[load].classes.iter().map(|c| table[usize::from(*c)]).collect();
-        Ok(Grey { width, height, values }.data_address_of_classes()?)
+        let classes = maps.loads[load].classes.iter().map(|c| table[usize::from(*c)]);
+        png::classes(maps.shape, &classes.collect::<Vec<u8>>())
     };
-    let mut encoded = Vec::new();
-    let mut bytes = 0;
+    let mut encoded: Vec<String> = Vec::new();
     // The heaviest, which take most, first: what does not fit is soon known.
     let heaviest_first: Vec<usize> = (0..maps.loads.len()).rev().collect();
     for loads in heaviest_first.chunks(AT_ONCE) {
-        for picture in parallel::map(loads, |load| picture(*load)) {
-            encoded.push(picture?);
-            bytes += encoded.last().map_or(0, String::len);
-        }
+        encoded.extend(parallel::map(loads, |load| picture(*load)));
+        let bytes: usize = encoded.iter().map(String::len).sum();
         if bytes > most && steps > maps::FEWEST_STEPS {
             break;
         }
     }
     encoded.reverse();
-    Ok(encoded)
+    encoded
 }
 
 /// Of loads that take so many bytes all, or every second, every fourth, until they take no more than `most`; the

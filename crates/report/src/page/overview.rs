@@ -1,12 +1,12 @@
 //! Several surfaces at once: does the ranking of the models hold on all of them?
 
 use crate::draw::svg::escape;
-use crate::figures::multiples::{self, PanelQuantity};
+use crate::figures::multiples;
 use crate::lines::WANTED;
 use crate::messages;
 use crate::numbers::{METRES, SPACE, counted, duration, quantity, signed_percent, significant};
-use crate::page::context::{ReportPage, wide};
 use crate::page::how_made::modulus_in_head;
+use crate::page::shared::{ReportPage, date, row, table, wide};
 use contact_compare::{ModelComparison, SurfaceComparison, elastic_holds};
 
 /// The opening of a report on several surfaces.
@@ -16,41 +16,27 @@ pub(crate) fn section(page: &mut ReportPage<'_>) -> String {
         "<p class=\"file\">rough-contact report · {} surfaces · {} · {}</p>\n",
         surfaces.len(),
         modulus_in_head(&page.comparison.settings),
-        messages::date(page.provenance.unix_time)
+        date(page.provenance.unix_time)
     );
-    let mut out =
-        format!("<header>{line}<h1>{}</h1></header>\n{}", headline(surfaces), table(surfaces));
-    let surfaces = &page.comparison.surfaces;
+    let (headline, listed) = (headline(surfaces), listed(surfaces));
+    let mut out = format!("<header>{line}<h1>{headline}</h1></header>\n{listed}");
     let names: Vec<&str> = surfaces.iter().map(|s| s.name.as_str()).collect();
-    for (quantity, title, caption) in [
-        (
-            PanelQuantity::Area,
-            "Real contact area on each surface",
-            "Real contact area</b>. Dots: solver.".to_owned(),
-        ),
-        (
-            PanelQuantity::Error,
-            "Error of the closed forms on each surface",
-            format!("Error of each closed form</b>. Grey: within 10{SPACE}%."),
-        ),
-    ] {
+    let of_area = ("Real contact area on each surface", "Real contact area</b>. Dots: solver.");
+    let caption = format!("Error of each closed form</b>. Grey: within 10{SPACE}%.");
+    let of_errors = ("Error of the closed forms on each surface", caption.as_str());
+    for (is_error, (title, caption)) in [(false, of_area), (true, of_errors)] {
         let description = format!("{title}: {}.", names.join(", "));
-        let draw = |key: &str| multiples::figure(surfaces, quantity, title, description, key);
-        out.push_str(&wide(&page.numbers.figure("o", draw, &caption)));
+        let draw = |key: &str| multiples::figure(surfaces, is_error, title, description, key);
+        out.push_str(&wide(&page.numbers.figure("o", draw, caption)));
     }
     out.push_str("<div class=\"page1\"></div>\n");
     out
 }
 
-/// Whether theories of elastic bodies are ranked.
-fn ranks_elastic(surfaces: &[SurfaceComparison]) -> bool {
-    surfaces.iter().all(elastic_holds)
-}
-
 /// Mean size of the error of each model over all loads of each surface, by the order of the list; none
 /// of a theory that is not ranked.
 fn mean_errors(surfaces: &[SurfaceComparison]) -> Vec<Vec<Option<f64>>> {
-    let elastic = ranks_elastic(surfaces);
+    let elastic = surfaces.iter().all(elastic_holds);
     let mean = |m: &ModelComparison| {
         let curve = m.outcome.as_ref().ok().filter(|_| m.card.yields || elastic)?;
         curve.worst_and_mean().map(|(_, mean)| mean)
@@ -92,39 +78,25 @@ fn headline(surfaces: &[SurfaceComparison]) -> String {
     }
 }
 
-fn table(surfaces: &[SurfaceComparison]) -> String {
-    let rows: String = surfaces
-        .iter()
-        .enumerate()
-        .map(|(i, s)| {
-            let answer = s.headline_answer();
-            let nearest = messages::nearest(s);
-            format!(
-                "<tr><th scope=\"row\"><a href=\"#s{i}-w\">{}</a></th><td class=\"n\">{}</td>\
-                 <td class=\"n\">{}</td><td class=\"n\">{}</td><td class=\"n\">{}</td>\
-                 <td class=\"n\">{}</td><td>{}</td><td class=\"n\">{}</td></tr>\n",
-                escape(&s.name),
-                quantity(s.statistics.rms_height, METRES, 3),
-                significant(s.inputs.rms_gradient(), 2),
-                messages::headline_load(s),
-                answer.map_or("–".into(), messages::area),
-                answer.map_or("–".into(), messages::real_pressure),
-                nearest.as_ref().map_or("–".into(), |r| format!(
-                    "{} ({}), {}",
-                    r.model.card.label,
-                    signed_percent(r.error),
-                    duration(r.seconds)
-                )),
-                answer.map_or("–".into(), |a| duration(a.diagnostics.seconds)),
-            )
-        })
-        .collect();
-    format!(
-        "<table class=\"over\" tabindex=\"0\"><caption>Each surface at one load</caption><thead><tr><th \
-         scope=\"col\">Surface</th><th scope=\"col\" class=\"n\"><i>Sq</i></th><th scope=\"col\" \
-         class=\"n\"><i>Sdq</i></th><th scope=\"col\" class=\"n\">Load</th><th scope=\"col\" \
-         class=\"n\">Area</th><th scope=\"col\" class=\"n\">Real pressure</th><th \
-         scope=\"col\">Nearest closed form</th><th scope=\"col\" class=\"n\">Solver, per \
-         load</th></tr></thead><tbody>\n{rows}</tbody></table>\n"
-    )
+fn listed(surfaces: &[SurfaceComparison]) -> String {
+    let line = |(i, s): (usize, &SurfaceComparison)| {
+        let answer = s.headline_answer();
+        let nearest = messages::nearest(s).map_or("–".into(), |r| {
+            let (error, time) = (signed_percent(r.error), duration(r.seconds));
+            format!("{} ({error}), {time}", r.model.card.label)
+        });
+        let numbers = [
+            quantity(s.statistics.rms_height, METRES, 3),
+            significant(s.inputs.rms_gradient(), 2),
+            messages::headline_load(s),
+            answer.map_or("–".into(), messages::area),
+            answer.map_or("–".into(), messages::real_pressure),
+        ];
+        let seconds = answer.map_or("–".into(), |a| duration(a.seconds));
+        let link = format!("<a href=\"#s{i}-w\">{}</a>", escape(&s.name));
+        row(&link, numbers, &format!("<td>{nearest}</td><td class=\"n\">{seconds}</td>"))
+    };
+    let rows: String = surfaces.iter().enumerate().map(line).collect();
+    let columns = "Surface|#<i>Sq</i>|#<i>Sdq</i>|#Load|#Area|#Real pressure|Nearest closed form|#Solver, per load";
+    table(r#"class="over" tabindex="0""#, "Each surface at one load", columns, &rows)
 }

@@ -1,56 +1,41 @@
 //! The report on profiles: trace, roughness, spectrum, models with what the length leaves open.
 
 use crate::draw::svg::escape;
-use crate::error::ReportError;
 use crate::figures::profiles;
 use crate::figures::surface::{Spectrum, spectrum};
 use crate::messages;
-use crate::messages::loads::loads_words;
+use crate::messages::loads::loads_line;
 use crate::messages::profile::{area_range, profile_headline};
-use crate::numbers::{METRES, PASCALS, SPACE, chosen, percent, quantity, significant};
-use crate::page::context::{Numbering, figure};
+use crate::numbers::{METRES, PASCALS, SPACE, chosen, percent, quantity};
 use crate::page::how_made::{bodies_words, modulus_in_head, origin_words};
 use crate::page::html::{document, references};
-use crate::page::phrases::terms;
 use crate::page::profile_tables::{key_numbers, roughness, sampling};
 use crate::page::sections::notes;
-use crate::page::tables::{applies, swatch};
-use crate::plot_styles::{inputs_html, plot_style};
+use crate::page::shared::{Numbering, date, figure, table, terms};
+use crate::page::tables::{applies, cited, model_area, model_head, model_pressure};
 use crate::provenance::Provenance;
-use contact_compare::ProfileComparison;
-use contact_types::ContactState;
-use std::io::Write;
+use contact_compare::{ProfileComparison, ProfileModel};
 
-/// Writes the report on studies of profiles.
-///
-/// # Errors
-/// [`ReportError`] if the writer fails.
-pub fn write(
-    studies: &[ProfileComparison],
-    provenance: &Provenance,
-    out: &mut impl Write,
-) -> Result<(), ReportError> {
+pub(crate) fn report(studies: &[ProfileComparison], provenance: &Provenance) -> String {
     let several = studies.len() > 1;
     let mut numbers = Numbering::default();
     let mut body = String::new();
     if several {
-        body.push_str(&format!("<h1>{} profiles of surfaces</h1>\n", studies.len()));
+        body += &format!("<h1>{} profiles of surfaces</h1>\n", studies.len());
     }
     for (index, study) in studies.iter().enumerate() {
-        body.push_str("<div class=\"surface\">\n");
-        if several {
-            body.push_str(&format!("<h2>{}</h2>\n", escape(&study.name)));
-        }
-        body.push_str(&surface(study, &mut numbers, index, several, provenance));
-        body.push_str("</div>\n");
+        let name = escape(&study.name);
+        let heading = if several { format!("<h2>{name}</h2>\n") } else { String::new() };
+        let surface = surface(study, &mut numbers, index, several, provenance);
+        body += &format!("<div class=\"surface\">\n{heading}{surface}</div>\n");
     }
-    body.push_str(&how_made(studies, provenance));
-    body.push_str(&references(&numbers.sources));
+    body += &how_made(studies, provenance);
+    body += &references(&numbers.sources);
     let title = match studies {
         [one] => format!("{} (rough-contact, profile)", one.name),
         many => format!("{} profiles (rough-contact)", many.len()),
     };
-    document(&title, several, &body, "", out)
+    document(&title, several, &body, "")
 }
 
 fn surface(
@@ -62,33 +47,28 @@ fn surface(
 ) -> String {
     let id = format!("s{index}");
     let h = if several { "h3" } else { "h2" };
-    let mut out = opening(study, several, provenance);
-    out.push_str(&format!(
-        "<div class=\"two\">\n{}{}</div>\n",
-        key_numbers(study),
-        notes(&study.findings(), &id)
-    ));
-    out.push_str(&pictures(study, numbers, h, &id));
-    out.push_str(&models(study, numbers, h, &id));
-    out.push_str(&format!("<{h}>Roughness parameters</{h}>\n{}", roughness(study)));
-    out.push_str(&format!("<{h}>What the spacing of the points does</{h}>\n{}", sampling(study)));
-    out
+    let (opening, key) = (opening(study, several, provenance), key_numbers(study));
+    let notes = notes(&study.findings(), &id);
+    let (pictures, models) = (pictures(study, numbers, h, &id), models(study, numbers, h, &id));
+    let (roughness, sampling) = (roughness(study), sampling(study));
+    format!(
+        "{opening}<div class=\"two\">\n{key}{notes}</div>\n{pictures}{models}\
+         <{h}>Roughness parameters</{h}>\n{roughness}\
+         <{h}>What the spacing of the points does</{h}>\n{sampling}"
+    )
 }
 
 fn opening(study: &ProfileComparison, several: bool, provenance: &Provenance) -> String {
     let s = &study.statistics;
     let traces = if s.traces == 1 { "one trace".into() } else { format!("{} traces", s.traces) };
-    let (before, after) = if several {
-        (String::new(), String::new())
-    } else {
-        (
-            format!("rough-contact report · <b>{}</b> · ", escape(&study.name)),
-            format!(" · {}", messages::date(provenance.unix_time)),
-        )
-    };
+    let (name, date) = (escape(&study.name), date(provenance.unix_time));
     let say = escape(&profile_headline(study));
-    let first =
-        if several { format!("<p class=\"say\">{say}</p>") } else { format!("<h1>{say}</h1>") };
+    let [before, after, first] = if several {
+        [String::new(), String::new(), format!("<p class=\"say\">{say}</p>")]
+    } else {
+        let before = format!("rough-contact report · <b>{name}</b> · ");
+        [before, format!(" · {date}"), format!("<h1>{say}</h1>")]
+    };
     format!(
         "<header><p class=\"file\">{before}profile, {traces} of {}, {} points every {} · \
          {}{after}</p>\n{first}\n<p>A trace is one line of a surface: it has no \
@@ -108,16 +88,12 @@ fn pictures(study: &ProfileComparison, numbers: &mut Numbering, h: &str, id: &st
     let n = numbers.next_figure();
     if let Some(drawn) = profiles::first_trace(study, &format!("{id}-f{n}")) {
         let first = if s.traces > 1 { " The first of them." } else { "" };
-        out.push_str(&format!(
-            "<div class=\"wide\">{}</div>\n",
-            figure(
-                &drawn.inline(),
-                &format!(
-                    "<b>Fig. {n}. The trace</b> without its form.{first} Shaded: every other section \
-                     length of the roughness parameters."
-                )
-            )
-        ));
+        let caption = format!(
+            "<b>Fig. {n}. The trace</b> without its form.{first} Shaded: every other section \
+             length of the roughness parameters."
+        );
+        let drawn = figure(&drawn.inline(), &caption);
+        out.push_str(&format!("<div class=\"wide\">{drawn}</div>\n"));
     }
     let n = numbers.next_figure();
     let points = study.spectrum.smoothed();
@@ -126,23 +102,18 @@ fn pictures(study: &ProfileComparison, numbers: &mut Numbering, h: &str, id: &st
     let mut two = String::new();
     let psd = Spectrum { points, fit, is_profile: true };
     if let Some(drawn) = spectrum(&psd, &format!("{id}-f{n}")) {
-        two.push_str(&figure(
-            &drawn.inline(),
-            &format!(
-                "<b>Fig. {n}. Power spectral density</b> of the trace, one-sided, under a Hann window, \
-                 running mean over a third of an octave."
-            ),
-        ));
+        let caption = format!(
+            "<b>Fig. {n}. Power spectral density</b> of the trace, one-sided, under a Hann window, \
+             running mean over a third of an octave."
+        );
+        two.push_str(&figure(&drawn.inline(), &caption));
     }
     let traces = if s.traces == 1 { "trace" } else { "traces" };
-    two.push_str(&numbers.figure(
-        id,
-        |key| profiles::area(study, key),
-        &format!(
-            "Real contact area</b> by every model that answers, for an isotropic surface. Grey band: from the lowest to \
-             the highest of those made of moments, with the 95{SPACE}% intervals that the length of the {traces} leaves."
-        ),
-    ));
+    let caption = format!(
+        "Real contact area</b> by every model that answers, for an isotropic surface. Grey band: from the lowest to \
+         the highest of those made of moments, with the 95{SPACE}% intervals that the length of the {traces} leaves."
+    );
+    two.push_str(&numbers.figure(id, |key| profiles::area(study, key), &caption));
     out + &format!("<div class=\"two\">\n{two}</div>\n")
 }
 
@@ -161,43 +132,31 @@ fn thinned(points: &[[f64; 2]]) -> Vec<[f64; 2]> {
 
 fn models(study: &ProfileComparison, numbers: &mut Numbering, h: &str, id: &str) -> String {
     let p = chosen(study.headline_pressure(), PASCALS);
-    let rows: String = study
-        .models
-        .iter()
-        .enumerate()
-        .map(|(place, m)| {
-            let card = &m.card;
-            let source = numbers.source(card.citation.clone());
-            let point =
-                m.outcome.as_ref().ok().and_then(|c| c.points[study.headline].as_ref().ok());
-            let dash = || "–".to_owned();
-            let area = point.map_or_else(dash, |s| {
-                format!("{}{SPACE}%", significant(100.0 * s.area_fraction, 3))
-            });
-            let interval = m.intervals[study.headline].map_or_else(dash, area_range);
-            let real = point
-                .and_then(ContactState::real_pressure)
-                .map_or_else(dash, |p| quantity(p, PASCALS, 3));
-            let class = if m.outcome.is_ok() { "" } else { " class=\"na\"" };
-            format!(
-                "<tr{class}><th scope=\"row\"><div>{}<span>{}<small>{}</small></span></div></th>\
-                 <td data-l=\"Area\" class=\"n\">{area}</td><td data-l=\"95 % interval\" \
-                 class=\"n\">{interval}</td><td data-l=\"Real pressure\" class=\"n\">{real}</td>\
-                 <td data-l=\"Applies\" class=\"dom\">{}</td><td data-l=\"Ref.\" class=\"n src\">\
-                 <a href=\"#r{source}\">{source}</a></td></tr>\n",
-                swatch(plot_style(&card.name, place)),
-                escape(&card.title),
-                inputs_html(card),
-                applies(m.verdict.answer, &messages::reason_of(card, &m.verdict))
-            )
-        })
-        .collect();
+    let line = |(place, m): (usize, &ProfileModel)| {
+        let card = &m.card;
+        let source = cited(numbers, card.citation.clone());
+        let point = m.outcome.as_ref().ok().map(|c| &c.points[study.headline]);
+        let dash = || "–".to_owned();
+        let (area, real) =
+            (point.map_or_else(dash, model_area), point.map_or_else(dash, model_pressure));
+        let interval = m.intervals[study.headline].map_or_else(dash, area_range);
+        let class = if m.outcome.is_ok() { "" } else { " class=\"na\"" };
+        let head = model_head(card, place);
+        let applies = applies(m.verdict.answer, &messages::reason_of(card, &m.verdict));
+        format!(
+            "<tr{class}>{head}<td data-l=\"Area\" class=\"n\">{area}</td>\
+             <td data-l=\"95 % interval\" class=\"n\">{interval}</td>\
+             <td data-l=\"Real pressure\" class=\"n\">{real}</td>\
+             <td data-l=\"Applies\" class=\"dom\">{applies}</td>{source}</tr>\n"
+        )
+    };
+    let rows: String = study.models.iter().enumerate().map(line).collect();
+    let columns = format!(
+        "Model|#Area at {p}|#95{SPACE}% interval|#Real pressure|Applies, if the surface is isotropic?|#Ref."
+    );
+    let table = table(r#"class="models""#, "", &columns, &rows);
     format!(
-        "<{h} id=\"{id}-m\">What the models say</{h}>\n<table class=\"models\"><thead><tr>\
-         <th scope=\"col\">Model</th><th scope=\"col\" class=\"n\">Area at {p}</th>\
-         <th scope=\"col\" class=\"n\">95{SPACE}% interval</th><th scope=\"col\" class=\"n\">Real \
-         pressure</th><th scope=\"col\">Applies, if the surface is isotropic?</th>\
-         <th scope=\"col\" class=\"n\">Ref.</th></tr></thead><tbody>\n{rows}</tbody></table>\n\
+        "<{h} id=\"{id}-m\">What the models say</{h}>\n{table}\
          <p class=\"why\">The interval is what other traces of the same surface would give, through \
          <i>m</i><sub>0</sub>, <i>m</i><sub>2</sub>, <i>m</i><sub>4</sub>; the error of the theory is \
          not in it. Amplitudes are those of the smoothed PSD, the nominal area of Majumdar and Bhushan \
@@ -221,15 +180,8 @@ fn how_made(studies: &[ProfileComparison], made: &Provenance) -> String {
         let filter = |name: &str, value: Option<f64>| {
             value.map_or(String::new(), |v| format!("; {name} = {}", chosen(v, METRES)))
         };
-        rows.push((
-            name,
-            format!(
-                "{}. {form}{}{}",
-                origin_words(&study.origin),
-                filter("λs", s.options.short),
-                filter("λc", s.options.cutoff)
-            ),
-        ));
+        let filters = filter("λs", s.options.short) + &filter("λc", s.options.cutoff);
+        rows.push((name, format!("{}. {form}{filters}", origin_words(&study.origin))));
         for step in study.origin.cleaned() {
             rows.push(("Cleaning".into(), escape(&step.to_string())));
         }
@@ -237,28 +189,19 @@ fn how_made(studies: &[ProfileComparison], made: &Provenance) -> String {
             rows.push(("Height step".into(), quantity(step, METRES, 2)));
         }
         if let Some([m2, m4]) = s.seen {
-            rows.push((
-                "Moments".into(),
-                format!(
-                    "finite differences of neighbouring points; they recover {} of m₂ and {} of m₄ of the \
-                     spectrum",
-                    percent(m2),
-                    percent(m4)
-                ),
-            ));
+            let text = format!(
+                "finite differences of neighbouring points; they recover {} of m₂ and {} of m₄ of the \
+                 spectrum",
+                percent(m2),
+                percent(m4)
+            );
+            rows.push(("Moments".into(), text));
         }
     }
     if let Some(first) = studies.first() {
         let settings = &first.settings;
-        rows.push((
-            "Material".into(),
-            format!(
-                "<i>E</i>* = {}, {}",
-                chosen(settings.modulus, PASCALS),
-                bodies_words(&settings.bodies)
-            ),
-        ));
-        rows.extend(loads_words(settings).map(|words| ("Loads".into(), words)));
+        rows.push(("Material".into(), bodies_words(settings)));
+        rows.extend(loads_line(settings).map(|words| ("Loads".into(), words)));
     }
     format!(
         "<h2>How this was made</h2>\n{}<p>Repeat, from the folder it was made in, \

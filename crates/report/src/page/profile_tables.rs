@@ -2,11 +2,11 @@
 
 use crate::messages::profile::spread;
 use crate::numbers::{METRES, SPACE, chosen, percent, quantity, significant, unit_for};
-use crate::page::phrases::key_table;
+use crate::page::shared::{key_table, row, table, why};
 use contact_compare::ProfileComparison;
-use surface_stats::profile::{ProfileStatistics, SettingSource};
+use surface_stats::profile::{AtSpacing, ParameterMean, ProfileStatistics, SettingSource};
 
-fn row(name: &str, value: String, why: impl Into<String>) -> [String; 3] {
+fn key(name: &str, value: String, why: impl Into<String>) -> [String; 3] {
     [name.into(), value, why.into()]
 }
 
@@ -20,12 +20,12 @@ pub(crate) fn key_numbers(study: &ProfileComparison) -> String {
     };
     let height = unit_for(m.rms_height(), METRES);
     let mut rows = vec![
-        row(
+        key(
             "<i>m</i><sub>0</sub>",
             format!("{}{SPACE}{}²", significant(m.m0 / height.scale.powi(2), 3), height.name),
             format!("{}; rms height {}", ends(0), quantity(m.rms_height(), METRES, 3)),
         ),
-        row(
+        key(
             "<i>m</i><sub>2</sub>",
             significant(m.m2, 3),
             format!(
@@ -34,17 +34,17 @@ pub(crate) fn key_numbers(study: &ProfileComparison) -> String {
                 significant(m.rms_gradient(), 3)
             ),
         ),
-        row(
+        key(
             "<i>m</i><sub>4</sub>",
             format!("{}{SPACE}µm⁻²", significant(m.m4 * 1e-12, 3)),
             ends(2),
         ),
     ];
     if let Some(bandwidth) = s.bandwidth {
-        rows.push(row("Bandwidth <i>α</i>", significant(bandwidth, 3), "m₀ m₄ / m₂²"));
+        rows.push(key("Bandwidth <i>α</i>", significant(bandwidth, 3), "m₀ m₄ / m₂²"));
     }
     if let Some(a) = s.asperities {
-        rows.push(row(
+        rows.push(key(
             "Summits",
             format!("{}{SPACE}mm⁻²", significant(a.density * 1e-6, 3)),
             format!(
@@ -55,20 +55,20 @@ pub(crate) fn key_numbers(study: &ProfileComparison) -> String {
         ));
     }
     if let (Some(hurst), Some([short, long])) = (s.hurst, s.fractal_range) {
-        rows.push(row(
+        rows.push(key(
             "Hurst exponent",
             significant(hurst, 2),
             format!("PSD between {} and {}", quantity(long, METRES, 2), quantity(short, METRES, 2)),
         ));
     }
     if let Some(rolloff) = s.rolloff {
-        rows.push(row("Roll-off", quantity(rolloff, METRES, 2), "longer waves have a flat PSD"));
+        rows.push(key("Roll-off", quantity(rolloff, METRES, 2), "longer waves have a flat PSD"));
     }
     if let Some(rms) = s.noise_rms {
         let why = s.reliable_wavelength.map_or("nothing stands out of it".to_owned(), |l| {
             format!("waves longer than {} stand out of it", quantity(l, METRES, 2))
         });
-        rows.push(row("Noise", quantity(rms, METRES, 2), why));
+        rows.push(key("Noise", quantity(rms, METRES, 2), why));
     }
     let traces = if s.traces == 1 { "trace" } else { "traces (mean)" };
     key_table(&format!("Moments of the {traces}, finite differences"), &rows)
@@ -84,7 +84,6 @@ fn shown(symbol: &str, value: Option<f64>) -> String {
     }
 }
 
-/// What each symbol means.
 fn meaning(symbol: &str) -> &'static str {
     match &symbol[1..] {
         "a" => "mean absolute height",
@@ -132,44 +131,31 @@ pub fn setting_words(s: &ProfileStatistics) -> String {
     )
 }
 
-/// R and P parameters beside each other.
 pub(crate) fn roughness(study: &ProfileComparison) -> String {
     let s = &study.statistics;
     let primary = s.primary_mean();
     let rough = s.roughness_mean();
     let several = s.traces > 1;
-    let deviation = |symbol: &str, value: Option<f64>| {
-        if several {
-            format!("<td class=\"n\">{}</td>", shown(symbol, value))
-        } else {
-            String::new()
+    let line = |(k, whole): (usize, &ParameterMean)| {
+        let symbol = whole.symbol.as_str();
+        let rough = rough.as_ref().map(|all| &all[k]);
+        let numbers = [
+            shown(symbol, rough.and_then(|r| r.mean)),
+            shown(symbol, rough.and_then(|r| r.deviation)),
+            shown(symbol, whole.mean),
+            shown(symbol, whole.deviation),
+        ];
+        let (head, meaning) = (format!("R{0}, P{0}", &symbol[1..]), why(meaning(symbol)));
+        match numbers {
+            all if several => row(&head, all, &meaning),
+            [rough, _, whole, _] => row(&head, [rough, whole], &meaning),
         }
     };
-    let rows: String = primary
-        .iter()
-        .enumerate()
-        .map(|(k, whole)| {
-            let symbol = whole.symbol.as_str();
-            let rough = rough.as_ref().map(|all| &all[k]);
-            format!(
-                "<tr><th scope=\"row\">R{0}, P{0}</th><td class=\"n\">{1}</td>{2}\
-                 <td class=\"n\">{3}</td>{4}<td class=\"why\">{5}</td></tr>\n",
-                &symbol[1..],
-                shown(symbol, rough.and_then(|r| r.mean)),
-                deviation(symbol, rough.and_then(|r| r.deviation)),
-                shown(symbol, whole.mean),
-                deviation(symbol, whole.deviation),
-                meaning(symbol)
-            )
-        })
-        .collect();
-    let head = if several { "<th scope=\"col\" class=\"n\">s</th>" } else { "" };
-    format!(
-        "<p>{}</p>\n<table class=\"stat\"><thead><tr><th scope=\"col\">ISO 21920-2</th>\
-         <th scope=\"col\" class=\"n\">Roughness R</th>{head}<th scope=\"col\" class=\"n\">Whole trace \
-         P</th>{head}<th scope=\"col\"></th></tr></thead><tbody>\n{rows}</tbody></table>\n",
-        crate::draw::svg::escape(&setting_words(s))
-    )
+    let rows: String = primary.iter().enumerate().map(line).collect();
+    let deviation = if several { "#s|" } else { "" };
+    let columns = format!("ISO 21920-2|#Roughness R|{deviation}#Whole trace P|{deviation}");
+    let table = table(r#"class="stat""#, "", &columns, &rows);
+    format!("<p>{}</p>\n{table}", crate::draw::svg::escape(&setting_words(s)))
 }
 
 /// m2 and m4 over longer distances.
@@ -177,19 +163,11 @@ pub(crate) fn sampling(study: &ProfileComparison) -> String {
     let s = &study.statistics;
     let Some(first) = s.by_spacing.first() else { return String::new() };
     let ratio = |value: f64, of: f64| if of > 0.0 { percent(value / of) } else { "–".into() };
-    let rows: String = s
-        .by_spacing
-        .iter()
-        .take(8)
-        .map(|p| {
-            format!(
-                "<tr><th scope=\"row\">{}</th><td class=\"n\">{}</td><td class=\"n\">{}</td></tr>\n",
-                quantity(p.spacing, METRES, 3),
-                ratio(p.moments.m2, first.moments.m2),
-                ratio(p.moments.m4, first.moments.m4)
-            )
-        })
-        .collect();
+    let line = |p: &AtSpacing| {
+        let (m, of) = (p.moments, first.moments);
+        row(&quantity(p.spacing, METRES, 3), [ratio(m.m2, of.m2), ratio(m.m4, of.m4)], "")
+    };
+    let rows: String = s.by_spacing.iter().take(8).map(line).collect();
     let seen = s.seen.map_or(String::new(), |[m2, m4]| {
         format!(
             "Differences of neighbouring points recover {} of m₂ and {} of m₄ of the waves in the trace. ",
@@ -197,11 +175,10 @@ pub(crate) fn sampling(study: &ProfileComparison) -> String {
             percent(m4)
         )
     });
+    let caption = "Differences over longer distances, against those of neighbours";
+    let columns = "Distance|#<i>m</i><sub>2</sub>|#<i>m</i><sub>4</sub>";
+    let table = table(r#"class="stat""#, caption, columns, &rows);
     format!(
-        "<p>{seen}A stylus smooths what is narrower than its tip, which no number here can undo.</p>\n\
-         <table class=\"stat\"><caption>Differences over longer distances, against those of \
-         neighbours</caption><thead><tr><th scope=\"col\">Distance</th><th scope=\"col\" \
-         class=\"n\"><i>m</i><sub>2</sub></th><th scope=\"col\" class=\"n\"><i>m</i><sub>4</sub></th>\
-         </tr></thead><tbody>\n{rows}</tbody></table>\n"
+        "<p>{seen}A stylus smooths what is narrower than its tip, which no number here can undo.</p>\n{table}"
     )
 }

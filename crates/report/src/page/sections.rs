@@ -1,25 +1,25 @@
 //! The sections of one surface, in the order of the report.
 
 use crate::draw::svg::escape;
-use crate::error::ReportError;
 use crate::figures::cost::{self, CostRoute};
-use crate::figures::curves::{self, Use};
-use crate::figures::heights::{HeightPicture, height_figure};
+use crate::figures::curves;
+use crate::figures::heights;
 use crate::figures::surface as surface_figures;
 use crate::figures::surface::{Histogram, histogram};
 use crate::lines::{LoadLines, YIELDING};
-use crate::messages::edges::edge_words;
 use crate::messages::finding::finding;
-use crate::messages::{self, coarser};
-use crate::numbers::{SPACE, fixed};
+use crate::messages::pair::{lying, moments};
+use crate::messages::{self, edge_words};
+use crate::numbers::{METRES, SPACE, fixed, quantity, signed_percent, significant};
 use crate::page::budget;
-use crate::page::context::{ReportPage, figure};
-use crate::page::pair;
+use crate::page::shared::{AREA_CORRECTION, ReportPage, figure, row, table};
 use crate::page::slider::dial;
 use crate::page::{statistics, tables};
 use crate::plot_styles::plot_style;
-use crate::sources::AREA_CORRECTION;
-use contact_compare::{Finding, SurfaceComparison, Weight, findings};
+use contact_compare::{
+    Finding, ModelComparison, PairFound, PairOrigin, SurfaceComparison, Weight, findings,
+};
+use contact_types::SpectralMoments;
 
 /// Findings shown: the worst.
 const MOST: usize = 3;
@@ -73,49 +73,36 @@ pub(crate) fn over_load(
     let panels = LoadLines::panels(surface);
     for (k, lines) in panels.iter().enumerate() {
         let break_after = if k == 0 { " page1" } else { "" };
-        out.push_str(&format!(
-            "<div class=\"two{break_after}\">\n{}</div>\n",
-            panel(page, lines, id)
-        ));
+        let panel = panel(page, lines, id);
+        out.push_str(&format!("<div class=\"two{break_after}\">\n{panel}</div>\n"));
     }
     let errors: String = panels.iter().map(|lines| errors(page, lines, id)).collect();
     out.push_str(&format!("<div class=\"two\">\n{errors}"));
     if let Some(routes) = cost_routes(surface) {
         let (floor, time) = (relative_uncertainty(surface), "Time to the first answer");
-        out.push_str(&page.numbers.figure(
-            id,
-            |key| cost::figure(&routes, floor, ("area", &p), time, key),
-            &format!(
-                "Error against time</b> at {p}, from the levelled map; bars: from typed numbers. Dashed: Pareto front."
-            ),
-        ));
+        let caption = format!(
+            "Error against time</b> at {p}, from the levelled map; bars: from typed numbers. Dashed: Pareto front."
+        );
+        let draw = |key: &str| cost::figure(&routes, floor, ("area", &p), time, key);
+        out.push_str(&page.numbers.figure(id, draw, &caption));
     }
     out.push_str("</div>\n");
     out
 }
 
-/// ", elastic contact"
 fn of(lines: &LoadLines) -> String {
     if lines.of.is_empty() { String::new() } else { format!(", {}", lines.of) }
 }
 
-/// Area and pressure of the same bodies.
 fn panel(page: &mut ReportPage<'_>, lines: &LoadLines, id: &str) -> String {
     let of = of(lines);
     let band =
         if lines.interval.iter().flatten().count() > 1 { "; grey: ± of this map" } else { "" };
     let elastic = if lines.of == YIELDING { "; rings: elastic contact" } else { "" };
-    let area = page.numbers.figure(
-        id,
-        |key| curves::area(lines, key, Use::Page),
-        &format!("Real contact area{of}.</b> Dots: solver{elastic}{band}."),
-    );
-    let pressure = page.numbers.figure(
-        id,
-        |key| curves::pressure(lines, key, Use::Page),
-        &format!("Mean real pressure{of}</b>, load over real area."),
-    );
-    area + &pressure
+    let caption = format!("Real contact area{of}.</b> Dots: solver{elastic}{band}.");
+    let area = page.numbers.figure(id, |key| curves::area(lines, key, true), &caption);
+    let caption = format!("Mean real pressure{of}</b>, load over real area.");
+    area + &page.numbers.figure(id, |key| curves::pressure(lines, key, true), &caption)
 }
 
 /// The error of each closed form; nothing where no theory of these bodies answers.
@@ -125,14 +112,11 @@ fn errors(page: &mut ReportPage<'_>, lines: &LoadLines, id: &str) -> String {
     }
     let has_band = lines.interval.iter().flatten().count() > 1;
     let dark = if has_band { "; dark: ± of the solver" } else { "" };
-    page.numbers.figure(
-        id,
-        |key| curves::error(lines, key),
-        &format!(
-            "Error of each closed form{}</b> against the solver. Light band: 10{SPACE}%{dark}.",
-            of(lines)
-        ),
-    )
+    let caption = format!(
+        "Error of each closed form{}</b> against the solver. Light band: 10{SPACE}%{dark}.",
+        of(lines)
+    );
+    page.numbers.figure(id, |key| curves::error(lines, key), &caption)
 }
 
 fn relative_uncertainty(surface: &SurfaceComparison) -> Option<f64> {
@@ -151,7 +135,7 @@ fn cost_routes(surface: &SurfaceComparison) -> Option<Vec<CostRoute>> {
             CostRoute { series: card.name.to_string(), typed: r.typed, ..route }
         })
         .collect();
-    routes.extend(coarser::routes(surface));
+    routes.extend(messages::coarser_routes(surface));
     if routes.is_empty() {
         return None;
     }
@@ -159,35 +143,33 @@ fn cost_routes(surface: &SurfaceComparison) -> Option<Vec<CostRoute>> {
     Some(routes)
 }
 
-/// The model table, with the formulas that fit on a line.
+/// The model table, with the formula of each model in it that has one of a line.
 pub(crate) fn models(page: &mut ReportPage<'_>, surface: &SurfaceComparison) -> String {
     let h = page.heading();
     let table = tables::models(page, surface);
-    let formulas = formulas(surface);
-    format!("<{h}>Which model to use</{h}>\n{table}<p class=\"why\">{formulas}</p>\n")
-}
-
-/// The formula of each model in the table that has one of a line.
-fn formulas(surface: &SurfaceComparison) -> String {
     let with = surface.models.iter().filter(|m| m.outcome.is_ok() && !m.card.formula.is_empty());
-    with.map(|m| format!(" {}: {}.", escape(&m.card.label), escape(&m.card.formula))).collect()
+    let formula =
+        |m: &ModelComparison| format!(" {}: {}.", escape(&m.card.label), escape(&m.card.formula));
+    let formulas: String = with.map(formula).collect();
+    format!("<{h}>Which model to use</{h}>\n{table}<p class=\"why\">{formulas}</p>\n")
 }
 
 /// What takes time in [`the_surface`].
 pub(crate) struct HeightFigures {
-    /// `None` of a single profile.
-    picture: Option<HeightPicture>,
+    /// With its limits (m); `None` of a single profile.
+    picture: Option<(String, [f64; 2])>,
     /// `None` of a flat map.
     histogram: Option<Histogram>,
 }
 
 impl HeightFigures {
-    pub(crate) fn of(surface: &SurfaceComparison, limit: usize) -> Result<Self, ReportError> {
-        let grid = surface.surface.grid();
+    pub(crate) fn of(surface: &SurfaceComparison, limit: usize) -> Self {
+        let (grid, heights) = (surface.surface.grid(), surface.surface.heights());
         let is_map = !grid.shape().contains(&1);
-        let picture = is_map.then(|| HeightPicture::of(surface.surface.heights(), grid, limit));
-        let histogram = histogram(surface.solved_map().heights(), &surface.pressure);
-        Ok(Self { picture: picture.transpose()?, histogram })
+        Self {
+            picture: is_map.then(|| heights::height_picture(heights, grid, limit)),
+            histogram: histogram(surface.solved_map().heights(), &surface.pressure),
+        }
     }
 }
 
@@ -202,12 +184,12 @@ pub(crate) fn the_surface(
     let grid = surface.surface.grid();
     let p = messages::headline_load(surface);
     let (title, first) = match surface.origin.pair() {
-        Some(both) => ("Composite surface", pair::opening(both)),
+        Some(both) => ("Composite surface", opening(both)),
         None => ("The surface", String::new()),
     };
     let mut out = format!("<{h}>{title}</{h}>\n{first}<div class=\"two maps\">\n");
     if let Some(picture) = &heights.picture {
-        let draw = |key: &str| height_figure(picture, grid, key);
+        let draw = |key: &str| heights::figure(picture, grid, &[], key);
         out.push_str(&page.numbers.figure(id, draw, "Height.</b>"));
     } else {
         out.push_str("<p>A single profile: no map is drawn.</p>\n");
@@ -215,34 +197,23 @@ pub(crate) fn the_surface(
     out.push_str(&statistics::table(surface));
     out.push_str("</div>\n<div class=\"two\">\n");
     if let Some(histogram) = &heights.histogram {
-        let lowest = histogram.touching.iter().position(|v| *v > 0.0);
-        let words = lowest.map_or(String::new(), |k| {
-            let height = fixed(histogram.start + histogram.step * k as f64, 1);
-            format!(" At {p} heights above {height}{SPACE}Sq touch.")
+        let words = histogram.lowest_touching().map_or_else(String::new, |lowest| {
+            format!(" At {p} heights above {}{SPACE}Sq touch.", fixed(lowest, 1))
         });
-        out.push_str(&page.numbers.figure(
-            id,
-            |key| surface_figures::heights(histogram, &p, key),
-            &format!("Height distribution.</b> Line: normal.{words}"),
-        ));
+        let caption = format!("Height distribution.</b> Line: normal.{words}");
+        let draw = |key: &str| surface_figures::heights(histogram, &p, key);
+        out.push_str(&page.numbers.figure(id, draw, &caption));
     }
     let fit = surface.statistics.hurst.zip(surface.statistics.fractal_range);
     let spectrum =
         surface_figures::Spectrum { points: surface.spectral.psd.clone(), fit, is_profile: false };
     let n = page.numbers.next_figure();
     if let Some(svg) = surface_figures::spectrum(&spectrum, &format!("{id}-f{n}")) {
-        let fitted = if fit.is_some() {
-            " Dashed: power law fitted over the grey band, raised 2.2×."
-        } else {
-            ""
-        };
-        out.push_str(&figure(
-            &svg.inline(),
-            &format!(
-                "<b>Fig. {n}. Radial power spectrum</b>, {}.{fitted}",
-                if surface.spectral.windowed { "Hann window" } else { "periodic" }
-            ),
-        ));
+        let band = " Dashed: power law fitted over the grey band, raised 2.2×.";
+        let fitted = if fit.is_some() { band } else { "" };
+        let window = if surface.spectral.windowed { "Hann window" } else { "periodic" };
+        let caption = format!("<b>Fig. {n}. Radial power spectrum</b>, {window}.{fitted}");
+        out.push_str(&figure(&svg.inline(), &caption));
     }
     out.push_str("</div>\n");
     out
@@ -255,12 +226,13 @@ pub(crate) fn accuracy(page: &mut ReportPage<'_>, surface: &SurfaceComparison) -
     let p = messages::headline_load(surface);
     let correction = page.numbers.source(AREA_CORRECTION);
     let budget = match answer.budget.area.half_width() {
-        Ok(_) => budget::table(answer, surface, &p, correction),
-        Err(reason) => format!(
-            "<p class=\"keep\"><b>The area is without uncertainty estimate:</b> {}. Edges: {}</p>\n",
-            escape(&reason.to_string()),
-            edge_words(surface)
-        ),
+        Ok(_) => budget::sources(answer, surface, &p, correction),
+        Err(reason) => {
+            let (reason, edges) = (escape(&reason.to_string()), edge_words(surface));
+            format!(
+                "<p class=\"keep\"><b>The area is without uncertainty estimate:</b> {reason}. Edges: {edges}</p>\n"
+            )
+        }
     };
     format!(
         "<{h}>Accuracy</{h}>\n{budget}{}<p class=\"why\">Not covered: {}, \
@@ -271,5 +243,45 @@ pub(crate) fn accuracy(page: &mut ReportPage<'_>, surface: &SurfaceComparison) -
         } else {
             "plastic flow"
         }
+    )
+}
+
+/// What the section on the surface opens with: the sum of two bodies is no surface one could see.
+fn opening(pair: &PairOrigin) -> String {
+    let [first, second] = pair.names.each_ref().map(|name| escape(name));
+    let whose =
+        moments(pair).map_or_else(String::new, |text| format!(" Moments: {}.", escape(&text)));
+    format!(
+        "<p>Neither of the two: the heights below are those of {first} and {second} added at each place, the \
+         rough surface that touches a smooth flat as the two touch each other. {}.{whose}</p>\n{}",
+        escape(&lying(pair)),
+        pair.found.as_ref().map_or_else(String::new, |found| added(pair, found))
+    )
+}
+
+fn added(pair: &PairOrigin, found: &PairFound) -> String {
+    let independence = &found.independence;
+    let line = |name: &str, m: &SpectralMoments| {
+        let gradient = significant(m.rms_gradient(), 3);
+        let [m2, m4] = [m.m2, m.m4].map(|m| significant(m, 3));
+        row(name, [quantity(m.rms_height(), METRES, 3), gradient, m2, m4 + " m⁻²"], "")
+    };
+    let [first, second] = pair.names.each_ref().map(|name| escape(name));
+    let [_, m2, m4] = independence.excess.map(signed_percent);
+    // The gradient is the root of m2.
+    let of_root = |excess: f64| signed_percent((1.0 + excess).max(0.0).sqrt() - 1.0);
+    let [height, gradient] = [independence.excess[0], independence.excess[1]].map(of_root);
+    let rows = [
+        line(&first, &independence.bodies[0]),
+        line(&second, &independence.bodies[1]),
+        line("if independent: sums of <i>m</i>", &independence.sum()),
+        line("both as one, in the models", &independence.composite),
+        row("both as one, over that", [height, gradient, m2, m4], ""),
+    ];
+    let columns = "|#rms height|#rms gradient|#<i>m</i><sub>2</sub>|#<i>m</i><sub>4</sub>";
+    table(r#"class="stat""#, "What each body adds", columns, &rows.concat()).replacen(
+        r#"<th scope="col"></th>"#,
+        "<td></td>",
+        1,
     )
 }

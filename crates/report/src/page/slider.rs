@@ -3,36 +3,30 @@
 use crate::draw::palette::DETERMINISTIC;
 use crate::lines::{ELASTIC, Reference, references};
 use crate::messages;
-use crate::numbers::{NEWTONS, PASCALS, chosen, quantity, signed_percent};
-use crate::page::{distributions, phrases, tables};
+use crate::numbers::{NEWTONS, quantity, signed_percent};
+use crate::page::{contact_map, shared, tables};
 use crate::plot_styles::plot_style;
-use contact_compare::{DeterministicAnswer, SurfaceComparison};
+use contact_compare::{DeterministicAnswer, DeterministicPoint, SurfaceComparison};
 use serde_json::json;
 
-/// What the read-out says at each load.
 fn read_out(surface: &SurfaceComparison) -> Vec<String> {
-    surface
-        .deterministic
-        .iter()
-        .map(|point| {
-            let on_map = point.mean_pressure * surface.surface.grid().area();
-            let p = match surface.load_area {
-                Some(_) => messages::load(point.mean_pressure, surface.load_area),
-                None => format!(
-                    "{} ({} on this map)",
-                    chosen(point.mean_pressure, PASCALS),
-                    quantity(on_map, NEWTONS, 3)
-                ),
-            };
-            point.answer.as_ref().map_or_else(
-                || format!("{p}: no answer"),
-                |a| {
-                    let (area, pressure) = (messages::area(a), messages::real_pressure(a));
-                    format!("{p}: area {area}, real pressure {pressure}")
-                },
-            )
-        })
-        .collect()
+    let one = |point: &DeterministicPoint| {
+        let on_map = quantity(point.mean_pressure * surface.surface.grid().area(), NEWTONS, 3);
+        let load = messages::load(point.mean_pressure, surface.load_area);
+        let on_map = if surface.load_area.is_some() {
+            String::new()
+        } else {
+            format!(" ({on_map} on this map)")
+        };
+        let said = match &point.answer {
+            None => "no answer".to_owned(),
+            Some(a) => {
+                format!("area {}, real pressure {}", messages::area(a), messages::real_pressure(a))
+            }
+        };
+        format!("{load}{on_map}: {said}")
+    };
+    surface.deterministic.iter().map(one).collect()
 }
 
 /// The slider over the loads, with its read-out.
@@ -59,11 +53,8 @@ pub(crate) fn data(surface: &SurfaceComparison) -> String {
         return String::new();
     }
     let mut cells = serde_json::Map::new();
-    let loads: Vec<String> = surface
-        .deterministic
-        .iter()
-        .map(|p| messages::load(p.mean_pressure, surface.load_area))
-        .collect();
+    let load = |p: &DeterministicPoint| messages::load(p.mean_pressure, surface.load_area);
+    let loads: Vec<String> = surface.deterministic.iter().map(load).collect();
     cells.insert("load".into(), json!(loads));
     let mut listed = Vec::new();
     for Reference { of, points, models } in references(surface) {
@@ -73,13 +64,14 @@ pub(crate) fn data(surface: &SurfaceComparison) -> String {
         };
         cells.insert(format!("a-{name}"), json!(each(messages::area)));
         cells.insert(format!("p-{name}"), json!(each(messages::real_pressure)));
-        let class = DETERMINISTIC.class;
-        listed.push(json!({ "name": name, "label": "Deterministic", "class": class, "of": of }));
+        let mut list = |name: &str, label: &str, class: &str| {
+            listed.push(json!({ "name": name, "label": label, "class": class, "of": of }));
+        };
+        list(name, "Deterministic", DETERMINISTIC.class);
         for (place, m) in models {
             let Ok(curve) = &m.outcome else { continue };
-            let (card, class) = (&m.card, plot_style(&m.card.name, place).colour.class);
-            listed
-                .push(json!({ "name": card.name, "label": card.label, "class": class, "of": of }));
+            let card = &m.card;
+            list(&card.name, &card.label, plot_style(&card.name, place).colour.class);
             let errors: Vec<String> =
                 curve.errors.iter().map(|e| e.map_or("–".into(), signed_percent)).collect();
             let points = || curve.points.iter();
@@ -90,11 +82,11 @@ pub(crate) fn data(surface: &SurfaceComparison) -> String {
             }
         }
     }
-    let touching = phrases::touching(surface);
+    let touching = shared::touching(surface);
     if !touching.is_empty() {
         cells.insert("cut".into(), json!(touching));
     }
-    for (key, words) in distributions::cells(surface) {
+    for (key, words) in contact_map::cells(surface) {
         cells.insert(key.into(), json!(words));
     }
     let data = json!({ "read": read_out(surface), "cells": cells, "models": listed }).to_string();

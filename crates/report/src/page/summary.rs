@@ -2,25 +2,23 @@
 
 use crate::digest::Quantiles;
 use crate::draw::svg::escape;
-use crate::error::ReportError;
 use crate::figures::spread::{Curves, QuantityHistogram, Strip, curves, histograms, strips};
 use crate::messages;
 use crate::numbers::{
     AREAS, METRES, NEWTONS, PASCALS, SPACE, Unit, chosen, counted, duration, percent, quantity,
     signed_percent, significant, unit_for,
 };
-use crate::page::context::{Numbering, wide};
 use crate::page::how_made::{
     bodies_words, hardness_words, level_words, materials_words, modulus_in_head,
 };
-use crate::page::html::{document, hardness_in_head};
+use crate::page::html::document;
+use crate::page::shared::{Numbering, date, row, table, why, wide};
 use crate::page::tables::swatch;
 use crate::plot_styles::plot_style;
 use crate::provenance::Provenance;
 use contact_compare::{Settings, find};
 use contact_types::Named;
 use serde_json::Value;
-use std::io::Write;
 
 /// A run over many maps.
 #[derive(Debug)]
@@ -89,38 +87,33 @@ impl Summary<'_> {
     }
 }
 
-/// Writes the page.
-///
-/// # Errors
-/// [`ReportError`] if the writer fails.
-pub fn write(
-    summary: &Summary<'_>,
-    provenance: &Provenance,
-    out: &mut impl Write,
-) -> Result<(), ReportError> {
+/// The page over many maps.
+pub fn summary_html(summary: &Summary<'_>, provenance: &Provenance) -> String {
     let count = summary.maps.len();
     let all = count + summary.failed.len();
+    let settings = summary.settings;
+    let hardness = settings.hardness.map(|h| format!(" · <i>H</i> = {}", chosen(h, PASCALS)));
     let mut body = format!(
         "<header><p class=\"file\">rough-contact report · {} · {}{} · {}</p>\n\
          <h1>{}</h1>\n<p>{}</p></header>\n",
         counted(all, "file"),
-        modulus_in_head(summary.settings),
-        hardness_in_head(summary.settings.hardness),
-        messages::date(provenance.unix_time),
+        modulus_in_head(settings),
+        hardness.unwrap_or_default(),
+        date(provenance.unix_time),
         headline(summary),
         standing(summary)
     );
     if count > 0 {
         let mut numbers = Numbering::default();
-        body.push_str(&load_and_errors(summary, &mut numbers));
-        body.push_str(&models(summary));
-        body.push_str(&distributions(summary, &mut numbers));
+        body += &load_and_errors(summary, &mut numbers);
+        body += &models(summary);
+        body += &distributions(summary, &mut numbers);
     }
-    body.push_str(&to_check(summary));
-    body.push_str(&failed(summary));
-    body.push_str(&listed(summary));
-    body.push_str(&how_made(summary, provenance));
-    document(&format!("{} (rough-contact)", counted(all, "map")), false, &body, "", out)
+    body += &to_check(summary);
+    body += &failed(summary);
+    body += &listed(summary);
+    body += &how_made(summary, provenance);
+    document(&format!("{} (rough-contact)", counted(all, "map")), false, &body, "")
 }
 
 /// The model whose errors are smallest in the median, and how they are spread.
@@ -160,27 +153,26 @@ fn standing(summary: &Summary<'_>) -> String {
     let short = of(|map| map["converged"] != true);
     let bare = of(|map| !map["area_interval"].is_array());
     let warned = of(|map| map["to_check"].as_u64().is_some_and(|n| n > 0));
-    let mut text = format!("Maps with an answer: {}", summary.maps.len());
-    if !summary.failed.is_empty() {
-        text.push_str(&format!(
-            ", <b>files without: {}</b> (below, with the reason)",
-            summary.failed.len()
-        ));
-    }
-    text.push_str(&format!(
-        ". Headlines that did not converge: {short}; without uncertainty estimate: {bare}. Maps with something to \
-         check: {warned}. Loads: {}.",
-        match summary.shared() {
-            Some(_) => "the same for every map; the headline is the one at which about 2 % touches, or the \
-                        one asked for"
-                .to_owned(),
-            None => format!(
-                "chosen for each map, from about 0.1{SPACE}% to half of it in contact; the headline is at \
-                 about 2{SPACE}%"
-            ),
+    let failed = match summary.failed.len() {
+        0 => String::new(),
+        n => format!(", <b>files without: {n}</b> (below, with the reason)"),
+    };
+    let loads = match summary.shared() {
+        Some(_) => {
+            "the same for every map; the headline is the one at which about 2 % touches, or the \
+                    one asked for"
+                .to_owned()
         }
-    ));
-    text
+        None => format!(
+            "chosen for each map, from about 0.1{SPACE}% to half of it in contact; the headline is at \
+             about 2{SPACE}%"
+        ),
+    };
+    format!(
+        "Maps with an answer: {}{failed}. Headlines that did not converge: {short}; without uncertainty estimate: {bare}. \
+         Maps with something to check: {warned}. Loads: {loads}.",
+        summary.maps.len()
+    )
 }
 
 fn load_and_errors(summary: &Summary<'_>, numbers: &mut Numbering) -> String {
@@ -194,28 +186,21 @@ fn load_and_errors(summary: &Summary<'_>, numbers: &mut Numbering) -> String {
             Some(Strip { label, look: plot_style(name, place), errors })
         })
         .collect();
-    let area = numbers.figure(
-        "b",
-        |key| curves(&summary.curves(), key),
-        "Real contact area</b> of every map by the deterministic solution. Thick: median; grey: 10th–90th percentile.",
+    let caption = "Real contact area</b> of every map by the deterministic solution. Thick: median; grey: 10th–90th percentile.";
+    let area = numbers.figure("b", |key| curves(&summary.curves(), key), caption);
+    let caption = format!(
+        "Error of the closed forms</b> at the headline of each map. Mark: median; bar: interquartile range; line: 10th–90th percentile. Grey: within 10{SPACE}%."
     );
-    let errors = numbers.figure(
-        "b",
-        |key| strips(&list, key),
-        &format!(
-            "Error of the closed forms</b> at the headline of each map. Mark: median; bar: interquartile range; line: 10th–90th percentile. Grey: within 10{SPACE}%."
-        ),
-    );
+    let errors = numbers.figure("b", |key| strips(&list, key), &caption);
     format!("<h2>Area and load</h2>\n<div class=\"two\">\n{area}{errors}</div>\n")
 }
 
 fn models(summary: &Summary<'_>) -> String {
-    let mut rows = String::new();
-    for (place, name) in summary.models().into_iter().enumerate() {
+    let line = |(place, name): (usize, &'static str)| {
         let errors = summary.errors(name);
         let verdicts = |word: &str| {
             let is = |map: &&(String, &Value)| map.1["models"][name]["verdict"] == word;
-            summary.maps.iter().filter(is).count()
+            summary.maps.iter().filter(is).count().to_string()
         };
         let mean =
             |(_, map): &(String, &Value)| map["models"][name]["mean_absolute_area_error"].as_f64();
@@ -223,34 +208,29 @@ fn models(summary: &Summary<'_>) -> String {
         let over = Quantiles::of(summary.maps.iter().filter_map(mean));
         let worst = errors.iter().enumerate().filter_map(|(i, e)| Some((i, (*e)?)));
         let worst = worst.max_by(|a, b| a.1.abs().total_cmp(&b.1.abs()));
+        let worst = worst.map_or("–".into(), |(i, e)| {
+            format!("{}: {}", signed_percent(e), escape(&summary.maps[i].0))
+        });
         let q =
             |part: f64| spread.as_ref().map_or("–".into(), |s| signed_percent(s.quantile(part)));
-        rows.push_str(&format!(
-            "<tr><th scope=\"row\"><div>{}<span>{}</span></div></th><td class=\"n\">{}</td>\
-             <td class=\"n\">{}</td><td class=\"n\">{} to {}</td><td class=\"n\">{}</td>\
-             <td class=\"n\">{}</td><td class=\"why\">{}</td></tr>\n",
-            swatch(plot_style(name, place)),
-            label(name),
-            errors.iter().flatten().count(),
+        let numbers = [
+            errors.iter().flatten().count().to_string(),
             q(0.5),
-            q(0.1),
-            q(0.9),
+            format!("{} to {}", q(0.1), q(0.9)),
             over.map_or("–".into(), |s| percent(s.median())),
-            [verdicts("yes"), verdicts("caution"), verdicts("no")]
-                .map(|n| n.to_string())
-                .join(" / "),
-            worst.map_or("–".into(), |(i, e)| format!(
-                "{}: {}",
-                signed_percent(e),
-                escape(&summary.maps[i].0)
-            )),
-        ));
-    }
+            ["yes", "caution", "no"].map(verdicts).join(" / "),
+        ];
+        let swatch = swatch(plot_style(name, place));
+        let head = format!("<div>{swatch}<span>{}</span></div>", label(name));
+        row(&head, numbers, &why(&worst))
+    };
+    let rows: String = summary.models().into_iter().enumerate().map(line).collect();
+    let columns = "Model|#Maps|#Median|#10th–90th percentile|#Over all loads|#Yes / caution / no|Farthest off";
+    let caption = "Error of the area against the deterministic solution";
+    let table = table(r#"class="models""#, caption, columns, &rows);
     format!(
-        "<h2>Models</h2>\n<div class=\"scroll\" tabindex=\"0\"><table class=\"models\"><caption>Error of the area against the \
-         deterministic solution</caption><thead><tr><th scope=\"col\">Model</th><th scope=\"col\" \
-         class=\"n\">Maps</th><th scope=\"col\" class=\"n\">Median</th><th scope=\"col\" class=\"n\">10th–90th percentile</th><th scope=\"col\" class=\"n\">Over all loads</th><th scope=\"col\" class=\"n\">Yes / caution / no</th><th scope=\"col\">Farthest \
-         off</th></tr></thead><tbody>\n{rows}</tbody></table></div>\n<p class=\"why\">At the headline of each map; over all loads: median of the mean |error|.</p>\n"
+        "<h2>Models</h2>\n<div class=\"scroll\" tabindex=\"0\">{}</div>\n<p class=\"why\">At the headline of each map; over all loads: median of the mean |error|.</p>\n",
+        table.trim_end()
     )
 }
 
@@ -292,12 +272,9 @@ fn distributions(summary: &Summary<'_>, numbers: &mut Numbering) -> String {
         let values = summary.values(key);
         let Some(spread) = Quantiles::of(values.iter().copied().flatten()) else { continue };
         let unit = quantity.unit(&spread);
-        let unit_name = |before: &str, after: &str| {
-            if unit.name.is_empty() {
-                String::new()
-            } else {
-                format!("{before}{}{after}", unit.name)
-            }
+        let unit_name = |before: &str, after: &str| match unit.name {
+            "" => String::new(),
+            unit => format!("{before}{unit}{after}"),
         };
         if is_drawn {
             let in_unit = Quantiles::of(spread.sorted.iter().map(|v| v / unit.scale));
@@ -306,47 +283,29 @@ fn distributions(summary: &Summary<'_>, numbers: &mut Numbering) -> String {
                 values,
             }));
         }
-        let cells: String = [0.0, 0.1, 0.25, 0.5, 0.75, 0.9, 1.0]
-            .map(|part| {
-                format!(
-                    "<td class=\"n\">{}</td>",
-                    significant(spread.quantile(part) / unit.scale, 3)
-                )
-            })
-            .concat();
-        let [low, high] = spread.ends();
+        let at = |part| significant(spread.quantile(part) / unit.scale, 3);
+        let [q0, q10, q25, q50, q75, q90, q100] = [0.0, 0.1, 0.25, 0.5, 0.75, 0.9, 1.0].map(at);
+        let count = spread.sorted.len().to_string();
         let whose = |value: f64| {
             let place = values.iter().position(|v| v.is_some_and(|v| v.total_cmp(&value).is_eq()));
             place.map_or(String::new(), |i| escape(&summary.maps[i].0))
         };
-        rows.push_str(&format!(
-            "<tr><th scope=\"row\">{}{}{}{}</th><td class=\"n\">{}</td>{cells}<td class=\"why\">{} … \
-             {}</td></tr>\n",
-            name,
-            if symbol.is_empty() { "" } else { " " },
-            symbol,
-            unit_name(", ", ""),
-            spread.sorted.len(),
-            whose(low),
-            whose(high)
-        ));
+        let [low, high] = spread.ends().map(whose);
+        let head = format!("{name} {symbol}").trim_end().to_owned() + &unit_name(", ", "");
+        let numbers = [count, q0, q10, q25, q50, q75, q90, q100];
+        rows.push_str(&row(&head, numbers, &why(&format!("{low} … {high}"))));
     }
-    let figure = numbers.figure(
-        "b",
-        |key| histograms(&drawn, key),
-        "Distributions over the maps.</b> Maps per class; dashed: median. A logarithmic axis where the values span more \
-         than a factor of eight.",
+    let caption = "Distributions over the maps.</b> Maps per class; dashed: median. A logarithmic axis where the values span more \
+         than a factor of eight.";
+    let figure = wide(&numbers.figure("b", |key| histograms(&drawn, key), caption));
+    let columns = format!(
+        "Quantity|#Maps|#Lowest|#10{SPACE}%|#25{SPACE}%|#Median|#75{SPACE}%|#90{SPACE}%|#Highest|Lowest … highest are of"
     );
+    let caption = "Quantiles over the maps, contact at the headline";
+    let table = table(r#"class="over" tabindex="0""#, caption, &columns, &rows);
     format!(
-        "<h2>How the maps differ</h2>\n{}<div class=\"wide scroll\" tabindex=\"0\"><table \
-         class=\"over\" tabindex=\"0\"><caption>Quantiles over the maps, contact at the headline</caption><thead><tr><th \
-         scope=\"col\">Quantity</th><th scope=\"col\" class=\"n\">Maps</th><th scope=\"col\" \
-         class=\"n\">Lowest</th><th scope=\"col\" class=\"n\">10{SPACE}%</th><th scope=\"col\" \
-         class=\"n\">25{SPACE}%</th><th scope=\"col\" class=\"n\">Median</th><th scope=\"col\" \
-         class=\"n\">75{SPACE}%</th><th scope=\"col\" class=\"n\">90{SPACE}%</th><th scope=\"col\" \
-         class=\"n\">Highest</th><th scope=\"col\">Lowest … highest are \
-         of</th></tr></thead><tbody>\n{rows}</tbody></table></div>\n",
-        wide(&figure)
+        "<h2>How the maps differ</h2>\n{figure}<div class=\"wide scroll\" tabindex=\"0\">{}</div>\n",
+        table.trim_end()
     )
 }
 
@@ -367,40 +326,28 @@ fn to_check(summary: &Summary<'_>) -> String {
         return String::new();
     }
     kinds.sort_by_key(|k| std::cmp::Reverse(k.1));
-    let rows: String = kinds
-        .iter()
-        .map(|(_, count, claim, name)| {
-            format!(
-                "<tr><td class=\"n\">{count}</td><td>{}</td><td class=\"why\">{}</td></tr>\n",
-                escape(claim),
-                escape(name)
-            )
-        })
-        .collect();
-    format!(
-        "<h2>To be checked before use</h2>\n<table class=\"over\" tabindex=\"0\"><caption>By kind</caption><thead><tr><th \
-         scope=\"col\" class=\"n\">Maps</th><th scope=\"col\">As said of the first of them</th><th \
-         scope=\"col\">The first</th></tr></thead><tbody>\n{rows}</tbody></table>\n"
-    )
+    let line = |(_, count, claim, name): &(&str, usize, &str, &str)| {
+        let (claim, name) = (escape(claim), why(&escape(name)));
+        format!("<tr><td class=\"n\">{count}</td><td>{claim}</td>{name}</tr>\n")
+    };
+    let rows: String = kinds.iter().map(line).collect();
+    let columns = "#Maps|As said of the first of them|The first";
+    let table = table(r#"class="over" tabindex="0""#, "By kind", columns, &rows);
+    format!("<h2>To be checked before use</h2>\n{table}")
 }
 
 fn failed(summary: &Summary<'_>) -> String {
     if summary.failed.is_empty() {
         return String::new();
     }
-    let rows: String = summary
-        .failed
-        .iter()
-        .map(|(name, why)| {
-            format!("<tr><th scope=\"row\">{}</th><td>{}</td></tr>\n", escape(name), escape(why))
-        })
-        .collect();
-    format!(
-        "<h2>Files without an answer</h2>\n<table class=\"key\"><caption>{} of {}</caption><tbody>\n\
-         {rows}</tbody></table>\n",
-        summary.failed.len(),
-        summary.failed.len() + summary.maps.len()
-    )
+    let line = |(name, why): &(String, String)| {
+        row(&escape(name), [], &format!("<td>{}</td>", escape(why)))
+    };
+    let rows: String = summary.failed.iter().map(line).collect();
+    let failed = summary.failed.len();
+    let caption = format!("{failed} of {}", failed + summary.maps.len());
+    let table = table(r#"class="key""#, &caption, "", &rows);
+    format!("<h2>Files without an answer</h2>\n{table}")
 }
 
 /// Every map in a line, folded away.
@@ -408,29 +355,24 @@ fn listed(summary: &Summary<'_>) -> String {
     if summary.maps.is_empty() || summary.maps.len() > MOST_LISTED {
         return String::new();
     }
-    let row = |(name, map): &(String, &Value)| {
+    let line = |(name, map): &(String, &Value)| {
         let of =
             |key: &str, write: &dyn Fn(f64) -> String| map[key].as_f64().map_or("–".into(), write);
         let check = map["to_check"].as_u64().filter(|n| *n > 0);
-        format!(
-            "<tr><th scope=\"row\">{}</th><td class=\"n\">{}</td><td class=\"n\">{}</td>\
-             <td class=\"n\">{}</td><td class=\"n\">{}</td><td class=\"n\">{}</td></tr>\n",
-            escape(name),
+        let numbers = [
             of("rms_height", &|v| quantity(v, METRES, 3)),
             of("rms_gradient", &|v| significant(v, 2)),
             of("mean_pressure", &|v| messages::load(v, Summary::area(map))),
             of("area_fraction", &percent),
             check.map_or("–".into(), |n| n.to_string()),
-        )
+        ];
+        row(&escape(name), numbers, "")
     };
-    let rows: String = summary.maps.iter().map(row).collect();
-    format!(
-        "<details><summary>Every map in one line</summary><table class=\"over\" tabindex=\"0\"><thead><tr><th \
-         scope=\"col\">Map</th><th scope=\"col\" class=\"n\"><i>Sq</i></th><th scope=\"col\" \
-         class=\"n\"><i>Sdq</i></th><th scope=\"col\" class=\"n\">Headline</th><th scope=\"col\" \
-         class=\"n\">Area</th><th scope=\"col\" class=\"n\">To check</th></tr></thead><tbody>\n{rows}\
-         </tbody></table></details>\n"
-    )
+    let rows: String = summary.maps.iter().map(line).collect();
+    let columns = "Map|#<i>Sq</i>|#<i>Sdq</i>|#Headline|#Area|#To check";
+    let table = table(r#"class="over" tabindex="0""#, "", columns, &rows);
+    let table = table.trim_end();
+    format!("<details><summary>Every map in one line</summary>{table}</details>\n")
 }
 
 fn how_made(summary: &Summary<'_>, provenance: &Provenance) -> String {
@@ -444,7 +386,7 @@ fn how_made(summary: &Summary<'_>, provenance: &Provenance) -> String {
     };
     format!(
         "<h2>How this was made</h2>\n<dl><dt>Program</dt><dd>rough-contact {}, {}, {}, {}</dd>\n\
-         <dt>Material</dt><dd><i>E</i>* = {}, {}{}{}</dd>\n<dt>Surface</dt><dd>level: {}; edges: \
+         <dt>Material</dt><dd>{}{}{}</dd>\n<dt>Surface</dt><dd>level: {}; edges: \
          {}</dd>\n<dt>Solver</dt><dd>{solver}; area corrected for the contact line</dd></dl>\n<p>Made \
          with</p><pre>{}</pre>\n<p class=\"why\">One row for each file is in <code>table.csv</code>, complete \
          results in <code>results.json</code>. <code>compare</code> with one of the files alone writes its \
@@ -453,8 +395,7 @@ fn how_made(summary: &Summary<'_>, provenance: &Provenance) -> String {
         escape(&provenance.platform),
         counted(settings.threads, "thread"),
         duration(summary.seconds),
-        chosen(settings.modulus, PASCALS),
-        bodies_words(&settings.bodies),
+        bodies_words(settings),
         hardness_words(settings).map_or(String::new(), |words| format!("; {words}")),
         materials_words(settings),
         level_words(settings.level),

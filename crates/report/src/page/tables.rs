@@ -3,33 +3,34 @@
 use crate::draw::palette::{DETERMINISTIC_STYLE, Stroke, Style};
 use crate::draw::svg::{Canvas, escape};
 use crate::lines::{ELASTIC, Reference, references};
-use crate::messages;
+use crate::messages::{self, reason_of};
 use crate::numbers::{
-    AREAS, METRES, PASCALS, SPACE, chosen, duration, quantity, signed_percent, signed_range,
-    significant,
+    AREAS, METRES, NEWTONS, PASCALS, SPACE, chosen, duration, quantity, signed_percent,
+    signed_range, significant, unit_for,
 };
-use crate::page::context::ReportPage;
 use crate::page::how_made::modulus_in_head;
-use crate::page::phrases::{key_table, load_words};
+use crate::page::shared::{DETERMINISTIC, Numbering, ReportPage, key_table, table};
 use crate::plot_styles::{inputs_html, plot_style};
-use crate::sources::DETERMINISTIC;
-use contact_compare::{Applies, ModelComparison, SurfaceComparison, elastic_limit, is_steep};
-use contact_types::{ContactState, ModelError};
+use contact_compare::{Applies, Card, ModelComparison, SurfaceComparison, elastic_limit, is_steep};
+use contact_types::{Citation, ContactState, ModelError};
 
 /// What the answer holds for, and the ways to it: terms with a value and a note.
 pub(crate) fn key_numbers(page: &ReportPage<'_>, surface: &SurfaceComparison) -> String {
     let mut rows: Vec<[String; 3]> = Vec::new();
-    for r in surface.conducted(surface.headline).iter().flat_map(messages::conduction::resistances)
-    {
+    let conducted = surface.conducted(surface.headline);
+    for (name, value, spot) in conducted.iter().flat_map(messages::conduction::resistances) {
         let area = surface.conduction.as_ref().and_then(|c| c.joint.area);
         let of = area.map_or_else(String::new, |area| format!("of {}", quantity(area, AREAS, 3)));
-        let beside = r.beside().map_or_else(String::new, |words| format!("; {words}"));
-        rows.push([r.name.into(), r.value, of + &beside]);
+        let beside = spot.map_or_else(String::new, |spot| format!("; one spot (Holm) {spot}"));
+        rows.push([name.into(), value, of + &beside]);
     }
     let settings = &page.comparison.settings;
     rows.extend(settings.leak.iter().flat_map(|asked| messages::leak::key_rows(asked, surface)));
-    let (force, product) = load_words(surface);
-    rows.push(["Load".into(), force, product]);
+    let (p, nominal) = (surface.headline_pressure(), surface.nominal_area());
+    let side = unit_for(nominal.sqrt(), METRES);
+    let area = significant(nominal / side.scale.powi(2), 3);
+    let product = format!("{} × {area}{SPACE}{}²", chosen(p, PASCALS), side.name);
+    rows.push(["Load".into(), quantity(p * nominal, NEWTONS, 3), product]);
     let hardness = surface.inputs.hardness.map(|h| format!("<i>H</i> = {}", chosen(h, PASCALS)));
     let limit = elastic_limit(surface).map(|limit| {
         format!("elastic; within 2{SPACE}% for <i>H</i> ≥ {}", quantity(limit, PASCALS, 2))
@@ -81,25 +82,26 @@ pub(crate) fn swatch(look: Style) -> String {
     let mut canvas = Canvas::default();
     canvas.line([1.0, 6.0], [33.0, 6.0], Stroke { width: 1.2 * look.width, ..look.stroke() });
     canvas.marker([17.0, 6.0], 3.0, look);
-    format!(
-        "<svg viewBox=\"0 0 34 12\" width=\"34\" height=\"12\" aria-hidden=\"true\">{}</svg>",
-        canvas.body()
-    )
+    let line = canvas.body;
+    format!(r#"<svg viewBox="0 0 34 12" width="34" height="12" aria-hidden="true">{line}</svg>"#)
+}
+
+/// The head of the row of a model: its line, its name, what it is made of.
+pub(crate) fn model_head(card: &Card, place: usize) -> String {
+    let (line, title) = (swatch(plot_style(&card.name, place)), escape(&card.title));
+    let inputs = inputs_html(card);
+    format!("<th scope=\"row\"><div>{line}<span>{title}<small>{inputs}</small></span></div></th>")
 }
 
 pub(crate) fn applies(answer: Applies, reason: &str) -> String {
     format!("<b class=\"{0}\">{0}</b> {1}", answer.word(), escape(reason))
 }
 
-/// Every model: number, error, cost, domain with its reason, source.
 pub(crate) fn models(page: &mut ReportPage<'_>, surface: &SurfaceComparison) -> String {
     let p = messages::headline_load(surface);
     let loads = &surface.deterministic;
-    let range = format!(
-        "{} to {}",
-        messages::load(loads[0].mean_pressure, surface.load_area),
-        messages::load(loads[loads.len() - 1].mean_pressure, surface.load_area)
-    );
+    let [lightest, heaviest] = [&loads[0], &loads[loads.len() - 1]]
+        .map(|point| messages::load(point.mean_pressure, surface.load_area));
     // Each theory stands below the solution for the bodies it is about.
     let mut rows = String::new();
     for mut reference in references(surface) {
@@ -114,16 +116,15 @@ pub(crate) fn models(page: &mut ReportPage<'_>, surface: &SurfaceComparison) -> 
         }
     }
     let k = if loads.len() > 1 { " data-k=\"load\"" } else { "" };
-    format!(
-        "<table class=\"models\"><thead><tr><th scope=\"col\">Model</th><th scope=\"col\" \
-         class=\"n\">Area at <span{k}>{p}</span></th><th scope=\"col\" class=\"n\">Error</th>\
-         <th scope=\"col\" class=\"n\">Error,<br>{range}</th><th scope=\"col\" class=\"n\">Time, once<br>+ per load</th><th scope=\"col\">Applies?</th><th scope=\"col\" class=\"n\">Ref.</th></tr></thead><tbody>\n{rows}\
-         </tbody></table>\n"
-    )
+    let columns = format!(
+        "Model|#Area at <span{k}>{p}</span>|#Error|#Error,<br>{lightest} to {heaviest}|#Time, once<br>+ per load|Applies?|#Ref."
+    );
+    table(r#"class="models""#, "", &columns, &rows)
 }
 
-fn cited(page: &mut ReportPage<'_>, citation: contact_types::Citation) -> String {
-    let n = page.numbers.source(citation);
+/// A cell with the number of a source.
+pub(crate) fn cited(numbers: &mut Numbering, citation: Citation) -> String {
+    let n = numbers.source(citation);
     format!("<td data-l=\"Ref.\" class=\"n src\"><a href=\"#r{n}\">{n}</a></td>")
 }
 
@@ -134,7 +135,7 @@ fn deterministic_row(
 ) -> String {
     let (points, of_elastic) = (reference.points, reference.of == ELASTIC);
     let answer = points.get(surface.headline).and_then(|p| p.answer.as_ref());
-    let source = cited(page, DETERMINISTIC);
+    let source = cited(&mut page.numbers, DETERMINISTIC);
     let k = match (points.len() > 1, of_elastic) {
         (false, _) => "",
         (true, false) => " data-k=\"a-det\"",
@@ -169,27 +170,20 @@ fn model_row(
     place: usize,
 ) -> String {
     let card = &model.card;
-    let source = cited(page, card.citation.clone());
+    let source = cited(&mut page.numbers, card.citation.clone());
     let several = surface.deterministic.len() > 1;
     let series = escape(&card.name);
-    let name = format!(
-        "<th scope=\"row\"><div>{}<span>{}<small>{}</small></span></div></th>",
-        swatch(plot_style(&card.name, place)),
-        escape(&card.title),
-        inputs_html(card)
-    );
+    let name = model_head(card, place);
+    let reason = reason_of(card, &model.verdict);
     let domain = format!(
         "<td data-l=\"Applies\" class=\"dom\">{}</td>",
-        applies(model.verdict.answer, &messages::reason(model))
+        applies(model.verdict.answer, &reason)
     );
     let Ok(curve) = &model.outcome else {
         let dash = |l: &str| format!("<td data-l=\"{l}\" class=\"n\">–</td>");
+        let dashes = ["Area", "Error at load", "Error, all loads", "Time"].map(dash).concat();
         return format!(
-            "<tr class=\"na\" data-m=\"{series}\">{name}{}{}{}{}{domain}{source}</tr>\n",
-            dash("Area"),
-            dash("Error at load"),
-            dash("Error, all loads"),
-            dash("Time")
+            "<tr class=\"na\" data-m=\"{series}\">{name}{dashes}{domain}{source}</tr>\n"
         );
     };
     let key = |prefix: &str| {

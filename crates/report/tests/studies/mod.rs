@@ -4,7 +4,7 @@
 use contact_compare::{
     Comparison, FileOrigin, Origin, Registry, Settings, Surface, built_in_recipes,
 };
-use contact_report::{Provenance, write_html};
+use contact_report::{Provenance, documents};
 use contact_types::{Grid, HeightMap};
 use std::ops::ControlFlow;
 use std::sync::OnceLock;
@@ -16,14 +16,10 @@ pub fn run(surfaces: Vec<Surface>, settings: Settings) -> Comparison {
 
 /// The built-in surfaces on 96 x 96 points.
 pub fn small(names: &[&str]) -> Vec<Surface> {
-    built_in_recipes()
-        .into_iter()
-        .filter(|r| names.contains(&r.name.as_str()))
-        .map(|mut recipe| {
-            recipe.shape = [96, 96];
-            recipe.make().unwrap()
-        })
-        .collect()
+    let mut recipes = built_in_recipes().unwrap();
+    recipes.retain(|r| names.contains(&r.name.as_str()));
+    recipes.iter_mut().for_each(|recipe| recipe.shape = [96, 96]);
+    recipes.iter().map(|recipe| recipe.make().unwrap()).collect()
 }
 
 pub fn one() -> &'static Comparison {
@@ -55,17 +51,10 @@ pub fn hostile() -> &'static Comparison {
             HeightMap::from_fn(grid, |y, x| 1e-7 * ((3e5 * x).sin() + (2e5 * y).cos()) + 1e-3 * x)
                 .unwrap();
         let name = "</script><b>\"&'.x3p".to_owned();
-        let file = FileOrigin {
-            path: name.clone(),
-            fill: "harmonic".into(),
-            missing: 300,
-            ..FileOrigin::default()
-        };
-        let pressures = Some(vec![1e5, 1e7, 1e8]);
-        run(
-            vec![Surface { name, origin: Origin::File(file), heights }],
-            Settings { pressures, ..Settings::default() },
-        )
+        let (path, fill) = (name.clone(), "harmonic".into());
+        let file = FileOrigin { path, fill, missing: 300, ..FileOrigin::default() };
+        let surface = Surface { name, origin: Origin::File(file), heights };
+        run(vec![surface], Settings { pressures: Some(vec![1e5, 1e7, 1e8]), ..Settings::default() })
     })
 }
 
@@ -97,13 +86,12 @@ pub fn provenance() -> Provenance {
     }
 }
 
-/// What a writer writes.
-pub fn text<E: std::fmt::Debug>(write: impl FnOnce(&mut Vec<u8>) -> Result<(), E>) -> String {
-    let mut out = Vec::new();
-    write(&mut out).unwrap();
-    String::from_utf8(out).unwrap()
+/// The text of a file of a study.
+pub fn file(comparison: &Comparison, name: &str) -> String {
+    let files = documents(comparison, &provenance());
+    files.into_iter().find(|f| f.0 == name).unwrap().1
 }
 
 pub fn html(comparison: &Comparison) -> String {
-    text(|out| write_html(comparison, &provenance(), out))
+    file(comparison, "report.html")
 }

@@ -4,10 +4,10 @@
 use contact_compare::find;
 use std::error::Error;
 use std::fmt::Write as _;
-use std::fs::{self, File};
+use std::fs;
 use std::path::Path;
-use studies::figures::{write_tradeoff_area, write_tradeoff_pressure};
-use studies::tradeoff::{AreaOf, TradeoffRow, TradeoffTable, Way, is, ways};
+use studies::figures::{tradeoff_area, tradeoff_pressure};
+use studies::tradeoff::{AreaOf, PAIR, STATISTICS, TradeoffRow, TradeoffTable, Way, is, ways};
 
 /// Errors a reader may want to stay below.
 const WANTED: [f64; 6] = [0.5, 0.3, 0.15, 0.05, 0.025, 0.015];
@@ -16,8 +16,8 @@ const WANTED: [f64; 6] = [0.5, 0.3, 0.15, 0.05, 0.025, 0.015];
 pub(crate) fn write(table: &Path, folder: &Path) -> Result<(), Box<dyn Error>> {
     let table = TradeoffTable::parse(&fs::read_to_string(table)?)?;
     fs::create_dir_all(folder)?;
-    write_tradeoff_area(&table, &mut File::create(folder.join("tradeoff-area.svg"))?)?;
-    write_tradeoff_pressure(&table, &mut File::create(folder.join("tradeoff-pressure.svg"))?)?;
+    fs::write(folder.join("tradeoff-area.svg"), tradeoff_area(&table))?;
+    fs::write(folder.join("tradeoff-pressure.svg"), tradeoff_pressure(&table))?;
     fs::write(folder.join("tradeoff.md"), page(&table))?;
     Ok(())
 }
@@ -268,11 +268,7 @@ mod tests {
             assert!(page.contains(word), "{word} is not in\n{page}");
         }
         assert!(!page.contains("NaN") && !page.contains("inf"), "{page}");
-        let [mut area, mut pressure] = [Vec::new(), Vec::new()];
-        write_tradeoff_area(&table, &mut area).unwrap();
-        write_tradeoff_pressure(&table, &mut pressure).unwrap();
-        for svg in [area, pressure] {
-            let svg = String::from_utf8(svg).unwrap();
+        for svg in [tradeoff_area(&table), tradeoff_pressure(&table)] {
             assert!(svg.contains("<svg") && !svg.contains("NaN"), "{svg}");
         }
     }
