@@ -2,7 +2,7 @@
 
 use crate::failure::Failure;
 use contact_compare::{Comparison, ProfileComparison, RunFile};
-use contact_report::{Provenance, ReportError};
+use contact_report::Provenance;
 use grid_fft::parallel;
 
 /// Names of the documents, in the order in which they are written.
@@ -24,6 +24,12 @@ fn figure_name(figure: &str, index: usize, count: usize) -> String {
     if count == 1 { format!("{figure}.svg") } else { format!("{figure}-{}.svg", index + 1) }
 }
 
+type Unmade = Box<dyn std::error::Error + Send + Sync>;
+
+fn failure(error: &Unmade) -> Failure {
+    Failure::incomplete("output", error.to_string())
+}
+
 /// The documents of studies of profiles by name.
 ///
 /// # Errors
@@ -33,24 +39,27 @@ pub fn profile_documents(
     provenance: &Provenance,
     run_file: &RunFile,
 ) -> Result<Vec<(String, Vec<u8>)>, Failure> {
-    let unmade = |e: &dyn std::fmt::Display| Failure::incomplete("output", e.to_string());
-    let mut made = Vec::new();
-    let mut out = Vec::new();
-    contact_report::write_profile_html(studies, provenance, &mut out).map_err(|e| unmade(&e))?;
-    made.push(("report.html".to_owned(), std::mem::take(&mut out)));
-    let json = contact_report::profile_comparison_json(studies, provenance);
-    made.push(("results.json".to_owned(), format!("{json:#}\n").into_bytes()));
-    contact_report::write_profile_csv(studies, &mut out).map_err(|e| unmade(&e))?;
-    made.push(("curves.csv".to_owned(), std::mem::take(&mut out)));
-    for (i, study) in studies.iter().enumerate() {
-        contact_report::write_profile_area_svg(study, &mut out).map_err(|e| unmade(&e))?;
-        made.push((figure_name("area", i, studies.len()), std::mem::take(&mut out)));
-        contact_report::write_profile_trace_svg(study, &mut out).map_err(|e| unmade(&e))?;
-        made.push((figure_name("trace", i, studies.len()), std::mem::take(&mut out)));
-    }
-    let text = run_file.to_toml().map_err(|e| unmade(&e))?;
-    made.push(("run.toml".to_owned(), text.into_bytes()));
-    Ok(made)
+    let all = || -> Result<_, Unmade> {
+        let mut made = Vec::new();
+        let mut page = Vec::new();
+        contact_report::write_profile_html(studies, provenance, &mut page)?;
+        made.push(("report.html".to_owned(), page));
+        let json = contact_report::profile_comparison_json(studies, provenance);
+        made.push(("results.json".to_owned(), format!("{json:#}\n").into_bytes()));
+        let mut table = Vec::new();
+        contact_report::write_profile_csv(studies, &mut table)?;
+        made.push(("curves.csv".to_owned(), table));
+        for (i, study) in studies.iter().enumerate() {
+            let [mut area, mut trace] = [Vec::new(), Vec::new()];
+            contact_report::write_profile_area_svg(study, &mut area)?;
+            contact_report::write_profile_trace_svg(study, &mut trace)?;
+            made.push((figure_name("area", i, studies.len()), area));
+            made.push((figure_name("trace", i, studies.len()), trace));
+        }
+        made.push(("run.toml".to_owned(), run_file.to_toml()?.into_bytes()));
+        Ok(made)
+    };
+    all().map_err(|e| failure(&e))
 }
 
 /// The documents of a study by name.
@@ -62,29 +71,18 @@ pub fn documents(
     provenance: &Provenance,
     run_file: &RunFile,
 ) -> Result<Vec<(&'static str, Vec<u8>)>, Failure> {
-    let unmade = |e: &dyn std::fmt::Display| Failure::incomplete("output", e.to_string());
-    let made = |name| -> Result<Vec<u8>, Failure> {
-        let (mut out, failed) = (Vec::new(), |e: ReportError| unmade(&e));
+    let made = |name| -> Result<Vec<u8>, Unmade> {
+        let mut out = Vec::new();
         match name {
-            "report.html" => {
-                contact_report::write_html(comparison, provenance, &mut out).map_err(failed)?;
-            }
-            "results.json" => {
-                contact_report::write_json(comparison, provenance, &mut out).map_err(failed)?;
-            }
-            "curves.csv" => {
-                contact_report::write_csv(comparison, &mut out).map_err(|e| unmade(&e))?;
-            }
-            "area.svg" => {
-                contact_report::write_area_svg(comparison, &mut out).map_err(|e| unmade(&e))?;
-            }
-            "pressure.svg" => {
-                contact_report::write_pressure_svg(comparison, &mut out).map_err(|e| unmade(&e))?;
-            }
-            _ => out = run_file.to_toml().map_err(|e| unmade(&e))?.into_bytes(),
+            "report.html" => contact_report::write_html(comparison, provenance, &mut out)?,
+            "results.json" => contact_report::write_json(comparison, provenance, &mut out)?,
+            "curves.csv" => contact_report::write_csv(comparison, &mut out)?,
+            "area.svg" => contact_report::write_area_svg(comparison, &mut out)?,
+            "pressure.svg" => contact_report::write_pressure_svg(comparison, &mut out)?,
+            _ => out = run_file.to_toml()?.into_bytes(),
         }
         Ok(out)
     };
-    let all = parallel::map(&DOCUMENTS, |name| Ok((*name, made(name)?)));
+    let all = parallel::map(&DOCUMENTS, |name| Ok((*name, made(name).map_err(|e| failure(&e))?)));
     all.into_iter().collect()
 }

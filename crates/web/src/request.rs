@@ -140,7 +140,7 @@ pub(crate) struct Facts {
 
 /// A number as people type it: with a point or a comma.
 pub(crate) fn parse(text: &str, dimension: Dimension) -> Result<f64, Failure> {
-    quantity::parse(&text.trim().replace(',', "."), dimension).map_err(|e| Failure::from_error(&e))
+    quantity::parse(&text.trim().replace(',', "."), dimension)
 }
 
 /// The same of a field that may be empty.
@@ -207,7 +207,7 @@ fn named<T: Named>(what: &str, name: Option<&str>) -> Result<Option<T>, Failure>
 }
 
 fn unit(text: Option<&str>) -> Result<Option<f64>, Failure> {
-    text.map(quantity::parse_length_unit).transpose().map_err(|e| Failure::from_error(&e))
+    text.map(quantity::parse_length_unit).transpose()
 }
 
 impl Remedies {
@@ -295,9 +295,7 @@ impl Request {
         &self,
         of_map: f64,
     ) -> Result<(Option<Vec<f64>>, Option<f64>), Failure> {
-        let list = |dimension| {
-            quantity::parse_list(&self.load.list, dimension).map_err(|e| Failure::from_error(&e))
-        };
+        let list = |dimension| quantity::parse_list(&self.load.list, dimension);
         Ok(match self.load.by {
             LoadBy::Auto => (None, None),
             LoadBy::Pressure => (Some(list(Dimension::Pressure)?), None),

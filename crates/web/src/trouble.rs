@@ -114,7 +114,7 @@ impl Trouble {
                 "",
                 vec!["Look at the data-quality warnings.", "Change the bodies or the loads."],
             ),
-            Self::Refused(failure) if failure.kind() == "internal" => {
+            Self::Refused(failure) if failure.kind == "internal" => {
                 words("The page asked wrongly; that is a bug.", "", vec![])
             }
             Self::Refused(_) => {
@@ -126,12 +126,12 @@ impl Trouble {
     /// Tells it.
     pub(crate) fn tell(&self, place: Host, out: &mut Messages<'_>) {
         let (failure, words) = (self.failure(), self.words(place));
-        let text = if words.text.is_empty() { capital(failure.message()) } else { words.text };
+        let text = if words.text.is_empty() { capital(&failure.message) } else { words.text };
         out.tell(
             "error",
             json!({
                 "heading": words.heading, "text": text, "ways": words.ways,
-                "detail": format!("{}: {}", failure.kind(), failure.message()), "failure": failure.json(),
+                "detail": format!("{}: {}", failure.kind, failure.message), "failure": failure.json(),
             }),
         );
     }
