@@ -39,7 +39,7 @@ pub struct ProfileSurface {
 
 impl ProfileSurface {
     /// How statistics of it are taken in a study.
-    pub(crate) fn options(&self, settings: &Settings) -> ProfileOptions {
+    pub fn options(&self, settings: &Settings) -> ProfileOptions {
         let (short, cutoff, height_step) = match &self.origin {
             Origin::File(file) => {
                 (file.cleaning.s_filter, file.cleaning.l_filter, file.height_step)

@@ -122,7 +122,7 @@ impl Settings {
     }
 
     /// What is asked of the conduction.
-    pub(crate) fn joint(&self) -> Joint {
+    pub fn joint(&self) -> Joint {
         Joint {
             resistivities: self.resistivities,
             conductivities: self.conductivities,
@@ -133,7 +133,7 @@ impl Settings {
     }
 
     /// The solver that is asked for, of bodies that yield if a hardness is given.
-    pub(crate) fn solver(&self) -> SolverBuilder {
+    pub fn solver(&self) -> SolverBuilder {
         self.elastic_solver().hardness(self.hardness.unwrap_or(f64::INFINITY))
     }
 

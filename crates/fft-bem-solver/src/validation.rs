@@ -24,6 +24,7 @@ impl Default for Options {
 
 /// One number of one case on one grid.
 #[derive(Debug, Clone, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize))]
 pub struct ValidationRow {
     /// The problem, for example "Hertz sphere, free boundary".
     pub case: &'static str,

@@ -1,7 +1,7 @@
 //! The two bodies: contact modulus and hardness of what was given of them, numbers or names of the table of materials.
 
 use crate::failure::Failure;
-use contact_compare::{Body, Inputs, Listed, Material, MaterialUse, Property, material};
+use contact_compare::{Body, Material, MaterialUse, Property, material};
 use contact_types::{ContactModulus, Elastic, SurfaceError};
 use serde::{Deserialize, Serialize};
 
@@ -47,22 +47,6 @@ pub struct Bodies {
 }
 
 impl Bodies {
-    /// Bodies of which nothing is known but the hardness of the softer one (Pa): those of a theory without elasticity.
-    pub fn rigid(hardness: Option<f64>) -> Self {
-        let modulus = ContactModulus::RIGID;
-        Self { modulus, bodies: Vec::new(), hardness, materials: Vec::new() }
-    }
-
-    /// With what no roughness says.
-    #[must_use]
-    pub fn add(&self, inputs: Inputs) -> Inputs {
-        Inputs {
-            hardness: self.hardness,
-            poisson: contact_compare::poisson(&self.bodies),
-            ..inputs
-        }
-    }
-
     /// A number of both bodies out of the table, noted as taken.
     ///
     /// # Errors
@@ -104,59 +88,46 @@ impl BothBodies {
             .iter()
             .map(|body| body.material.as_deref().map(known).transpose())
             .collect::<Result<_, _>>()?;
-        let bodies = match self.modulus {
-            Some(_) => Vec::new(),
-            None => self
-                .bodies
-                .iter()
-                .zip(&listed)
-                .map(|(body, listed)| body.elastic(*listed))
-                .collect::<Result<Vec<_>, _>>()?,
+        let each = || self.bodies.iter().zip(listed.iter().copied());
+        let (modulus, bodies) = match self.modulus {
+            Some(pascals) => (of_modulus(pascals)?, Vec::new()),
+            None if self.bodies.is_empty() => return Ok(None),
+            None => {
+                let bodies = each().map(|(body, listed)| body.elastic(listed));
+                let bodies = bodies.collect::<Result<Vec<_>, _>>()?;
+                (contact_modulus(&bodies)?, bodies)
+            }
         };
-        let modulus = match self.modulus {
-            Some(pascals) => of_modulus(pascals)?,
-            None if bodies.is_empty() => return Ok(None),
-            None => contact_modulus(&bodies)?,
-        };
-        let softest = self.softest(&listed).filter(|_| !self.elastic && self.hardness.is_none());
-        let of_table = softest.filter(|(i, _)| self.bodies[*i].hardness.is_none());
-        let used = |(i, (body, listed)): (usize, (&BodyInput, Option<&Material>))| {
+        // Whichever yields first, of those whose hardness is known.
+        let of_table = |m: Option<&Material>| Some(m?.get(Property::Hardness)?.value);
+        let known = each().enumerate().filter_map(|(i, (body, listed))| {
+            Some((i, body.hardness.or_else(|| of_table(listed))?))
+        });
+        let softest = known.min_by(|a, b| a.1.total_cmp(&b.1));
+        let softest = softest.filter(|_| !self.elastic && self.hardness.is_none());
+        let used = each().enumerate().filter_map(|(i, (body, listed))| {
             let elastic = [(Property::Young, body.young), (Property::Poisson, body.poisson)];
-            let of_modulus = self.modulus.is_none();
-            let taken = elastic.into_iter().filter(|(_, own)| of_modulus && own.is_none());
-            let hardness = of_table.is_some_and(|(softest, _)| softest == i);
-            let taken = taken.map(|(p, _)| p).chain(hardness.then_some(Property::Hardness));
-            listed.map(|m| MaterialUse { name: m.name.to_owned(), taken: taken.collect() })
-        };
+            let elastic = elastic.into_iter().filter(|(_, own)| own.or(self.modulus).is_none());
+            let yields =
+                body.hardness.is_none() && softest.is_some_and(|(softest, _)| softest == i);
+            let taken = elastic.map(|(property, _)| property);
+            let taken = taken.chain(yields.then_some(Property::Hardness)).collect();
+            Some(MaterialUse { name: listed?.name.to_owned(), taken })
+        });
         Ok(Some(Bodies {
             modulus,
-            hardness: self.hardness.filter(|_| !self.elastic).or(softest.map(|(_, h)| h)),
-            materials: self
-                .bodies
-                .iter()
-                .zip(listed.iter().copied())
-                .enumerate()
-                .filter_map(used)
-                .collect(),
             bodies,
+            hardness: self.hardness.filter(|_| !self.elastic).or(softest.map(|(_, h)| h)),
+            materials: used.collect(),
         }))
-    }
-
-    /// Whichever yields first, of those whose hardness is known (Pa).
-    fn softest(&self, listed: &[Option<&Material>]) -> Option<(usize, f64)> {
-        let of_table = |m: Option<&Material>| m.and_then(|m| m.get(Property::Hardness)).map(value);
-        let each = self.bodies.iter().zip(listed.iter().copied()).enumerate();
-        let known = each.filter_map(|(i, (b, m))| Some((i, b.hardness.or_else(|| of_table(m))?)));
-        known.min_by(|a, b| a.1.total_cmp(&b.1))
     }
 }
 
 impl BodyInput {
-    /// E and ν.
     fn elastic(&self, listed: Option<&Material>) -> Result<Body, Failure> {
         let number = |own: Option<f64>, property| match (own, listed) {
             (Some(own), _) => Ok(own),
-            (None, Some(m)) => m.get(property).map(value).ok_or_else(|| missing(m, property)),
+            (None, Some(m)) => m.get(property).map(|l| l.value).ok_or_else(|| missing(m, property)),
             (None, None) => {
                 let message = format!("a body needs a material, or its {}", name_of(property));
                 Err(Failure::refused("material", message))
@@ -169,11 +140,11 @@ impl BodyInput {
     }
 }
 
-fn value(listed: &Listed) -> f64 {
-    listed.value
-}
-
-fn known(name: &str) -> Result<&'static Material, Failure> {
+/// The material of this name.
+///
+/// # Errors
+/// [`Failure`] of a name that is not in the table, with those near it.
+pub fn known(name: &str) -> Result<&'static Material, Failure> {
     material(name).map_err(|near| {
         let near = near.join(", ");
         Failure::refused(
@@ -238,63 +209,5 @@ fn failure(error: &SurfaceError) -> Failure {
             Failure::refused("material", message)
         }
         other => Failure::from_error(other),
-    }
-}
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-
-    fn of(names: &[&str]) -> BothBodies {
-        let body =
-            |name: &&str| BodyInput { material: Some((*name).to_owned()), ..BodyInput::default() };
-        BothBodies { bodies: names.iter().map(body).collect(), ..BothBodies::default() }
-    }
-
-    fn solved(given: &BothBodies) -> Bodies {
-        given.resolve().expect("bodies").expect("given")
-    }
-
-    /// HV of annealed copper is 369 MPa over the area of the pyramid; steel 304 is three times as hard.
-    #[test]
-    fn the_hardness_of_the_softer_material_is_taken() {
-        let both = solved(&of(&["steel-304", "copper"]));
-        let softer = 369e6 / 68f64.to_radians().sin();
-        assert!((both.hardness.expect("known") / softer - 1.0).abs() < 1e-9);
-        assert!(!both.materials[0].taken.contains(&Property::Hardness));
-        assert!(both.materials[1].taken.contains(&Property::Hardness));
-        // Without a Poisson's ratio no modulus, but a modulus of one's own leaves the hardness.
-        assert!(of(&["pmma"]).resolve().is_err());
-        let own = solved(&BothBodies { modulus: Some(1e11), ..of(&["copper"]) });
-        assert!(own.hardness == both.hardness && own.bodies.is_empty());
-    }
-
-    #[test]
-    fn own_numbers_come_before_the_table() {
-        let mut given = of(&["copper"]);
-        given.bodies[0].hardness = Some(1e9);
-        given.bodies[0].young = Some(130e9);
-        let own = solved(&given);
-        assert_eq!((own.hardness, own.bodies[0].young), (Some(1e9), 130e9));
-        assert_eq!(own.materials[0].taken, [Property::Poisson]);
-        let both = solved(&BothBodies { hardness: Some(3e9), ..given.clone() });
-        assert_eq!(both.hardness, Some(3e9));
-        let elastic = BothBodies { elastic: true, ..given };
-        assert_eq!(solved(&elastic).hardness, None);
-        for wrong in [0.0, -1.0, f64::NAN, f64::INFINITY] {
-            let wrong = BothBodies { hardness: Some(wrong), ..of(&["copper"]) };
-            assert!(wrong.resolve().is_err(), "{wrong:?}");
-        }
-        assert_eq!(BothBodies::default().resolve(), Ok(None));
-    }
-
-    #[test]
-    fn a_number_of_both_is_noted_where_it_was_taken() {
-        let mut both = solved(&of(&["steel-304", "copper"]));
-        assert_eq!(both.of_both(Property::Conductivity), Ok([16.2, 394.0]));
-        assert!(both.materials.iter().all(|m| m.taken.contains(&Property::Conductivity)));
-        assert!(solved(&of(&["copper"])).of_both(Property::Conductivity).is_err());
-        let error = solved(&of(&["steel-100cr6", "copper"])).of_both(Property::Resistivity);
-        assert!(error.is_err_and(|e| e.message().contains("resistivity of steel-100cr6")));
     }
 }

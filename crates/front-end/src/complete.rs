@@ -1,30 +1,30 @@
-//! From a measurement to a complete map: cleaned, then filled, with what was done to it.
+//! From a measurement to a surface: cleaned, then filled, with what was done to it.
 
 use crate::failure::Failure;
-use contact_compare::{Cleaning, CleaningError};
-use contact_types::HeightMap;
-use surface_io::{Fill, FillError, Measurement};
+use contact_compare::{
+    Cleaning, CleaningError, FileOrigin, Origin, ProfileSurface, Surface, Unevenness,
+};
+use contact_types::Named;
+use std::path::Path;
+use surface_io::{Fill, FillError, HeightUnit, Measurement, ReadOptions};
 use surface_stats::clean::{self, Record};
+use surface_stats::profile::Trace;
 use surface_stats::{Edges, StatsError, height_step};
 
-/// A surface without missing points, and what was done to it.
+/// A surface that is asked about.
 #[derive(Debug)]
-pub struct Complete {
-    /// The heights.
-    pub map: HeightMap,
-    /// Points that were filled, spikes among them.
-    pub missing: usize,
-    /// What each step of cleaning did.
+pub struct Subject<'a> {
+    /// Name in front of what is refused.
+    pub path: &'a Path,
+    /// Before it is levelled.
+    pub surface: Surface,
+    /// Steps of cleaning; none of a pair, whose bodies say their own.
     pub cleaned: Vec<Record>,
-    /// Height step of the data as measured, if they have one and it is still in the heights (m).
-    pub height_step: Option<f64>,
-    /// Name of the format it was read from.
-    pub format: String,
-    /// `[y0, x0, ny, nx]` of the part that was cut out of the file, if one was.
-    pub crop: Option<[usize; 4]>,
+    /// The rule that missing points were filled by.
+    pub fill: &'a str,
 }
 
-/// Why a measurement gives no complete map. How to mend it is said by who asked: the names of options differ.
+/// Why a measurement gives no surface. How to mend it is said by who asked: the names of options differ.
 #[derive(Debug, Clone, thiserror::Error)]
 pub enum Incomplete {
     /// A single line of points, or a single point.
@@ -60,38 +60,105 @@ impl Incomplete {
     }
 }
 
-/// A complete map of a measurement that is no profile.
+/// How a file is read, and the rule by which its missing points are filled.
+///
+/// # Errors
+/// [`Failure`] of a name that is no choice.
+pub fn reading(file: &FileOrigin) -> Result<(ReadOptions, Fill), Failure> {
+    let options = ReadOptions {
+        channel: file.channel.clone(),
+        pixel: file.pixel,
+        lateral_unit: file.lateral_unit,
+        height_unit: match file.override_height_unit {
+            Some(metres) => Some(HeightUnit::Always(metres)),
+            None => file.height_unit.map(HeightUnit::IfSilent),
+        },
+        layout: file.layout.as_deref().map(|name| choice("layout", name)).transpose()?,
+        decimal: file.decimal.as_deref().map(|name| choice("decimal", name)).transpose()?,
+        missing: file.missing_marks.clone(),
+        ..ReadOptions::default()
+    };
+    Ok((options, choice("fill", &file.fill)?))
+}
+
+fn choice<T: Named>(key: &str, name: &str) -> Result<T, Failure> {
+    T::of_name(name).ok_or_else(|| {
+        let names = T::all().map(T::name).collect::<Vec<_>>().join(", ");
+        Failure::refused("setting", format!("{key} = \"{name}\" is none of {names}"))
+    })
+}
+
+/// A complete map of a measurement that is no profile. `file` says how it was read and is to be cleaned.
 ///
 /// # Errors
 /// [`Incomplete`].
 pub fn complete(
     measurement: Measurement,
-    cleaning: Cleaning,
+    mut file: FileOrigin,
     fill: Fill,
-) -> Result<Complete, Incomplete> {
+) -> Result<Surface, Incomplete> {
     let [ny, nx] = measurement.grid().shape();
     if ny < 2 || nx < 2 {
         return Err(Incomplete::Line([ny, nx]));
     }
-    let (format, crop) = (measurement.format().name().to_owned(), measurement.cropped());
+    measurement.format().name().clone_into(&mut file.format);
+    (file.crop, file.fill) = (measurement.cropped(), fill.name().to_owned());
     // Neither a removed form nor filled points take the steps away; only smoothing does.
-    let kept = cleaning.s_filter.is_none();
-    let height_step = kept.then(|| height_step(measurement.heights())).flatten();
-    let (measurement, cleaned) = clean(measurement, cleaning)?;
-    let missing = measurement.missing();
-    let spikes = spikes(&cleaned);
-    if fill == Fill::Refuse && spikes > 0 && missing == spikes {
+    let kept = file.cleaning.s_filter.is_none();
+    file.height_step = kept.then(|| height_step(measurement.heights())).flatten();
+    let (measurement, cleaned) = clean(measurement, file.cleaning)?;
+    (file.missing, file.cleaned) = (measurement.missing(), cleaned);
+    let count = |record: &Record| match *record {
+        Record::Outliers { count, .. } => count,
+        _ => 0,
+    };
+    let spikes = file.cleaned.iter().map(count).sum();
+    if fill == Fill::Refuse && spikes > 0 && file.missing == spikes {
         return Err(Incomplete::Spikes(spikes));
     }
-    let map = measurement.fill(fill)?;
-    Ok(Complete { map, missing, cleaned, height_step, format, crop })
+    let heights = measurement.fill(fill)?;
+    Ok(Surface { name: file.name().to_owned(), origin: Origin::File(file), heights })
+}
+
+/// Traces of one surface, complete and evenly spaced; the filters among the cleaning of `file` are still to be applied.
+///
+/// # Errors
+/// [`Incomplete`].
+pub fn traces(
+    measurements: Vec<Measurement>,
+    mut file: FileOrigin,
+    fill: Fill,
+) -> Result<ProfileSurface, Incomplete> {
+    let format = measurements.first().map_or("", |m| m.format().name());
+    (file.format, file.fill) = (format.to_owned(), fill.name().to_owned());
+    (file.crop, file.missing) = (measurements.first().and_then(Measurement::cropped), 0);
+    // λs and λc act on the profile after its form is off, with their own ends.
+    let before = Cleaning { s_filter: None, l_filter: None, ..file.cleaning };
+    let (mut traces, mut first) = (Vec::new(), None);
+    for measurement in measurements {
+        let (even, how) = measurement.evenly_spaced()?;
+        file.cleaning.check(even.grid())?;
+        // Points between two measured ones are in no step.
+        let step = how.is_none().then(|| height_step(even.heights())).flatten();
+        let (even, cleaned) = clean(even, before)?;
+        file.missing += even.missing();
+        let map = even.fill(fill)?;
+        let trace = Trace::new(map.grid().pixel()[1], map.into_heights());
+        traces.push(trace.map_err(Incomplete::Short)?);
+        let uneven = how.map(|how| Unevenness { steps: how.steps, spacing: how.spacing });
+        first.get_or_insert((cleaned, step, uneven));
+    }
+    let uneven;
+    (file.cleaned, file.height_step, uneven) = first.unwrap_or_default();
+    let name = file.name().to_owned();
+    Ok(ProfileSurface { name, origin: Origin::File(file), traces, uneven })
 }
 
 /// A measurement after cleaning, with what each step did.
 ///
 /// # Errors
 /// [`Incomplete::Cleaning`], [`Incomplete::Clean`].
-pub fn clean(
+fn clean(
     measurement: Measurement,
     cleaning: Cleaning,
 ) -> Result<(Measurement, Vec<Record>), Incomplete> {
@@ -103,13 +170,4 @@ pub fn clean(
     // A measured map ends at its edges, whatever is assumed beyond them later.
     let clean = |grid, heights: &mut Vec<f64>| clean::apply(grid, heights, &steps, Edges::Open);
     Ok(measurement.edit(clean)?)
-}
-
-/// Spikes among the points that are missing after cleaning.
-fn spikes(records: &[Record]) -> usize {
-    let count = |record: &Record| match *record {
-        Record::Outliers { count, .. } => count,
-        _ => 0,
-    };
-    records.iter().map(count).sum()
 }

@@ -1,16 +1,19 @@
 //! Why there is no complete answer.
 
+use serde::{Deserialize, Serialize};
 use serde_json::{Value, json};
 use std::path::Path;
 
-/// Why there is no complete answer: one word for scripts, and a message that says what, the value, the
-/// limit, the way out.
-#[derive(Debug, Clone, PartialEq, Eq, thiserror::Error)]
+/// Why there is no complete answer.
+#[derive(Debug, Clone, PartialEq, Eq, Serialize, Deserialize, thiserror::Error)]
 #[error("{message}")]
 pub struct Failure {
-    kind: String,
-    message: String,
-    status: u8,
+    /// One word for the kind of trouble.
+    pub kind: String,
+    /// What, the value, the limit, the way out.
+    pub message: String,
+    /// Exit status of the command: 1, something was not finished; 2, refused.
+    pub status: u8,
 }
 
 impl Failure {
@@ -59,40 +62,10 @@ impl Failure {
     pub fn json(&self) -> Value {
         json!({ "kind": self.kind, "message": self.message })
     }
-
-    /// The whole of it, as [`Failure::of_json`] reads it.
-    pub fn json_with_status(&self) -> Value {
-        json!({ "kind": self.kind, "message": self.message, "status": self.status })
-    }
-
-    /// What was written by [`Failure::json_with_status`].
-    pub fn of_json(value: &Value) -> Option<Self> {
-        Some(Self {
-            kind: value.get("kind")?.as_str()?.to_owned(),
-            message: value.get("message")?.as_str()?.to_owned(),
-            status: value.get("status")?.as_u64()?.try_into().ok()?,
-        })
-    }
-
-    /// One word for the kind of trouble.
-    pub fn kind(&self) -> &str {
-        &self.kind
-    }
-
-    /// What, the value, the limit, the way out.
-    pub fn message(&self) -> &str {
-        &self.message
-    }
-
-    /// Exit status of the command: 1, something was not finished; 2, refused.
-    pub fn status(&self) -> u8 {
-        self.status
-    }
 }
 
-/// The name of an enum's variant in snake case, from its `Debug` form: one word for the kind of
-/// trouble, for scripts.
-pub fn variant(error: &impl std::fmt::Debug) -> String {
+/// The name of an enum's variant in snake case, from its `Debug` form.
+pub(crate) fn variant(error: &impl std::fmt::Debug) -> String {
     let debug = format!("{error:?}");
     let mut name = String::new();
     for c in debug.chars().take_while(|c| c.is_alphanumeric()) {

@@ -44,11 +44,6 @@ impl Spread {
             None => Ok(Self { pressures, area, is_of_map: given.is_none() }),
         }
     }
-
-    /// A mean pressure as it was given (N).
-    pub fn force(&self, mean_pressure: f64) -> f64 {
-        mean_pressure * self.area
-    }
 }
 
 /// Refuses a load that is not greater than 0.

@@ -1,21 +1,21 @@
 //! Closed-form models at loads and separations: what `rough-contact model` answers.
 
+use crate::complete::Subject;
 use crate::failure::{Failure, variant};
 use crate::loads::Spread;
-use crate::traces::Traces;
 use contact_accuracy::round_to_digits;
 use contact_compare::survey::{ErrorRange, gaussian_errors};
 use contact_compare::{
-    BuildError, Card, Conducted, Finding, Input, Inputs, Joint, Level, OfMap, Origin, Pressed,
-    Scene, Theory, built_in, conducted_by,
+    BuildError, Card, Conducted, Finding, Input, Inputs, Joint, Level, OfMap, Origin,
+    PairOrigin, Pressed, ProfileSurface, Scene, Settings, Solved, Spikes, Theory, Unevenness,
+    built_in, conducted_by,
 };
 use contact_types::{
-    AmplitudeSpectrum, Caveat, ContactModel, ContactModulus, ContactState, HeightMap, ModelError,
-    Named,
+    AmplitudeSpectrum, Caveat, ContactModel, ContactModulus, ContactState, ModelError, Named,
 };
 use serde_json::{Value, json};
 use std::path::Path;
-use surface_stats::clean::RowOffsets;
+use surface_stats::clean::{Record, RowOffsets, row_offsets};
 use surface_stats::profile::ProfileStatistics;
 use surface_stats::spectrum::{amplitudes, radial};
 use surface_stats::{
@@ -29,36 +29,6 @@ pub enum ModelLoad {
     Pressure(f64),
     /// Distance of the undeformed planes (m).
     Separation(f64),
-}
-
-/// Why a theory cannot be asked at all.
-#[derive(Clone, Debug, thiserror::Error)]
-pub enum Unasked {
-    /// It answers at no separation.
-    #[error("{model} has no separation")]
-    NoSeparation {
-        /// Its name.
-        model: String,
-    },
-    /// An input it needs is absent.
-    #[error(transparent)]
-    Missing(BuildError),
-}
-
-impl Unasked {
-    /// As a refusal, with the way out.
-    pub fn failure(&self, way_out: &str) -> Failure {
-        match self {
-            Self::NoSeparation { .. } => {
-                let cards = built_in().iter().map(Theory::card);
-                let able: Vec<&str> =
-                    cards.filter(|c| c.has_separation).map(|c| c.name.as_ref()).collect();
-                let message = format!("{self}; {way_out}, or one of {}", able.join(", "));
-                Failure::refused("usage", message)
-            }
-            Self::Missing(_) => Failure::refused("missing_input", format!("{self}; {way_out}")),
-        }
-    }
 }
 
 /// What a theory says to one question.
@@ -111,52 +81,49 @@ impl ModelLoad {
 }
 
 /// One answer per question, with what the joint conducts there. A model that cannot be made refuses every question.
-///
-/// # Errors
-/// [`Unasked`].
-pub fn results(
+/// `ways` out are of a model without separation, and of one that lacks an input.
+fn results(
     theory: &dyn Theory,
-    inputs: &Inputs,
+    given: (&Inputs, &Joint),
     questions: &[ModelLoad],
-    joint: &Joint,
-) -> Result<Vec<ModelResult>, Unasked> {
-    let given = (inputs, joint);
+    ways: [&str; 2],
+) -> Result<Vec<ModelResult>, Failure> {
     let card = theory.card();
     let title = card.title.as_ref();
-    let ask: Ask<'_> = match questions.first() {
-        Some(ModelLoad::Separation(_)) => match theory.build_separation(inputs) {
-            None => return Err(Unasked::NoSeparation { model: card.name.to_string() }),
-            Some(Ok(model)) => Box::new(move |q| {
-                let state = contact_compare::possible(title, model.at_separation(q.value())?)?;
-                Ok(Said::of(model.as_ref(), state, theory, given))
-            }),
-            Some(Err(error)) => refuse_all(error)?,
-        },
-        _ => match theory.build(inputs) {
-            Ok(model) => Box::new(move |q| {
+    let no_separation = || {
+        let able = built_in().iter().map(Theory::card).filter(|c| c.has_separation);
+        let able = able.map(|c| c.name.as_ref()).collect::<Vec<_>>().join(", ");
+        let message = format!("{} has no separation; {}, or one of {able}", card.name, ways[0]);
+        Failure::refused("usage", message)
+    };
+    let built = match questions.first() {
+        Some(ModelLoad::Separation(_)) => {
+            let built = theory.build_separation(given.0).ok_or_else(no_separation)?;
+            built.map(|model| -> Ask<'_> {
+                Box::new(move |q| {
+                    let state = contact_compare::possible(title, model.at_separation(q.value())?)?;
+                    Ok(Said::of(model.as_ref(), state, theory, given))
+                })
+            })
+        }
+        _ => theory.build(given.0).map(|model| -> Ask<'_> {
+            Box::new(move |q| {
                 let state = contact_compare::possible(title, model.at_pressure(q.value())?)?;
                 Ok(Said::of(model.as_ref(), state, theory, given))
-            }),
-            Err(error) => refuse_all(error)?,
-        },
+            })
+        }),
     };
-    Ok(questions.iter().map(ask).collect())
-}
-
-fn refuse_all(error: BuildError) -> Result<Ask<'static>, Unasked> {
-    match error {
-        BuildError::Model(error) => Ok(Box::new(move |_| Err(error.clone()))),
-        missing @ BuildError::Missing { .. } => Err(Unasked::Missing(missing)),
+    match built {
+        Ok(ask) => Ok(questions.iter().map(ask).collect()),
+        Err(BuildError::Model(error)) => Ok(questions.iter().map(|_| Err(error.clone())).collect()),
+        Err(missing @ BuildError::Missing { .. }) => {
+            Err(Failure::refused("missing_input", format!("{missing}; {}", ways[1])))
+        }
     }
 }
 
 /// What is asked of elasticity, with the results by rising load.
-pub fn scene(
-    card: &Card,
-    inputs: &Inputs,
-    results: &[ModelResult],
-    rows: Option<RowOffsets>,
-) -> Scene {
+fn scene(card: &Card, inputs: &Inputs, results: &[ModelResult], rows: Option<RowOffsets>) -> Scene {
     let pressed = |state: &ContactState| {
         let mean = state.real_pressure()?;
         Some(Pressed { nominal: state.mean_pressure, mean, highest: None })
@@ -180,47 +147,22 @@ pub fn scene(
     }
 }
 
-/// What a model needs of a measured surface before it is levelled, and nothing else, added to what no map says.
-///
-/// # Errors
-/// [`Failure`] of a map without statistics.
-pub fn measured(
-    card: &Card,
-    given: Inputs,
-    path: &Path,
-    heights: HeightMap,
-    missing: usize,
-    (form, edges): (Level, Edges),
-) -> Result<Inputs, Failure> {
-    let mut inputs = given;
-    let refused = |e: StatsError| Failure::in_file(path, &e);
-    inputs.nominal_area = Some(heights.grid().area());
-    let map = level(&heights, form).map_err(refused)?;
-    // Every model has the moments that a study gives it; only Persson's mean gap needs more.
-    let rms = HeightStatistics::of(&map).rms_height;
-    let differences = DirectionalMoments::of(&map, edges).map_err(refused)?;
-    inputs.is_measured = true;
-    inputs.moments = Some(differences.isotropic(rms * rms));
-    if card.of_map == OfMap::Fractal {
-        let options = StatsOptions { level: form, edges, missing, ..StatsOptions::default() };
-        let scales = SpectralScales::of(&heights, &options).map_err(refused)?;
-        (inputs.dimension, inputs.fractal) = scales.fractal_of_surface();
-        return Ok(inputs);
-    }
-    drop(heights);
-    match card.of_map {
-        OfMap::Spectrum => inputs.spectrum = Some(radial(&map).map_err(refused)?),
-        OfMap::Amplitudes => {
-            inputs.amplitudes = Some(amplitudes(&map).map_err(refused)?);
-        }
-        OfMap::Moments | OfMap::Fractal => {}
-    }
-    Ok(inputs)
+/// What is known of the surface that a model is asked about.
+#[derive(Debug)]
+pub struct ModelSubject {
+    /// Numbers for its inputs. What no surface says is added by who asks.
+    pub inputs: Inputs,
+    rows: Option<RowOffsets>,
+    spikes: Spikes,
+    cleaned: Vec<Record>,
+    level: Option<Level>,
+    pair: Option<PairOrigin>,
+    profile: Option<(ProfileStatistics, Origin, Option<Unevenness>)>,
 }
 
-/// A model asked of the isotropic surface with the moments of traces.
+/// What a model answers.
 #[derive(Debug)]
-pub struct OfProfile {
+pub struct ModelReply {
     /// What scripts see.
     pub json: Value,
     /// One for each load or separation.
@@ -229,72 +171,141 @@ pub struct OfProfile {
     pub intervals: Vec<Option<[f64; 2]>>,
     /// What may change a conclusion.
     pub findings: Vec<Finding>,
-    /// How many traces there are.
-    pub traces: usize,
     /// What the model was given.
     pub inputs: Inputs,
-    /// What it was asked.
-    pub questions: Vec<ModelLoad>,
-    /// Loads, if it was asked at loads.
-    pub spread: Option<Spread>,
+    /// The form that was taken off a map or a trace.
+    pub level: Option<Level>,
+    /// The two bodies, if it is a pair.
+    pub pair: Option<PairOrigin>,
 }
 
-/// What the traces do not say of a model's inputs, what is asked of it, and loads if those are given.
-type Completed = (Inputs, Vec<ModelLoad>, Option<Spread>);
-
-/// Traces, where they came from, and the form that is taken off each.
-type Traced<'a> = (&'a Path, &'a Traces, &'a Origin, Level);
-
-/// Asks a model about profiles: `complete` adds to what the traces say what no trace does, and says what is asked then.
-///
-/// # Errors
-/// [`Failure`] of traces without statistics, and of a theory that lacks something, with its way out.
-pub fn of_profile(
-    theory: &dyn Theory,
-    modulus: ContactModulus,
-    joint: &Joint,
-    (path, traces, origin, form): Traced<'_>,
-    complete: impl FnOnce(Inputs) -> Result<Completed, Failure>,
-    way_out: impl FnOnce(&Unasked) -> Failure,
-) -> Result<OfProfile, Failure> {
-    let refused = |e: StatsError| Failure::in_file(path, &e);
-    let form = form.of_profile();
-    let options = traces.options(form.degree().unwrap_or(0));
-    let (statistics, _, spectrum) =
-        ProfileStatistics::with_spectrum(&traces.each, &options).map_err(refused)?;
-    let inputs =
-        contact_compare::profile_inputs(&statistics, &spectrum, modulus).map_err(refused)?;
-    let (inputs, questions, spread) = complete(inputs)?;
-    let found = results(theory, &inputs, &questions, joint).map_err(|e| way_out(&e))?;
-    let findings = contact_compare::profile_findings(
-        &statistics,
-        traces.uneven,
-        origin,
-        &scene(theory.card(), &inputs, &found, None),
-    );
-    let interval = |(question, answer): (&ModelLoad, &ModelResult)| match (question, answer) {
-        (ModelLoad::Pressure(p), Ok(_)) => {
-            contact_compare::area_interval(theory, &inputs, &statistics, *p)
-        }
-        _ => None,
-    };
-    let intervals: Vec<_> = questions.iter().zip(&found).map(interval).collect();
-    let mut json = object(theory.card(), (&inputs, joint), &questions, &found, spread.as_ref());
-    for (i, (question, interval)) in questions.iter().zip(&intervals).enumerate() {
-        if matches!(question, ModelLoad::Pressure(_)) {
-            json["points"][i]["area_interval"] = json!(interval);
-        }
+impl ModelSubject {
+    /// Numbers typed in.
+    pub fn typed(inputs: Inputs) -> Self {
+        let (spikes, cleaned) = (Spikes::default(), Vec::new());
+        Self { inputs, rows: None, spikes, cleaned, level: None, pair: None, profile: None }
     }
-    json["findings"] = contact_report::findings_json(&findings);
-    json["level"] = json!(form.name());
-    json["cleaning"] = contact_report::cleaning_json(&traces.cleaned);
-    json["profile"] = contact_report::profile_statistics_json(&statistics);
-    let traces = statistics.traces;
-    Ok(OfProfile { json, results: found, intervals, findings, traces, inputs, questions, spread })
+
+    /// What a model needs of a map, and nothing else; edges that are not given are those of its origin.
+    ///
+    /// # Errors
+    /// [`Failure`] of a map without statistics.
+    pub fn of_map(
+        card: &Card,
+        modulus: ContactModulus,
+        subject: Subject<'_>,
+        asked: Level,
+        edges: Option<Edges>,
+    ) -> Result<Self, Failure> {
+        let Subject { path, surface, cleaned, .. } = subject;
+        let refused = |e: StatsError| Failure::in_file(path, &e);
+        let (origin, heights) = (surface.origin, surface.heights);
+        let pair = origin.pair().cloned();
+        let spikes = Spikes::left(&heights, &cleaned, pair.as_ref());
+        let rows = row_offsets(heights.grid(), heights.heights()).ok();
+        let form = origin.level(asked).on(&heights).map_err(refused)?;
+        let edges = edges.unwrap_or_else(|| origin.edges());
+        let mut inputs = Inputs::new(modulus);
+        inputs.nominal_area = Some(heights.grid().area());
+        let map = level(&heights, form).map_err(refused)?;
+        // Every model has the moments that a study gives it; only Persson's mean gap needs more.
+        let rms = HeightStatistics::of(&map).rms_height;
+        let differences = DirectionalMoments::of(&map, edges).map_err(refused)?;
+        inputs.source = MomentSource::FiniteDifferences;
+        inputs.moments = Some(differences.isotropic(rms * rms));
+        match card.of_map {
+            OfMap::Fractal => {
+                let missing = origin.missing();
+                let options =
+                    StatsOptions { level: form, edges, missing, ..StatsOptions::default() };
+                let scales = SpectralScales::of(&heights, &options).map_err(refused)?;
+                (inputs.dimension, inputs.fractal) = scales.fractal_of_surface();
+            }
+            OfMap::Spectrum => inputs.spectrum = Some(radial(&map).map_err(refused)?),
+            OfMap::Amplitudes => inputs.amplitudes = Some(amplitudes(&map).map_err(refused)?),
+            OfMap::Moments => {}
+        }
+        Ok(Self { inputs, rows, spikes, cleaned, level: Some(form), pair, profile: None })
+    }
+
+    /// The isotropic surface with the moments of these traces.
+    ///
+    /// # Errors
+    /// [`Failure`] of traces without statistics.
+    pub fn of_traces(
+        modulus: ContactModulus,
+        path: &Path,
+        traces: &ProfileSurface,
+        asked: Level,
+    ) -> Result<Self, Failure> {
+        let refused = |e: StatsError| Failure::in_file(path, &e);
+        let level = asked.of_profile();
+        let options = traces.options(&Settings { level, ..Settings::default() });
+        let (statistics, _, spectrum) =
+            ProfileStatistics::with_spectrum(&traces.traces, &options).map_err(refused)?;
+        let inputs =
+            contact_compare::profile_inputs(&statistics, &spectrum, modulus).map_err(refused)?;
+        Ok(Self {
+            cleaned: traces.origin.cleaned().to_vec(),
+            level: Some(level),
+            profile: Some((statistics, traces.origin.clone(), traces.uneven)),
+            ..Self::typed(inputs)
+        })
+    }
+
+    /// Asks a model; `ways` out are of one without separation, and of one that lacks an input.
+    ///
+    /// # Errors
+    /// [`Failure`] of these two. What the theory refuses is among the results.
+    pub fn ask(
+        self,
+        theory: &dyn Theory,
+        joint: &Joint,
+        questions: &[ModelLoad],
+        spread: Option<&Spread>,
+        ways: [&str; 2],
+    ) -> Result<ModelReply, Failure> {
+        let Self { inputs, rows, spikes, cleaned, level, pair, profile } = self;
+        let card = theory.card();
+        let results = results(theory, (&inputs, joint), questions, ways)?;
+        let scene = scene(card, &inputs, &results, rows);
+        let mut json = object(card, (&inputs, joint), questions, &results, spread);
+        json["level"] = json!(level.map(Level::name));
+        json["cleaning"] = contact_report::cleaning_json(&cleaned);
+        let mut intervals = vec![None; questions.len()];
+        let findings = if let Some((statistics, origin, uneven)) = &profile {
+            for (i, question) in questions.iter().enumerate() {
+                if let ModelLoad::Pressure(p) = *question {
+                    let interval =
+                        |_| contact_compare::area_interval(theory, &inputs, statistics, p);
+                    intervals[i] = results[i].as_ref().ok().and_then(interval);
+                    json["points"][i]["area_interval"] = json!(intervals[i]);
+                }
+            }
+            json["profile"] = contact_report::profile_statistics_json(statistics);
+            contact_compare::profile_findings(statistics, *uneven, origin, &scene)
+        } else {
+            json["pair"] = pair.as_ref().map_or(Value::Null, contact_report::pair_json);
+            Solved { scene, spikes, pair: pair.as_ref(), ..Solved::default() }.findings()
+        };
+        json["findings"] = contact_report::findings_json(&findings);
+        Ok(ModelReply { json, results, intervals, findings, inputs, level, pair })
+    }
 }
 
-/// The object that scripts see.
-pub fn object(
+/// What a theory is, for scripts.
+pub fn described(card: &Card) -> Value {
+    json!({
+        "name": card.name,
+        "title": card.title,
+        "citation": card.citation,
+        "inputs": card.needs,
+        "domain": card.domain,
+        "separation": card.has_separation,
+    })
+}
+
+fn object(
     card: &Card,
     (inputs, joint): (&Inputs, &Joint),
     questions: &[ModelLoad],
@@ -305,7 +316,7 @@ pub fn object(
         let mut point = point(*q, a);
         conducts(&mut point, a);
         if let Some(spread) = spread {
-            point["load"] = json!(spread.force(q.value()));
+            point["load"] = json!(q.value() * spread.area);
         }
         point
     };
@@ -341,7 +352,7 @@ fn conducts(point: &mut Value, answer: &ModelResult) {
 }
 
 /// The same with six digits of the value, unless they would move it into the domain.
-pub fn short(error: &ModelError) -> ModelError {
+fn short(error: &ModelError) -> ModelError {
     let mut short = error.clone();
     if let ModelError::OutsideDomain { value, domain, .. } = &mut short {
         let rounded = round_to_digits(*value, 6);
@@ -418,7 +429,6 @@ fn refusal(error: &ModelError) -> Value {
     })
 }
 
-/// What the model was given, for the JSON.
 fn given(card: &Card, inputs: &Inputs) -> Value {
     let has_gap = card.takes(Input::Gamma) && inputs.has_gap();
     let alone = || inputs.mean_square_slope.map(|m2| json!({ "m0": null, "m2": m2, "m4": null }));

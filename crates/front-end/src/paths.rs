@@ -1,6 +1,7 @@
-//! Where files lie, as a run file and a report say it.
+//! Where files lie, as a run file and a report say it; and surfaces named by it.
 
-use contact_compare::{FileOrigin, Origin, RunFile};
+use crate::failure::Failure;
+use contact_compare::{FileOrigin, Level, Origin, Placing, RunFile, Surface};
 use std::path::{Component, Path};
 
 /// A run file as it stands in a folder: its files are named from there, so that it can be repeated from anywhere and
@@ -44,6 +45,31 @@ fn whole(path: &Path) -> Option<Vec<std::ffi::OsString>> {
         }
     }
     Some(parts)
+}
+
+/// The first surface with the second on it, as one. Files of one name are told apart by where they lie.
+///
+/// # Errors
+/// [`Failure`] of surfaces that make no pair.
+pub fn pressed(
+    mut first: Surface,
+    mut second: Surface,
+    placing: &Placing,
+    level: Level,
+) -> Result<Surface, Failure> {
+    if first.name == second.name
+        && let (Origin::File(a), Origin::File(b)) = (&first.origin, &second.origin)
+    {
+        let mut names = told_apart(&[&a.path, &b.path]).into_iter();
+        for body in [&mut first, &mut second] {
+            body.name = names.next().unwrap_or_default();
+        }
+    }
+    if first.name == second.name {
+        second.name += " (2)";
+    }
+    let pressed = first.against(&second, placing, level);
+    pressed.map_err(|e| Failure::refused("no_pair", e.to_string()))
 }
 
 /// Names that tell files apart: of each path the last parts, as few as it takes.

@@ -11,36 +11,23 @@ use contact_types::{ContactModulus, HeightMap};
 use fft_bem_solver::{Iteration, Load, SolverError};
 use std::ops::ControlFlow;
 
-/// What is to be solved, and how well.
-pub(crate) struct PlannedSolve<'a> {
-    pub(crate) surface: &'a HeightMap,
-    pub(crate) setup: Setup,
-    pub(crate) aim: Aim,
-    /// Relative half widths of modulus and hardness.
-    pub(crate) materials: [f64; 2],
-    /// What the contact conducts, where its stiffness is asked for.
-    pub(crate) part: Option<(&'a Joint, ContactModulus)>,
-}
-
-impl PlannedSolve<'_> {
-    /// Solves for the loads; what comes goes to `work`. `None` if it was stopped.
-    pub(crate) fn solve(
-        &self,
-        loads: &[Load],
-        work: &mut SolvedLoads,
-        watch: &mut dyn Watch,
-    ) -> Result<Option<Reached>, Failure> {
-        let order = rising(loads);
-        let risen: Vec<Load> = order.iter().map(|&i| loads[i]).collect();
-        let task =
-            Task { map: self.surface, setup: self.setup.clone(), loads: &risen, aim: self.aim };
-        let (part, materials, known) = (self.part, self.materials, None);
-        let mut to = ToWork { loads, order: &order, work, watch, part, materials, known };
-        match climb(&task, &mut to) {
-            Ok(reached) => Ok(Some(reached)),
-            Err(LadderError::Stopped) => Ok(None),
-            Err(e) => Err(Failure::from_error(&e)),
-        }
+/// Solves the map for the loads; what comes goes to `work`. `None` if it was stopped. `part`: what the contact conducts, where
+/// its stiffness is asked for; `materials`: relative half widths of modulus and hardness.
+pub(crate) fn solve(
+    (surface, setup, aim): (&HeightMap, Setup, Aim),
+    loads: &[Load],
+    (part, materials): (Option<(&Joint, ContactModulus)>, [f64; 2]),
+    work: &mut SolvedLoads,
+    watch: &mut dyn Watch,
+) -> Result<Option<Reached>, Failure> {
+    let order = rising(loads);
+    let risen: Vec<Load> = order.iter().map(|&i| loads[i]).collect();
+    let task = Task { map: surface, setup, loads: &risen, aim };
+    let mut to = ToWork { loads, order: &order, work, watch, part, materials, known: None };
+    match climb(&task, &mut to) {
+        Ok(reached) => Ok(Some(reached)),
+        Err(LadderError::Stopped) => Ok(None),
+        Err(e) => Err(Failure::from_error(&e)),
     }
 }
 
@@ -79,7 +66,7 @@ impl Sink for ToWork<'_> {
 }
 
 /// A request that is not met ends with exit status 1.
-pub fn unmet(surface: &str, reached: &Reached) -> Option<Failure> {
+pub(crate) fn unmet(surface: &str, reached: &Reached) -> Option<Failure> {
     let reason = plan_reason(reached)?;
     let percent = 100.0 * reached.request?.relative();
     let of = if surface.is_empty() { String::new() } else { format!("{surface}: ") };

@@ -1,7 +1,6 @@
 //! One load that was solved for, as an object.
 
 use crate::failure::variant;
-use crate::hardness;
 use contact_accuracy::{Answered, Leaks, Map, Numbers};
 use contact_compare::{Budget, Conducted, NoUncertainty};
 use fft_bem_solver::{End, Load, Solution, SolverError};
@@ -33,7 +32,6 @@ pub struct Point {
 }
 
 impl Point {
-    /// Of a load that was solved.
     pub(crate) fn of(load: Load, answered: &Answered) -> Self {
         let Answered { solution, budget, coarser, finer, .. } = answered;
         let mut json = object(load, Some((solution, budget)), None);
@@ -42,7 +40,6 @@ impl Point {
         Self { budget: Some(*budget), finer: *finer, converged: true, ..Self::bare(load, json) }
     }
 
-    /// Of a load that was not.
     pub(crate) fn of_error(load: Load, error: &SolverError, known: &Map) -> Self {
         let found = error.solution().map(|s| (s, Budget::of_iterate(s, known)));
         let json = object(load, found.as_ref().map(|(s, b)| (*s, b)), Some(error));
@@ -79,7 +76,7 @@ fn object(load: Load, found: Option<(&Solution, &Budget)>, error: Option<&Solver
     let error_json = error.map(|e| json!({ "kind": variant(e), "message": e.to_string() }));
     let Some((solution, budget)) = found else {
         let asked = if let Load::MeanPressure(p) = load { Some(p) } else { None };
-        let mut json = json!({
+        let json = json!({
                 "mean_pressure": asked, "touching_fraction": null, "area_fraction": null,
                 "mean_gap": if let Load::MeanGap(g) = load { Some(g) } else { None },
                 "approach": null, "max_pressure": null,
@@ -87,11 +84,10 @@ fn object(load: Load, found: Option<(&Solution, &Budget)>, error: Option<&Solver
                 "transforms": null, "seconds": null,
                 "residuals": null, "duality_gap": null, "error": error_json,
         });
-        with_keys(&mut json, None);
-        return json;
+        return with(json, contact_report::budget_keys(None));
     };
     let (state, d) = (&solution.state, &solution.diagnostics);
-    let mut json = json!({
+    let json = json!({
         "mean_pressure": state.mean_pressure,
         "touching_fraction": solution.touching_fraction(),
         "area_fraction": state.area_fraction,
@@ -115,14 +111,17 @@ fn object(load: Load, found: Option<(&Solution, &Budget)>, error: Option<&Solver
         "exact": d.exact,
         "error": error_json,
     });
-    with_keys(&mut json, Some(budget));
-    hardness::add(&mut json, solution);
-    json
+    let json = with(json, contact_report::budget_keys(Some(budget)));
+    match d.yielded {
+        None => json,
+        yielded => with(json, contact_report::yield_keys(yielded, solution.touching_fraction())),
+    }
 }
 
-/// Adds the keys of the budget, all `null` without one.
-fn with_keys(point: &mut Value, budget: Option<&Budget>) {
-    if let Value::Object(keys) = point {
-        keys.extend(contact_report::budget_keys(budget));
+/// An object with more keys.
+pub(crate) fn with(mut object: Value, keys: impl IntoIterator<Item = (String, Value)>) -> Value {
+    if let Value::Object(own) = &mut object {
+        own.extend(keys);
     }
+    object
 }

@@ -1,101 +1,11 @@
 //! Quantities as a person types them: `110GPa`, `1.5um`, `0.2nm^2`, `3e12m^-2`, and lists such
 //! as `1MPa,2MPa` or `1kPa..1GPa:16`. Everything comes out in SI units.
 //!
-//! A bare number where a unit is needed is refused: 50 could be pascals or megapascals, and the
-//! answer would look equally reasonable.
+//! A bare number where a unit is needed is refused: 50 could be pascals or megapascals.
 
+use crate::failure::Failure;
 use crate::units::{Dimension, Spelling, plain};
 use contact_accuracy::round_to_digits;
-
-/// Why a text is not the quantity asked for. The message says how to write it.
-#[derive(Debug, Clone, PartialEq, Eq, thiserror::Error)]
-#[non_exhaustive]
-pub enum QuantityError {
-    /// The text does not begin with a number.
-    #[error("'{text}' is not a number; write {example}")]
-    NotANumber {
-        /// What was typed.
-        text: String,
-        /// A spelling that works.
-        example: &'static str,
-    },
-    /// NaN, infinity, or a number beyond the range of a double.
-    #[error("'{text}' is not a finite number; write {example}")]
-    NotFinite {
-        /// What was typed.
-        text: String,
-        /// A spelling that works.
-        example: &'static str,
-    },
-    /// A number that is not zero, but smaller than the smallest double.
-    #[error("'{text}' is smaller than the smallest number a double can hold, 4.9e-324")]
-    TooSmall {
-        /// What was typed.
-        text: String,
-    },
-    /// The unit is missing.
-    #[error("'{number}' has no unit; write for example {suggestion}")]
-    MissingUnit {
-        /// What was typed.
-        number: String,
-        /// The same number with units.
-        suggestion: String,
-    },
-    /// The unit is not one of this kind of quantity.
-    #[error("'{unit}' is not a unit of {kind}; write {units}")]
-    UnknownUnit {
-        /// What was typed after the number.
-        unit: String,
-        /// The kind of quantity.
-        kind: &'static str,
-        /// Units that work.
-        units: &'static str,
-    },
-    /// A unit whose letters are right and whose case is not.
-    #[error("'{unit}' is not a unit of {kind}; did you mean {meant}?")]
-    Misspelt {
-        /// What was typed after the number.
-        unit: String,
-        /// The kind of quantity.
-        kind: &'static str,
-        /// The units of these letters, those that differ by powers of ten with their size.
-        meant: String,
-    },
-    /// A decimal comma: the decimal mark is the point, the comma separates the items of a list.
-    #[error("'{text}' has a decimal comma; write {meant}")]
-    DecimalComma {
-        /// What was typed.
-        text: String,
-        /// The same with a decimal point.
-        meant: String,
-    },
-    /// Quantities that cannot be meant.
-    #[error("'{text}': {why}")]
-    NotThese {
-        /// What was typed.
-        text: String,
-        /// Why not, and what to write.
-        why: &'static str,
-    },
-    /// A unit on a pure number.
-    #[error("'{text}' has a unit, but this is a pure number; write {number}")]
-    UnexpectedUnit {
-        /// What was typed.
-        text: String,
-        /// The number in it.
-        number: String,
-    },
-    /// A range that is not `FIRST..LAST:COUNT` with positive ends and at least two points.
-    #[error("'{text}' is no range ({fault}); write FIRST..LAST:COUNT, for example {example}")]
-    Range {
-        /// What was typed.
-        text: String,
-        /// What is wrong with it.
-        fault: &'static str,
-        /// A spelling that works.
-        example: &'static str,
-    },
-}
 
 /// Most points a range may ask for.
 const MAX_POINTS: usize = 100_000;
@@ -104,17 +14,18 @@ const MAX_POINTS: usize = 100_000;
 /// is rounded to a double, so `0.2nm^2` is the double nearest to 2e-19.
 ///
 /// # Errors
-/// [`QuantityError`], whose message says how to write it.
-pub fn parse(text: &str, dimension: Dimension) -> Result<f64, QuantityError> {
+/// [`Failure`], whose message says how to write it.
+pub fn parse(text: &str, dimension: Dimension) -> Result<f64, Failure> {
     let text = text.trim();
     let (number, unit) = text.split_at(number_length(text));
     if number.is_empty() {
         let bare = text.trim_start_matches(['+', '-']).to_ascii_lowercase();
-        let example = dimension.spelling().example;
         return Err(if bare.starts_with("nan") || bare.starts_with("inf") {
-            QuantityError::NotFinite { text: text.to_owned(), example }
+            not_finite(text, dimension)
         } else {
-            QuantityError::NotANumber { text: text.to_owned(), example }
+            let example = dimension.spelling().example;
+            let message = format!("'{text}' is not a number; write {example}");
+            Failure::refused("not_a_number", message)
         });
     }
     let unit = plain(unit);
@@ -125,21 +36,21 @@ pub fn parse(text: &str, dimension: Dimension) -> Result<f64, QuantityError> {
         } else if unit.is_empty() {
             missing_unit(number, dimension)
         } else if dimension == Dimension::Number {
-            QuantityError::UnexpectedUnit { text: text.to_owned(), number: number.to_owned() }
+            let message = format!("'{text}' has a unit, but this is a pure number; write {number}");
+            Failure::refused("unexpected_unit", message)
         } else {
-            unknown(unit.clone(), dimension)
+            unknown(&unit, dimension)
         }
     })?;
     let value = in_si(number, factor, exponent);
     if !value.is_finite() {
-        return Err(QuantityError::NotFinite {
-            text: text.to_owned(),
-            example: dimension.spelling().example,
-        });
+        return Err(not_finite(text, dimension));
     }
     let mantissa = number.split(['e', 'E']).next().unwrap_or_default();
     if value.abs() < f64::from_bits(1) && mantissa.contains(|c: char| ('1'..='9').contains(&c)) {
-        return Err(QuantityError::TooSmall { text: text.to_owned() });
+        let message =
+            format!("'{text}' is smaller than the smallest number a double can hold, 4.9e-324");
+        return Err(Failure::refused("too_small", message));
     }
     Ok(value)
 }
@@ -148,15 +59,15 @@ pub fn parse(text: &str, dimension: Dimension) -> Result<f64, QuantityError> {
 /// spaced evenly in the logarithm, ends included. The order is kept.
 ///
 /// # Errors
-/// [`QuantityError`], whose message says how to write it.
-pub fn parse_list(text: &str, dimension: Dimension) -> Result<Vec<f64>, QuantityError> {
+/// [`Failure`], whose message says how to write it.
+pub fn parse_list(text: &str, dimension: Dimension) -> Result<Vec<f64>, Failure> {
     let mut values = Vec::new();
     for item in text.split(',') {
         match item.split_once("..") {
             // "1,5um": the comma was meant to be the decimal mark.
-            None => values.push(parse(item, dimension).map_err(|error| match error {
-                QuantityError::MissingUnit { .. } if is_decimal_comma(text) => decimal_comma(text),
-                other => other,
+            None => values.push(parse(item, dimension).map_err(|error| {
+                let is_comma = error.kind == "missing_unit" && is_decimal_comma(text);
+                if is_comma { decimal_comma(text) } else { error }
             })?),
             Some((first, tail)) => values.extend(range(item, first, tail, dimension)?),
         }
@@ -167,26 +78,23 @@ pub fn parse_list(text: &str, dimension: Dimension) -> Result<Vec<f64>, Quantity
 /// Reads a unit of length standing alone, as metres per unit: `um` is 1e-6.
 ///
 /// # Errors
-/// [`QuantityError::UnknownUnit`].
-pub fn parse_length_unit(text: &str) -> Result<f64, QuantityError> {
+/// [`Failure`] of another unit.
+pub fn parse_length_unit(text: &str) -> Result<f64, Failure> {
     let unit = plain(text);
     let dimension = Dimension::Length;
     match dimension.scale(&unit) {
         Some((factor, exponent)) => Ok(in_si("1", factor, exponent)),
-        None => Err(unknown(unit, dimension)),
+        None => Err(unknown(&unit, dimension)),
     }
 }
 
-fn range(
-    item: &str,
-    first: &str,
-    tail: &str,
-    dimension: Dimension,
-) -> Result<Vec<f64>, QuantityError> {
-    let fault = |fault| QuantityError::Range {
-        text: item.trim().to_owned(),
-        fault,
-        example: dimension.spelling().range,
+fn range(item: &str, first: &str, tail: &str, dimension: Dimension) -> Result<Vec<f64>, Failure> {
+    let fault = |fault| {
+        let (text, example) = (item.trim(), dimension.spelling().range);
+        let message = format!(
+            "'{text}' is no range ({fault}); write FIRST..LAST:COUNT, for example {example}"
+        );
+        Failure::refused("range", message)
     };
     let (last, count) = tail.split_once(':').ok_or(fault("the number of points is missing"))?;
     let (first, last) = (parse(first, dimension)?, parse(last, dimension)?);
@@ -210,27 +118,13 @@ fn range(
 
 /// Length in bytes of the decimal number at the start of `text`; 0 if there is none.
 fn number_length(text: &str) -> usize {
-    let bytes = text.as_bytes();
-    let digits = |from: usize| bytes[from..].iter().take_while(|b| b.is_ascii_digit()).count();
-    let mut at = usize::from(matches!(bytes.first(), Some(b'+' | b'-')));
-    let whole = digits(at);
-    at += whole;
-    let mut fraction = 0;
-    if bytes.get(at) == Some(&b'.') && bytes.get(at + 1) != Some(&b'.') {
-        fraction = digits(at + 1);
-        at += 1 + fraction;
-    }
-    if whole + fraction == 0 {
-        return 0;
-    }
-    if matches!(bytes.get(at), Some(b'e' | b'E')) {
-        let sign = usize::from(matches!(bytes.get(at + 1), Some(b'+' | b'-')));
-        let exponent = digits((at + 1 + sign).min(bytes.len()));
-        if exponent > 0 {
-            at += 1 + sign + exponent;
-        }
-    }
-    at
+    let other = |c: char| !(c.is_ascii_digit() || "+-.eE".contains(c));
+    let longest = text.find(other).unwrap_or(text.len());
+    let is_number = |end: &usize| {
+        let ends_so = text[..*end].ends_with(|c: char| c.is_ascii_digit() || c == '.');
+        ends_so && text[..*end].parse::<f64>().is_ok()
+    };
+    (1..=longest).rev().find(is_number).unwrap_or(0)
 }
 
 /// True for two items of which the first has no unit and the second starts with a digit.
@@ -244,11 +138,18 @@ fn is_decimal_comma(text: &str) -> bool {
         && rest.contains(|c: char| c.is_alphabetic())
 }
 
-/// Why `unit` is none of this dimension.
-fn unknown(unit: String, dimension: Dimension) -> QuantityError {
+fn not_finite(text: &str, dimension: Dimension) -> Failure {
+    let example = dimension.spelling().example;
+    Failure::refused("not_finite", format!("'{text}' is not a finite number; write {example}"))
+}
+
+fn unknown(unit: &str, dimension: Dimension) -> Failure {
     let Spelling { kind, si, units, .. } = dimension.spelling();
-    let meant = match dimension.near(&unit)[..] {
-        [] => return QuantityError::UnknownUnit { unit, kind, units },
+    let meant = match dimension.near(unit)[..] {
+        [] => {
+            let message = format!("'{unit}' is not a unit of {kind}; write {units}");
+            return Failure::refused("unknown_unit", message);
+        }
         [only] => only.to_owned(),
         ref several => {
             let sized = |name: &&str| {
@@ -259,11 +160,14 @@ fn unknown(unit: String, dimension: Dimension) -> QuantityError {
             several.iter().map(sized).collect::<Vec<_>>().join(" or ")
         }
     };
-    QuantityError::Misspelt { unit, kind, meant }
+    let message = format!("'{unit}' is not a unit of {kind}; did you mean {meant}?");
+    Failure::refused("misspelt", message)
 }
 
-fn decimal_comma(text: &str) -> QuantityError {
-    QuantityError::DecimalComma { text: text.to_owned(), meant: text.replacen(',', ".", 1) }
+/// The decimal mark is the point; the comma separates the items of a list.
+fn decimal_comma(text: &str) -> Failure {
+    let meant = text.replacen(',', ".", 1);
+    Failure::refused("decimal_comma", format!("'{text}' has a decimal comma; write {meant}"))
 }
 
 /// `number` in a unit of `factor` times ten to the `exponent`: rounded once if the factor is 1, and
@@ -292,10 +196,11 @@ fn scaled(number: &str, exponent: i32) -> f64 {
     format!("{mantissa}e{}", own + exponent).parse().unwrap_or(f64::NAN)
 }
 
-fn missing_unit(number: &str, dimension: Dimension) -> QuantityError {
+fn missing_unit(number: &str, dimension: Dimension) -> Failure {
     let units = dimension.spelling().suggested.split(' ');
     let suggestion = units.map(|unit| format!("{number}{unit}")).collect::<Vec<_>>().join(" or ");
-    QuantityError::MissingUnit { number: number.to_owned(), suggestion }
+    let message = format!("'{number}' has no unit; write for example {suggestion}");
+    Failure::refused("missing_unit", message)
 }
 
 #[cfg(test)]
@@ -391,18 +296,6 @@ mod tests {
             ("10n", Force, "did you mean N?"),
             ("300kg/mm2", Pressure, "did you mean kgf/mm^2?"),
             ("10kPsi", Pressure, "did you mean ksi?"),
-        ] {
-            let message = parse(text, dimension).unwrap_err().to_string();
-            assert!(message.contains(part), "{text}: {message}");
-        }
-        let message = parse_list("1,5MPa", Pressure).unwrap_err().to_string();
-        assert!(message.contains("decimal comma") && message.contains("1.5MPa"), "{message}");
-        assert!(parse_list("1,5MPa,6MPa", Pressure).unwrap_err().to_string().contains("no unit"));
-    }
-
-    #[test]
-    fn refusals_say_how_to_write_it() {
-        for (text, dimension, part) in [
             ("110", Pressure, "110MPa or 110GPa"),
             ("1.5", Length, "1.5um or 1.5nm"),
             ("3um", Pressure, "Pa, kPa, MPa"),
@@ -423,6 +316,9 @@ mod tests {
             let message = parse(text, dimension).unwrap_err().to_string();
             assert!(message.contains(part), "{text}: {message}");
         }
+        let message = parse_list("1,5MPa", Pressure).unwrap_err().to_string();
+        assert!(message.contains("decimal comma") && message.contains("1.5MPa"), "{message}");
+        assert!(parse_list("1,5MPa,6MPa", Pressure).unwrap_err().to_string().contains("no unit"));
     }
 
     #[test]

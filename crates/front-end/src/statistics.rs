@@ -1,24 +1,34 @@
-//! Roughness statistics of one map: what `rough-contact stats` answers.
+//! Roughness statistics: what `rough-contact stats` answers.
 
+use crate::complete::Subject;
 use crate::failure::Failure;
 use crate::iso::{IsoParameter, iso};
 use crate::scene;
-use contact_compare::{Finding, Level, PairOrigin, Spikes, WorkOfAdhesion};
-use contact_types::{ContactModulus, HeightMap};
+use contact_compare::{Finding, Level, ProfileSurface, Settings, Spikes, WorkOfAdhesion};
+use contact_types::ContactModulus;
+use serde::Deserialize;
 use serde_json::{Value, json};
 use std::path::Path;
-use surface_stats::clean::Record;
-use surface_stats::{ByDistance, StatsError, StatsOptions, SurfaceStatistics, by_distance, level};
+use surface_stats::profile::ProfileStatistics;
+use surface_stats::{
+    ByDistance, Edges, StatsError, StatsOptions, SurfaceStatistics, by_distance, level,
+};
 
-/// Where a map comes from, for what is said of it.
-#[derive(Clone, Copy, Debug)]
-pub struct Measured<'a> {
-    /// Name in front of what is refused.
-    pub path: &'a Path,
-    /// Steps of cleaning.
-    pub cleaned: &'a [Record],
-    /// The two bodies, if it is a pair.
-    pub pair: Option<&'a PairOrigin>,
+/// What is asked of a map.
+#[derive(Clone, Debug, Deserialize)]
+#[serde(deny_unknown_fields)]
+pub struct StatisticsRequest {
+    /// Form that is taken off first.
+    pub level: Level,
+    /// What lies beyond the edges; absent: as the surface was made.
+    pub boundary: Option<Edges>,
+    /// Areal parameters of ISO 25178-2 too.
+    pub iso: bool,
+    /// Slope, curvature and autocorrelation by distance too.
+    pub scales: bool,
+    /// Whether bodies of this modulus stick, where no load is known.
+    #[serde(skip)]
+    pub adhesion: Option<(WorkOfAdhesion, ContactModulus)>,
 }
 
 /// What was found.
@@ -30,67 +40,70 @@ pub struct Statistics {
     pub statistics: SurfaceStatistics,
     /// What may change a conclusion, worst first.
     pub findings: Vec<Finding>,
-    /// Areal parameters of ISO 25178-2, if they were asked for.
+    /// Areal parameters, if they were asked for.
     pub iso: Option<Vec<IsoParameter>>,
-    /// Slope, curvature and autocorrelation along x and y by distance, if they were asked for.
+    /// Along x and y by distance, if that was asked for.
     pub scales: Option<[Vec<ByDistance>; 2]>,
 }
 
-impl Statistics {
-    /// Adds whether bodies with these heights stick, where no load is known.
-    ///
-    /// # Errors
-    /// [`Failure`] of a map that is too small.
-    pub fn stick(
-        &mut self,
-        given: WorkOfAdhesion,
-        map: &HeightMap,
-        form: Level,
-        modulus: ContactModulus,
-        path: &Path,
-    ) -> Result<(), Failure> {
-        let refused = |e: StatsError| Failure::in_file(path, &e);
-        let map = level(map, form).map_err(refused)?;
-        let found = scene::adhesion(given, &map, modulus, &[]).map_err(refused)?;
-        self.findings.push(contact_compare::sticking(found));
-        self.findings.sort_by_key(|f| f.weight);
-        self.json["findings"] = contact_report::findings_json(&self.findings);
-        self.json["adhesion"] = json!(found);
-        Ok(())
-    }
-}
-
-/// The statistics of a map before it is levelled.
+/// The statistics of a map.
 ///
 /// # Errors
 /// [`Failure`] of a map that has none.
-pub fn statistics(
-    map: &HeightMap,
-    options: &StatsOptions,
-    Measured { path, cleaned, pair }: Measured<'_>,
-    with_iso: bool,
-    with_scales: bool,
-) -> Result<Statistics, Failure> {
-    let refused = |e: StatsError| Failure::in_file(path, &e);
-    let s = SurfaceStatistics::of(map, options).map_err(refused)?;
-    let spikes = Spikes::left(map, cleaned, pair);
-    let findings = contact_compare::measured(&s, &spikes, pair);
-    let mut json = contact_report::statistics_json(&s);
-    json["findings"] = contact_report::findings_json(&findings);
-    json["cleaning"] = contact_report::cleaning_json(cleaned);
-    json["pair"] = pair.map_or(Value::Null, contact_report::pair_json);
-    let levelled = (with_iso || with_scales).then(|| level(map, s.level));
-    let levelled = levelled.transpose().map_err(refused)?;
-    let iso = match levelled.as_ref().filter(|_| with_iso) {
-        Some(map) => Some(self::iso(map, options.edges).map_err(refused)?),
-        None => None,
+pub fn statistics(subject: &Subject<'_>, asked: &StatisticsRequest) -> Result<Statistics, Failure> {
+    let (origin, map) = (&subject.surface.origin, &subject.surface.heights);
+    let refused = |e: StatsError| Failure::in_file(subject.path, &e);
+    let options = StatsOptions {
+        level: origin.level(asked.level),
+        edges: asked.boundary.unwrap_or_else(|| origin.edges()),
+        fractal_range: None,
+        missing: origin.missing(),
+        height_step: origin.height_step(),
     };
-    if let Some(iso) = &iso {
-        json["iso25178"] = iso.iter().map(|p| (p.symbol.to_owned(), json!(p.value))).collect();
+    let s = SurfaceStatistics::of(map, &options).map_err(refused)?;
+    let spikes = Spikes::left(map, &subject.cleaned, origin.pair());
+    let mut findings = contact_compare::measured(&s, &spikes, origin.pair());
+    let mut json = contact_report::statistics_json(&s);
+    json["cleaning"] = contact_report::cleaning_json(&subject.cleaned);
+    json["pair"] = origin.pair().map_or(Value::Null, contact_report::pair_json);
+    let levelled = || level(map, s.level).map_err(refused);
+    let mut iso = None;
+    if asked.iso {
+        let found = self::iso(&levelled()?, options.edges).map_err(refused)?;
+        json["iso25178"] = found.iter().map(|p| (p.symbol.to_owned(), json!(p.value))).collect();
+        iso = Some(found);
     }
-    let scales = levelled.as_ref().filter(|_| with_scales).map(by_distance);
-    if let Some([along_x, along_y]) = &scales {
+    let mut scales = None;
+    if asked.scales {
+        let [along_x, along_y] = by_distance(&levelled()?);
         json["scales"] = json!({ "x": along_x, "y": along_y });
+        scales = Some([along_x, along_y]);
     }
+    if let Some((given, modulus)) = asked.adhesion {
+        let found = scene::adhesion(given, &levelled()?, modulus, &[]).map_err(refused)?;
+        findings.push(contact_compare::sticking(found));
+        findings.sort_by_key(|f| f.weight);
+        json["adhesion"] = json!(found);
+    }
+    json["findings"] = contact_report::findings_json(&findings);
     Ok(Statistics { json, statistics: s, findings, iso, scales })
+}
+
+/// The statistics of traces as one sample, this form taken off each.
+///
+/// # Errors
+/// [`Failure`] of traces too short for the filters.
+pub fn profile_statistics(
+    path: &Path,
+    traces: &ProfileSurface,
+    level: Level,
+) -> Result<(ProfileStatistics, Value), Failure> {
+    let options = traces.options(&Settings { level, ..Settings::default() });
+    let found = ProfileStatistics::of(&traces.traces, &options);
+    let found = found.map_err(|e| Failure::in_file(path, &e))?;
+    let mut json = contact_report::profile_statistics_json(&found);
+    json["missing"] = json!(traces.origin.missing());
+    json["uneven"] = contact_report::unevenness_json(traces.uneven);
+    json["cleaning"] = contact_report::cleaning_json(traces.origin.cleaned());
+    Ok((found, json))
 }

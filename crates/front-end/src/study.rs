@@ -30,8 +30,7 @@ fn not_converged(comparison: &Comparison) -> Option<Failure> {
     (!lines.is_empty()).then(|| Failure::incomplete("not_converged", lines.join("\n")))
 }
 
-/// Surfaces without a study, loads that did not converge, and surfaces whose plan misses the accuracy
-/// asked for.
+/// Surfaces without a study, loads that did not converge, and plans that miss the accuracy asked for.
 pub fn not_met(comparison: &Comparison) -> Option<Failure> {
     let unmet = comparison
         .surfaces

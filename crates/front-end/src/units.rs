@@ -28,7 +28,6 @@ pub enum Dimension {
 /// A unit: its name, and a factor and a power of ten that make it one of SI.
 type UnitScale = (&'static str, f64, i32);
 
-/// Length units.
 const LENGTHS: &[UnitScale] = &[
     ("m", 1.0, 0),
     ("cm", 1.0, -2),
@@ -50,7 +49,6 @@ const LENGTHS: &[UnitScale] = &[
     ("thou", 254.0, -7),
 ];
 
-/// Pressure units.
 const PRESSURES: &[UnitScale] = &[
     ("Pa", 1.0, 0),
     ("hPa", 1.0, 2),
@@ -73,7 +71,6 @@ const PRESSURES: &[UnitScale] = &[
     ("ksi", 0.453_592_37 * 9.806_65 / (0.0254 * 0.0254), 3),
 ];
 
-/// Force units.
 const FORCES: &[UnitScale] = &[
     ("N", 1.0, 0),
     ("kN", 1.0, 3),
@@ -106,7 +103,6 @@ const CONDUCTIVITIES: &[UnitScale] = &[
     ("W/cm/K", 1.0, 2),
 ];
 
-/// Units of a work of adhesion.
 const ADHESIONS: &[UnitScale] = &[
     ("J/m^2", 1.0, 0),
     ("mJ/m^2", 1.0, -3),
@@ -140,22 +136,16 @@ const MEANT: &[(Dimension, &str, &str)] = &[
 /// How quantities of a dimension are written.
 #[derive(Debug, Clone, Copy)]
 pub(crate) struct Spelling {
-    /// What people call it.
     pub(crate) kind: &'static str,
-    /// The unit of SI.
     pub(crate) si: &'static str,
-    /// Units to offer.
     pub(crate) units: &'static str,
     /// Units for a number that has none, parted by spaces.
     pub(crate) suggested: &'static str,
-    /// One quantity that works.
     pub(crate) example: &'static str,
-    /// One range that works.
     pub(crate) range: &'static str,
 }
 
 impl Dimension {
-    /// How its quantities are written.
     pub(crate) fn spelling(self) -> Spelling {
         let [kind, si, units] = match self {
             Self::Number => ["a pure number", "", "no unit, or %"],

@@ -18,38 +18,20 @@ use surface_stats::Level;
 pub(crate) struct SolvedLoads {
     /// Distributions are wanted: whether a spot at one edge goes on at the other.
     pub(crate) distributions: Option<bool>,
-    /// The leak is wanted.
     pub(crate) leak: Option<LeakRequest>,
     pub(crate) trouble: Option<Failure>,
     pub(crate) method: String,
-    /// What was taken off the map.
     pub(crate) level: Level,
     pub(crate) points: Vec<Option<Point>>,
     pub(crate) grid: Grid,
     /// The grid of the map as given.
-    given: Grid,
+    pub(crate) given: Grid,
     /// Spikes of the map as given, and the largest share of the load they carry on it.
     pub(crate) spikes: Spikes,
     pub(crate) spike_share: Option<f64>,
 }
 
 impl SolvedLoads {
-    /// Nothing yet, of so many loads.
-    pub(crate) fn new(loads: usize, method: String, level: Level, grid: Grid) -> Self {
-        Self {
-            distributions: None,
-            leak: None,
-            trouble: None,
-            method,
-            level,
-            points: (0..loads).map(|_| None).collect(),
-            grid,
-            given: grid,
-            spikes: Spikes::default(),
-            spike_share: None,
-        }
-    }
-
     /// Of each load taken: why its area has no uncertainty, if it has none.
     pub(crate) fn without_uncertainty(&self) -> Vec<Option<NoUncertainty>> {
         self.points.iter().flatten().map(|point| point.without_uncertainty).collect()
@@ -105,59 +87,52 @@ impl SolvedLoads {
         &mut self,
         index: usize,
         load: Load,
-        mut result: Result<Answered, SolverError>,
+        result: Result<Answered, SolverError>,
         known: &Map,
         part: Option<(&Joint, ContactModulus)>,
         watch: &mut dyn Watch,
     ) {
-        let (mut point, set) = match &result {
-            Ok(answered) => (Point::of(load, answered), answered.set.clone()),
-            Err(error) => (Point::of_error(load, error, known), None),
+        let mut point = match &result {
+            Ok(answered) => Point::of(load, answered),
+            Err(error) => Point::of_error(load, error, known),
         };
-        if let (Some(set), Some(part), Some(budget)) = (&set, part, &point.budget) {
-            point.conducted = conducted(part, &mut point.json, set, budget);
-        }
+        let solution = match result {
+            Ok(mut answered) => {
+                if let (Some(set), Some(part)) = (&answered.set, part) {
+                    point.conducted = conducted(part, &mut point.json, set, &answered.budget);
+                }
+                point.leak = answered.leak.take().filter(|_| self.leak.is_some());
+                point.leak.iter_mut().for_each(Leaks::drop_maps);
+                point.without_uncertainty = answered.budget.area.half_width().err();
+                let share = self.spikes.share(self.given.len(), &answered.solution.pressure);
+                self.spike_share = share.into_iter().chain(self.spike_share).reduce(f64::max);
+                Some(answered.solution)
+            }
+            Err(error) => {
+                let message = format!("{}: {error}", shown(load));
+                // Above the hardness nothing was solved, which is said of itself.
+                let is_solved = !matches!(error, SolverError::AboveHardness { .. });
+                let at_rounding = matches!(error, SolverError::Rounding(_));
+                point.without_uncertainty =
+                    is_solved.then_some(NoUncertainty::NotConverged { at_rounding });
+                self.report(match &error {
+                    SolverError::NotConverged(_) => Failure::incomplete("not_converged", message),
+                    SolverError::Rounding(_) => Failure::incomplete("stopped_at_rounding", message),
+                    other => Failure::refused(&variant(other), message),
+                });
+                iterate(error)
+            }
+        };
         if let Some(asked) = &self.leak {
-            point.leak = result.as_mut().ok().and_then(|answered| answered.leak.take());
-            point.leak.iter_mut().for_each(Leaks::drop_maps);
             let object = |leaks: &Leaks| contact_report::leak_point_json(asked, leaks);
             point.json["leak"] = json!(point.leak.as_ref().map(object));
         }
-        let budget = point.budget;
-        let (result, error) = match result {
-            Ok(answered) => (Ok(answered.solution), None),
-            Err(error) => (Err(error.clone()), Some(error)),
-        };
-        let (budget, error) = (budget.as_ref(), error.as_ref());
-        let solution = result.as_ref().map_or_else(SolverError::solution, Some);
-        if let (Some(repeats), Some(solution)) = (self.distributions, solution) {
-            let spots = spot_list(&solution.pressure, self.grid, repeats);
-            let found = Distributions::of(&solution.pressure, &solution.gap, &spots);
-            point.json["distributions"] = json!(found);
-        }
-        point.without_uncertainty = match error {
-            None => budget.and_then(|b: &Budget| b.area.half_width().err()),
-            // Nothing was solved, which is said of itself.
-            Some(SolverError::AboveHardness { .. }) => None,
-            Some(error) => {
-                let at_rounding = matches!(error, SolverError::Rounding(_));
-                Some(NoUncertainty::NotConverged { at_rounding })
-            }
-        };
-        if let Ok(solution) = &result {
-            let share = self.spikes.share(self.given.len(), &solution.pressure);
-            self.spike_share = share.into_iter().chain(self.spike_share).reduce(f64::max);
-        }
-        if let Some(error) = error {
-            let message = format!("{}: {error}", shown(load));
-            self.report(match error {
-                SolverError::NotConverged(_) => Failure::incomplete("not_converged", message),
-                SolverError::Rounding(_) => Failure::incomplete("stopped_at_rounding", message),
-                _ => Failure::refused(&variant(error), message),
-            });
-        }
-        let solution = result.map_or_else(iterate, Some);
         if let Some(mut solution) = solution {
+            if let Some(repeats) = self.distributions {
+                let spots = spot_list(&solution.pressure, self.grid, repeats);
+                let found = Distributions::of(&solution.pressure, &solution.gap, &spots);
+                point.json["distributions"] = json!(found);
+            }
             self.method = solution.diagnostics.method.to_string();
             if let Err(failure) = watch.keep(index, self.grid, &mut solution) {
                 self.report(failure);
@@ -205,7 +180,6 @@ fn conducted(
     Some(found)
 }
 
-/// The iterate that an error carries.
 fn iterate(error: SolverError) -> Option<Solution> {
     match error {
         SolverError::NotConverged(reached)

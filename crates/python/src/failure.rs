@@ -13,7 +13,7 @@ create_exception!(
 
 /// The exception of a failure.
 pub(crate) fn raise(failure: &Failure) -> PyErr {
-    Refused::new_err((failure.kind().to_owned(), failure.message().to_owned(), failure.status()))
+    Refused::new_err((failure.kind.clone(), failure.message.clone(), failure.status))
 }
 
 /// The exception of a request that the Python layer made wrong: a bug there.

@@ -1,24 +1,18 @@
 //! One closed form, asked.
 
 use crate::failure::{bug, raise};
-use crate::surface::{HeightFacts, LaidBody, Second, surface_of};
+use crate::surface::{HeightFacts, LaidBody, Second, subject, surface_of};
 use crate::watched::quietly;
 use contact_compare::{
     Body, BuildError, Card, ContactModel, ContactModulus, Input, Inputs, Joint, Level, MaterialUse,
-    PairOrigin, Solved, Spikes, Surface, Theory,
+    Surface, Theory,
 };
-use contact_front_end::model::{
-    ModelLoad, ModelResult, Unasked, failure, measured, object, results, scene,
-};
-use contact_front_end::typed::{Typed, Untyped};
+use contact_front_end::model::{ModelLoad, ModelResult, ModelSubject, failure};
+use contact_front_end::typed::{self, Typed};
 use contact_front_end::{Failure, bodies};
-use contact_types::Named;
 use numpy::{PyArray1, PyReadonlyArray1, PyReadonlyArray2};
 use pyo3::prelude::*;
 use serde::Deserialize;
-use serde_json::json;
-use std::collections::BTreeMap;
-use surface_stats::clean::{Record, RowOffsets, row_offsets};
 
 /// What Python asks. SI units; `roughness` is left out where a surface is given.
 #[derive(Deserialize)]
@@ -36,7 +30,7 @@ pub(crate) struct ModelArguments {
     pressures: Option<Vec<f64>>,
     separations: Option<Vec<f64>>,
     pub(crate) level: Level,
-    roughness: Option<BTreeMap<Input, Vec<f64>>>,
+    roughness: Option<Typed>,
 }
 
 /// What helps where a model lacks something.
@@ -77,32 +71,52 @@ impl ModelArguments {
     /// # Errors
     /// [`Failure`] of what the model has no use for.
     pub(crate) fn complete(&self, card: &Card, inputs: Inputs) -> Result<Inputs, Failure> {
-        for (is_given, input) in
-            [(self.hardness_is_given, Input::Hardness), (self.gamma.is_some(), Input::Gamma)]
-        {
-            if is_given && !card.takes(input) {
-                return Err(refused(card, &Untyped::Unused(input)));
-            }
-        }
+        self.refuse_unused(card)?;
         let (hardness, gamma) = (self.hardness, self.gamma);
         Ok(Inputs { hardness, gamma, poisson: contact_compare::poisson(&self.bodies), ..inputs })
     }
 
+    fn refuse_unused(&self, card: &Card) -> Result<(), Failure> {
+        for (is_given, input) in
+            [(self.hardness_is_given, Input::Hardness), (self.gamma.is_some(), Input::Gamma)]
+        {
+            if is_given && !card.takes(input) {
+                return Err(typed::unused(card, input, named));
+            }
+        }
+        Ok(())
+    }
+
     /// What the model is made from, of numbers typed in.
-    fn typed(&self, card: &Card, given: &BTreeMap<Input, Vec<f64>>) -> Result<Inputs, Failure> {
-        let lists = given.iter().fold(Typed::default(), |typed, (input, values)| {
-            typed.with_list(*input, Some(values.clone()))
-        });
+    fn typed(&self, card: &Card) -> Result<Inputs, Failure> {
+        let mut typed = self.roughness.clone().unwrap_or_default();
         let used = self.hardness_is_given || card.requires(Input::Hardness);
-        let own = lists.one(Input::Hardness);
-        let typed = match self.hardness.filter(|_| used && own.is_none()) {
-            Some(hardness) => lists.with(Input::Hardness, Some(hardness)),
-            None => lists,
-        };
-        let typed = typed.with(Input::Gamma, self.gamma);
-        let inputs = typed.inputs(card, self.modulus(card)?).map_err(|e| refused(card, &e))?;
+        if let Some(hardness) = self.hardness.filter(|_| used) {
+            typed.entry(Input::Hardness).or_insert(vec![hardness]);
+        }
+        if let Some(gamma) = self.gamma {
+            typed.insert(Input::Gamma, vec![gamma]);
+        }
+        let inputs = typed::inputs(&typed, card, self.modulus(card)?, named, None)?;
         let hardness = inputs.hardness.or(self.hardness);
         Ok(Inputs { hardness, poisson: contact_compare::poisson(&self.bodies), ..inputs })
+    }
+
+    /// Numbers for the inputs, of a surface or typed in.
+    fn subject(
+        &self,
+        card: &Card,
+        surface: Option<(Surface, HeightFacts)>,
+        laid: Option<LaidBody>,
+    ) -> Result<ModelSubject, Failure> {
+        let Some((surface, facts)) = surface else {
+            return self.typed(card).map(ModelSubject::typed);
+        };
+        self.refuse_unused(card)?;
+        let map = subject(surface, &facts, laid, self.level)?;
+        let mut found = ModelSubject::of_map(card, self.modulus(card)?, map, self.level, None)?;
+        found.inputs = self.complete(card, found.inputs)?;
+        Ok(found)
     }
 
     pub(crate) fn questions(&self) -> Vec<ModelLoad> {
@@ -112,20 +126,13 @@ impl ModelArguments {
     }
 }
 
-/// Numbers that make no model, each called as Python does.
-fn refused(card: &Card, untyped: &Untyped) -> Failure {
-    let name = |input: Input| input.name().replace('-', "_");
-    match untyped {
-        Untyped::Model(error) => Failure::from_error(error),
-        Untyped::Incomplete { .. } => Failure::refused("missing_input", untyped.told(card, name)),
-        _ => Failure::refused("usage", untyped.told(card, name)),
-    }
+fn named(input: Input) -> String {
+    input.name().replace('-', "_")
 }
 
-/// The first refusal, as kind and message.
 pub(crate) fn trouble(answers: &[ModelResult]) -> Option<(String, String)> {
     let first = answers.iter().find_map(|answer| answer.as_ref().err()).map(failure)?;
-    Some((first.kind().to_owned(), first.message().to_owned()))
+    Some((first.kind, first.message))
 }
 
 /// What `rough-contact model` answers, as JSON, and the first refusal, as kind and message.
@@ -147,72 +154,20 @@ pub(crate) fn model(
 
 pub(crate) type ModelAnswer = (String, Option<(String, String)>);
 
-/// What a theory is built from, and what is known of the heights that say it.
-struct Made {
-    inputs: Inputs,
-    rows: Option<RowOffsets>,
-    spikes: Spikes,
-    cleaned: Vec<Record>,
-    level: Option<&'static str>,
-    pair: Option<PairOrigin>,
-}
-
-impl Made {
-    fn of(
-        request: &ModelArguments,
-        card: &Card,
-        surface: Option<(Surface, HeightFacts)>,
-        laid: Option<LaidBody>,
-    ) -> Result<Self, Failure> {
-        let Some((mut surface, facts)) = surface else {
-            let typed = request.roughness.clone().unwrap_or_default();
-            let inputs = request.typed(card, &typed)?;
-            let (spikes, cleaned) = (Spikes::default(), Vec::new());
-            return Ok(Self { inputs, rows: None, spikes, cleaned, level: None, pair: None });
-        };
-        let given = request.complete(card, Inputs::new(request.modulus(card)?))?;
-        let path = facts.path().to_owned();
-        let (mut missing, mut cleaned, mut pair) = (facts.missing, facts.cleaned, None);
-        if let Some(laid) = laid {
-            surface = laid.on(surface, request.level)?;
-            (missing, cleaned) = (surface.origin.missing(), Vec::new());
-            pair = surface.origin.pair().cloned();
-        }
-        let spikes = Spikes::left(&surface.heights, &cleaned, pair.as_ref());
-        let rows = row_offsets(surface.heights.grid(), surface.heights.heights()).ok();
-        let used = surface.origin.level(request.level).on(&surface.heights);
-        let used = used.map_err(|e| Failure::in_file(&path, &e))?;
-        let how = (used, surface.origin.edges());
-        let inputs = measured(card, given, &path, surface.heights, missing, how)?;
-        Ok(Self { inputs, rows, spikes, cleaned, level: Some(used.name()), pair })
-    }
-}
-
 fn answer(
     request: &ModelArguments,
     surface: Option<(Surface, HeightFacts)>,
     laid: Option<LaidBody>,
 ) -> Result<ModelAnswer, Failure> {
     let theory = request.theory()?;
-    let card = theory.card();
-    let Made { inputs, rows, spikes, cleaned, level, pair } =
-        Made::of(request, card, surface, laid)?;
-    let questions = request.questions();
-    let joint = request.joint()?;
-    let found = results(theory, &inputs, &questions, joint).map_err(|e| e.failure(WAY_OUT))?;
-    let mut json = object(card, (&inputs, joint), &questions, &found, None);
-    let scene = scene(theory.card(), &inputs, &found, rows);
-    let known = Solved { scene, spikes, pair: pair.as_ref(), ..Solved::default() };
-    let findings = known.findings();
-    json["findings"] = contact_report::findings_json(&findings);
-    json["level"] = json!(level);
-    json["cleaning"] = contact_report::cleaning_json(&cleaned);
-    json["pair"] = pair.as_ref().map_or(serde_json::Value::Null, contact_report::pair_json);
-    json["bodies"] = contact_report::bodies_json(pair.as_ref(), &request.bodies);
+    let subject = request.subject(theory.card(), surface, laid)?;
+    let mut found =
+        subject.ask(theory, request.joint()?, &request.questions(), None, [WAY_OUT; 2])?;
+    found.json["bodies"] = contact_report::bodies_json(found.pair.as_ref(), &request.bodies);
     if !request.materials.is_empty() {
-        json["materials"] = contact_report::materials_json(&request.materials);
+        found.json["materials"] = contact_report::materials_json(&request.materials);
     }
-    Ok((json.to_string(), trouble(&found)))
+    Ok((found.json.to_string(), trouble(&found.results)))
 }
 
 /// A closed form that is built once and asked again and again. Private.
@@ -235,10 +190,12 @@ impl Closed {
         let surface = surface.map(|(heights, facts)| surface_of(&heights, &facts)).transpose()?;
         let made = quietly(py, threads, move || {
             let theory = request.theory()?;
-            let inputs = Made::of(&request, theory.card(), surface, None)?.inputs;
-            let model = theory.build(&inputs).map_err(|e| match e {
-                BuildError::Model(error) => failure(&error),
-                missing @ BuildError::Missing { .. } => Unasked::Missing(missing).failure(WAY_OUT),
+            let inputs = request.subject(theory.card(), surface, None)?.inputs;
+            let model = theory.build(&inputs).map_err(|e| match &e {
+                BuildError::Model(error) => failure(error),
+                BuildError::Missing { .. } => {
+                    Failure::refused("missing_input", format!("{e}; {WAY_OUT}"))
+                }
             })?;
             Ok(Self { title: theory.card().title.to_string(), model })
         })?;

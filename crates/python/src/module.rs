@@ -5,8 +5,11 @@ use pyo3::prelude::pymodule;
 /// Private: use the package `rough_contact`.
 #[pymodule]
 mod _rough_contact {
+    use crate::failure::{bug, raise};
+    use contact_front_end::bodies::{BothBodies, known};
     use contact_front_end::quantity::{parse as one, parse_list as several};
     use contact_front_end::units::Dimension;
+    use contact_front_end::{Failure, leak_request};
     use contact_report::numbers::plain;
     use contact_types::Named;
     use pyo3::prelude::*;
@@ -44,13 +47,11 @@ mod _rough_contact {
             "conductivity" => Dimension::Conductivity,
             "energy_per_area" => Dimension::Adhesion,
             "viscosity" => Dimension::Viscosity,
-            other => return Err(crate::failure::bug(&format!("no dimension {other}"))),
+            other => return Err(bug(&format!("no dimension {other}"))),
         };
         let found =
             if many { several(text, dimension) } else { one(text, dimension).map(|v| vec![v]) };
-        let refused =
-            |e| crate::failure::raise(&contact_front_end::Failure::refused("unit", format!("{e}")));
-        found.map_err(|e: contact_front_end::quantity::QuantityError| refused(e))
+        found.map_err(|e| raise(&Failure::refused("unit", e.message)))
     }
 
     /// A fraction and the ends between which it lies, in per cent.
@@ -70,18 +71,17 @@ mod _rough_contact {
     #[pyfunction]
     fn bodies_line(modulus: f64, bodies: &str) -> PyResult<String> {
         let bodies: Vec<contact_compare::Body> =
-            serde_json::from_str(bodies).map_err(|e| crate::failure::bug(&e))?;
+            serde_json::from_str(bodies).map_err(|e| bug(&e))?;
         Ok(contact_report::bodies_line(modulus, &bodies))
     }
 
     /// Contact modulus, elastic bodies, hardness and what was taken from the table of materials, as JSON.
     #[pyfunction]
     fn bodies(given: &str) -> PyResult<String> {
-        let given: contact_front_end::bodies::BothBodies =
-            serde_json::from_str(given).map_err(|e| crate::failure::bug(&e))?;
-        let nothing = || contact_front_end::Failure::refused("material", "no body is given");
+        let given: BothBodies = serde_json::from_str(given).map_err(|e| bug(&e))?;
+        let nothing = || Failure::refused("material", "no body is given");
         let found = given.resolve().and_then(|found| found.ok_or_else(nothing));
-        let found = found.map_err(|e| crate::failure::raise(&e))?;
+        let found = found.map_err(|e| raise(&e))?;
         Ok(serde_json::json!({
             "modulus": found.modulus.pascals(), "bodies": found.bodies, "hardness": found.hardness,
             "materials": found.materials,
@@ -93,8 +93,7 @@ mod _rough_contact {
     #[pyfunction]
     #[pyo3(signature = (along, seal))]
     fn leak(along: Option<&str>, seal: [Option<f64>; 4]) -> PyResult<String> {
-        let found =
-            contact_front_end::leak_request(along, seal).map_err(|e| crate::failure::raise(&e))?;
+        let found = leak_request(along, seal).map_err(|e| raise(&e))?;
         Ok(serde_json::json!(found).to_string())
     }
 
@@ -105,10 +104,7 @@ mod _rough_contact {
             let names: Vec<&str> = contact_compare::materials().iter().map(|m| m.name).collect();
             return Ok(serde_json::json!(names).to_string());
         };
-        let found = contact_compare::material(name).map_err(|near| {
-            let message = format!("{name} is not in the table; near it: {}", near.join(", "));
-            crate::failure::raise(&contact_front_end::Failure::refused("material", message))
-        })?;
+        let found = known(name).map_err(|e| raise(&e))?;
         Ok(contact_report::material_json(found, contact_compare::Property::all()).to_string())
     }
 

@@ -1,16 +1,16 @@
 //! Profiles: traces of a stylus, their statistics and what closed forms say of them.
 
 use crate::failure::{bug, raise};
-use crate::model::{ModelAnswer, ModelArguments};
-use crate::reading::{FileReading, Unread, rule, unmade};
+use crate::model::{ModelAnswer, ModelArguments, WAY_OUT};
+use crate::reading::{FileReading, Unread, unmade};
 use crate::study::{REPEAT, run_file_of, texts};
 use crate::surface::{HeightFacts, array, form, measurement};
 use crate::watched::quietly;
 use contact_compare::{
-    Cleaning, Level, Origin, ProfileComparison, ProfileSurface, Registry, RunSurface, Settings,
+    Level, Origin, ProfileComparison, ProfileSurface, Registry, RunSurface, Settings,
 };
-use contact_front_end::model::of_profile;
-use contact_front_end::{Failure, Traces};
+use contact_front_end::Failure;
+use contact_front_end::model::ModelSubject;
 use contact_report::Provenance;
 use numpy::ndarray::Axis;
 use numpy::{PyArray2, PyReadonlyArray2};
@@ -37,36 +37,30 @@ pub(crate) fn profile<'py>(
     content: Option<Vec<u8>>,
     rows: Option<PyReadonlyArray2<'py, f64>>,
 ) -> PyResult<Profile<'py>> {
-    let mut how: FileReading = serde_json::from_str(request).map_err(|e| bug(&e))?;
-    (how.content, how.is_array) = (content, rows.is_some());
+    let how = FileReading { is_array: rows.is_some(), ..FileReading::of(path, request, content)? };
     let given = rows.as_ref().map(|rows| -> Result<Vec<_>, Failure> {
         let pixel = how.file.pixel.unwrap_or_default();
         rows.as_array().axis_chunks_iter(Axis(0), 1).map(|row| measurement(row, pixel)).collect()
     });
     let given = given.transpose().map_err(|e| raise(&e))?;
     let level = form(level)?;
-    let at = Path::new(path);
-    let (file, asked) = (path.to_owned(), how.clone());
-    let found = quietly(py, threads, move || traces(Path::new(&file), &asked, level, given))?;
-    let (traces, json) = found.map_err(|e| e.raise(at))?;
-    let Traces { each, missing, cleaned, uneven, height_step, format, crop, .. } = traces;
-    let (count, points) = (each.len(), each.first().map_or(0, Trace::len));
-    let spacing = each.first().map_or(0.0, Trace::spacing);
-    let heights = each.iter().flat_map(|t| t.heights().iter().copied()).collect();
-    let name = at.file_name().unwrap_or(at.as_os_str()).to_string_lossy().into_owned();
-    let origin = how.origin(path, format.clone(), crop, (missing, &cleaned, height_step));
-    let known = (missing, cleaned, height_step);
-    let facts = HeightFacts::new(name, [spacing; 2], &how.file.fill, known, origin);
-    let facts = HeightFacts { uneven, ..facts };
+    let found = quietly(py, threads, move || traces(&how, level, given))?;
+    let (traces, json) = found.map_err(|e| e.raise(Path::new(path)))?;
+    let ProfileSurface { name, origin, traces, uneven } = traces;
+    let (count, points) = (traces.len(), traces.first().map_or(0, Trace::len));
+    let spacing = traces.first().map_or(0.0, Trace::spacing);
+    let heights = traces.iter().flat_map(|t| t.heights().iter().copied()).collect();
+    let format = if let Origin::File(file) = &origin { file.format.clone() } else { String::new() };
+    let facts = HeightFacts { uneven, ..HeightFacts::of(name, [spacing; 2], origin) };
     Ok((array(py, [count, points], heights)?, spacing, format, facts.text()?, json))
 }
 
 fn traces(
-    path: &Path,
     how: &FileReading,
     level: Level,
     given: Option<Vec<Measurement>>,
-) -> Result<(Traces, String), Unread> {
+) -> Result<(ProfileSurface, String), Unread> {
+    let path = Path::new(&how.file.path);
     let measurements = given.map_or_else(|| how.measurements(path), Ok)?;
     if measurements.first().is_some_and(|m| !m.is_profile()) {
         let message = format!("{}: this is a map; read it with rc.read", path.display());
@@ -85,34 +79,20 @@ fn traces(
         let message = format!("{}: {message}", path.display());
         return Err(Unread::Other(Failure::refused("profile", message)));
     }
-    let traces = Traces::of(measurements, how.file.cleaning, rule(&how.file.fill)?)
+    let (_, fill) = contact_front_end::reading(&how.file)?;
+    let traces = contact_front_end::traces(measurements, how.file.clone(), fill)
         .map_err(|e| unmade(path, &e, how))?;
-    let statistics = traces.statistics(level.degree().unwrap_or(0));
-    let (_, json) = statistics.map_err(|e| Failure::in_file(path, &e))?;
+    let (_, json) = contact_front_end::profile_statistics(path, &traces, level)?;
     Ok((traces, json.to_string()))
 }
 
 /// Traces that Python has kept, with what is known of them.
-fn kept(heights: &PyReadonlyArray2<'_, f64>, facts: &str) -> PyResult<(Traces, HeightFacts)> {
-    let facts = HeightFacts::of_text(facts)?;
+fn kept(heights: &PyReadonlyArray2<'_, f64>, facts: &str) -> PyResult<ProfileSurface> {
+    let HeightFacts { name, pixel, origin, uneven, .. } = HeightFacts::of_text(facts)?;
     let rows = heights.as_array();
-    let each = rows.rows().into_iter().map(|row| Trace::new(facts.pixel[1], row.to_vec()));
-    let each = each.collect::<Result<Vec<_>, _>>().map_err(|e| raise(&Failure::from_error(&e)))?;
-    let (format, cleaning, crop) = match &facts.origin {
-        Origin::File(file) => (file.format.clone(), file.cleaning, file.crop),
-        _ => (String::new(), Cleaning::default(), None),
-    };
-    let traces = Traces {
-        each,
-        missing: facts.missing,
-        cleaned: facts.cleaned.clone(),
-        uneven: facts.uneven,
-        height_step: facts.height_step,
-        cleaning,
-        format,
-        crop,
-    };
-    Ok((traces, facts))
+    let traces = rows.rows().into_iter().map(|row| Trace::new(pixel[1], row.to_vec()));
+    let traces = traces.collect::<Result<_, _>>().map_err(|e| raise(&Failure::from_error(&e)))?;
+    Ok(ProfileSurface { name, origin, traces, uneven })
 }
 
 /// What `rough-contact model` answers of traces, as JSON, and the first refusal, as kind and message.
@@ -125,17 +105,18 @@ pub(crate) fn profile_model(
     threads: usize,
 ) -> PyResult<ModelAnswer> {
     let request: ModelArguments = serde_json::from_str(request).map_err(|e| bug(&e))?;
-    let (traces, facts) = kept(&heights, facts)?;
+    let traces = kept(&heights, facts)?;
     let found = quietly(py, threads, move || -> Result<ModelAnswer, Failure> {
-        let theory = request.theory()?;
-        let mut found = of_profile(
-            theory,
-            request.modulus(theory.card())?,
-            request.joint()?,
-            (facts.path(), &traces, &facts.origin, request.level),
-            |inputs| Ok((request.complete(theory.card(), inputs)?, request.questions(), None)),
-            |unasked| unasked.failure(crate::model::WAY_OUT),
-        )?;
+        let (theory, joint) = (request.theory()?, request.joint()?);
+        let card = theory.card();
+        let path = match &traces.origin {
+            Origin::File(file) => Path::new(&file.path),
+            _ => Path::new(&traces.name),
+        };
+        let modulus = request.modulus(card)?;
+        let mut subject = ModelSubject::of_traces(modulus, path, &traces, request.level)?;
+        subject.inputs = request.complete(card, subject.inputs)?;
+        let mut found = subject.ask(theory, joint, &request.questions(), None, [WAY_OUT; 2])?;
         found.json["bodies"] = contact_report::bodies_json(None, &request.bodies);
         Ok((found.json.to_string(), crate::model::trouble(&found.results)))
     })?;
@@ -154,13 +135,11 @@ pub(crate) fn profile_study(
     let settings: Settings = serde_json::from_str(settings).map_err(|e| bug(&e))?;
     let mut given = Vec::with_capacity(profiles.len());
     for ((heights, facts, name), hash) in profiles.iter().zip(hashes) {
-        let (traces, facts) = kept(heights, facts)?;
-        let mut origin = facts.origin;
-        if let Origin::File(file) = &mut origin {
+        let mut traces = ProfileSurface { name: name.clone(), ..kept(heights, facts)? };
+        if let Origin::File(file) = &mut traces.origin {
             file.sha256 = hash;
         }
-        let Traces { each, uneven, .. } = traces;
-        given.push(ProfileSurface { name: name.clone(), origin, traces: each, uneven });
+        given.push(traces);
     }
     let threads = settings.threads;
     let found = quietly(py, threads, move || -> Result<_, Failure> {

@@ -1,19 +1,14 @@
 //! What is said of a file before it is read, and why it may give no surface.
 
-use crate::failure::raise;
-use contact_compare::{FileOrigin, Origin};
-use contact_front_end::{Complete, Failure, Incomplete};
-use contact_types::Named;
-use pyo3::PyErr;
+use crate::failure::{bug, raise};
+use contact_compare::{FileOrigin, Surface};
+use contact_front_end::{Failure, Incomplete, reading};
 use pyo3::exceptions::PyOSError;
+use pyo3::{PyErr, PyResult};
 use serde::{Deserialize, Serialize};
 use std::path::Path;
-use surface_io::{
-    Cut, DecimalMark, Fill, FillError, HeightUnit, Layout, Measurement, ReadError, ReadOptions,
-};
-use surface_stats::clean::Record;
+use surface_io::{Cut, FillError, Layout, Measurement, ReadError};
 
-/// What is said of a file.
 #[derive(Debug, Clone, Default, Deserialize, Serialize)]
 #[serde(deny_unknown_fields)]
 pub(crate) struct FileReading {
@@ -30,30 +25,16 @@ pub(crate) struct FileReading {
 }
 
 impl FileReading {
-    pub(crate) fn options(&self) -> Result<ReadOptions, Failure> {
-        let mut options = ReadOptions::default();
-        options.channel.clone_from(&self.file.channel);
-        options.pixel = self.file.pixel;
-        options.lateral_unit = self.file.lateral_unit;
-        options.height_unit = match self.file.override_height_unit {
-            Some(metres) => Some(HeightUnit::Always(metres)),
-            None => self.file.height_unit.map(HeightUnit::IfSilent),
-        };
-        if let Some(name) = &self.file.layout {
-            let unknown = || Failure::refused("setting", format!("layout {name:?} is none"));
-            options.layout = Some(Layout::of_name(name).ok_or_else(unknown)?);
-        }
-        if let Some(name) = &self.file.decimal {
-            let unknown = || Failure::refused("setting", format!("decimal {name:?} is none"));
-            options.decimal = Some(DecimalMark::of_name(name).ok_or_else(unknown)?);
-        }
-        options.missing.clone_from(&self.file.missing_marks);
-        Ok(options)
+    /// What is said of a file at this path, or with this content.
+    pub(crate) fn of(path: &str, request: &str, content: Option<Vec<u8>>) -> PyResult<Self> {
+        let mut how: Self = serde_json::from_str(request).map_err(|e| bug(&e))?;
+        path.clone_into(&mut how.file.path);
+        Ok(Self { content, ..how })
     }
 
     /// Every trace of a file of several; one measurement of any other file.
     pub(crate) fn measurements(&self, path: &Path) -> Result<Vec<Measurement>, Unread> {
-        let options = self.options()?;
+        let (options, _) = reading(&self.file)?;
         let all = match &self.content {
             Some(bytes) => surface_io::read_traces_bytes(bytes, &options),
             None => surface_io::read_traces(path, &options),
@@ -62,23 +43,8 @@ impl FileReading {
         all.into_iter().map(|m| self.part(m)).collect()
     }
 
-    /// Where heights came from that were read so; what is known of them is how many points were filled, what cleaning
-    /// did, and the step of the heights as measured.
-    pub(crate) fn origin(
-        &self,
-        path: &str,
-        format: String,
-        crop: Option<[usize; 4]>,
-        (missing, cleaned, height_step): (usize, &[Record], Option<f64>),
-    ) -> Origin {
-        let (path, cleaned) = (path.to_owned(), cleaned.to_vec());
-        let file = self.file.clone();
-        // The hash is made when a run file needs it: most surfaces never do.
-        Origin::File(FileOrigin { path, format, crop, missing, cleaned, height_step, ..file })
-    }
-
     pub(crate) fn measurement(&self, path: &Path) -> Result<Measurement, Unread> {
-        let options = self.options()?;
+        let (options, _) = reading(&self.file)?;
         let read = match &self.content {
             Some(bytes) => surface_io::read_bytes(bytes, &options),
             None => surface_io::read(path, &options),
@@ -86,7 +52,6 @@ impl FileReading {
         self.part(read.map_err(Unread::File)?)
     }
 
-    /// What was asked for of it.
     fn part(&self, measurement: Measurement) -> Result<Measurement, Unread> {
         let Some(text) = &self.crop else { return Ok(measurement) };
         let cut: Cut = text.parse().map_err(|message| Failure::refused("crop", message))?;
@@ -94,7 +59,6 @@ impl FileReading {
     }
 }
 
-/// Why a file gives no surface.
 pub(crate) enum Unread {
     File(ReadError),
     Other(Failure),
@@ -154,13 +118,6 @@ fn needs(needs: &[surface_io::Need]) -> String {
     all.join(" and ")
 }
 
-pub(crate) fn rule(name: &str) -> Result<Fill, Failure> {
-    Fill::of_name(name).ok_or_else(|| {
-        let message = format!("fill = {name:?} is none of 'refuse', 'harmonic', 'nearest'");
-        Failure::refused("setting", message)
-    })
-}
-
 /// Why a measurement gives no map, with the arguments that help.
 pub(crate) fn unmade(path: &Path, error: &Incomplete, how: &FileReading) -> Failure {
     let way_out = match error {
@@ -175,19 +132,17 @@ pub(crate) fn unmade(path: &Path, error: &Incomplete, how: &FileReading) -> Fail
         _ => String::new(),
     };
     let found = error.failure();
-    let kind = if let Incomplete::Fill(FillError::Missing { .. }) = error {
-        "missing"
-    } else {
-        found.kind()
-    };
-    Failure::refused(kind, format!("{}: {}", path.display(), found.message())).adding(&way_out)
+    let is_missing = matches!(error, Incomplete::Fill(FillError::Missing { .. }));
+    let kind = if is_missing { "missing" } else { &found.kind };
+    Failure::refused(kind, format!("{}: {found}", path.display())).adding(&way_out)
 }
 
 pub(crate) fn filled(
     path: &Path,
     measurement: Measurement,
     how: &FileReading,
-) -> Result<Complete, Failure> {
-    let found = contact_front_end::complete(measurement, how.file.cleaning, rule(&how.file.fill)?);
+) -> Result<Surface, Failure> {
+    let (_, fill) = reading(&how.file)?;
+    let found = contact_front_end::complete(measurement, how.file.clone(), fill);
     found.map_err(|e| unmade(path, &e, how))
 }

@@ -1,18 +1,15 @@
 //! The deterministic solution.
 
 use crate::failure::{bug, raise};
-use crate::surface::{LaidBody, Second, array, surface_of};
+use crate::surface::{LaidBody, Second, array, subject, surface_of};
 use crate::watched::{News, Reporter, WatchedOutcome, quietly, watched};
 use contact_accuracy::Ladder;
 use contact_compare::AccuracyRequest as Accuracy;
-use contact_compare::{
-    Body, EdgesName, Iteration, Joint, LeakRequest, Level, Load, MaterialUse, Method, Origin,
-    Precision, Solution, Surface, WorkOfAdhesion, labelled_spots,
-};
+use contact_compare::{Iteration, Load, Origin, Solution, Surface, labelled_spots};
 use contact_front_end::loads::Spread;
-use contact_front_end::{Failure, SolveInput, SolveRequest, Watch, bodies};
+use contact_front_end::{Failure, SolveRequest, Watch, bodies};
 use contact_types::Grid;
-use fft_bem_solver::{Boundary, FreeHalfSpace, HalfSpace};
+use fft_bem_solver::{FreeHalfSpace, HalfSpace};
 use numpy::{PyArray2, PyReadonlyArray2};
 use pyo3::exceptions::PyRuntimeError;
 use pyo3::prelude::*;
@@ -24,81 +21,39 @@ use std::sync::{Arc, Mutex, PoisonError};
 /// What to look at where a load over an area is no pressure.
 const CHECK: &str = "check the units of load and area";
 
-/// What Python asks. SI units.
-#[derive(Default, Deserialize)]
-#[serde(default, deny_unknown_fields)]
-#[allow(clippy::struct_excessive_bools, reason = "the switches of a call")]
+#[derive(Deserialize)]
+#[serde(deny_unknown_fields)]
 struct SolveArguments {
-    modulus: f64,
-    bodies: Vec<Body>,
+    request: SolveRequest,
     /// `pressure`, `gap` or `load`, with its values.
     loads: (String, Vec<f64>),
     area: Option<f64>,
-    level: Level,
-    boundary: Boundary,
-    edges: EdgesName,
-    method: Method,
-    precision: Precision,
-    tolerance: f64,
     accuracy: Option<String>,
-    fast: bool,
-    certify: bool,
-    stiffness: bool,
-    hardness: Option<f64>,
-    materials: Vec<MaterialUse>,
-    joint: Joint,
-    leak: Option<LeakRequest>,
-    adhesion: Option<WorkOfAdhesion>,
-    distributions: bool,
-    /// The heights are the one trace of ridges.
-    plane_strain: bool,
-    /// `none`, `pressure` or `all`.
-    maps: String,
-    threads: usize,
+    /// Whether the pressure is kept, and the gap if it is asked for.
+    maps: bool,
 }
 
 impl SolveArguments {
-    fn question(&self, surface: &Surface) -> Result<SolveRequest, Failure> {
-        let modulus = bodies::of_modulus(self.modulus)?;
+    /// The request with its loads, forces over this area of the map where no other is given (m²).
+    fn question(self, of_map: f64) -> Result<SolveRequest, Failure> {
         let accuracy = self.accuracy.as_deref().map(Accuracy::parse).transpose();
         let accuracy = accuracy.map_err(|e| Failure::refused("setting", e.to_string()))?;
         let (kind, values) = &self.loads;
-        let of_map = surface.heights.grid().area();
         let spread = (kind == "load").then(|| Spread::of(values, self.area, of_map, CHECK));
         let spread = spread.transpose()?;
         let values = spread.as_ref().map_or(values, |spread| &spread.pressures);
         let load: fn(f64) -> Load = if kind == "gap" { Load::MeanGap } else { Load::MeanPressure };
-        let loads = values.iter().copied().map(load).collect();
-        Ok(SolveRequest {
-            loads,
-            spread,
-            modulus,
-            bodies: self.bodies.clone(),
-            level: surface.origin.level(self.level),
-            boundary: self.boundary,
-            edges: self.edges,
-            plane_strain: self.plane_strain,
-            method: self.method,
-            precision: self.precision,
-            tolerance: self.tolerance,
-            accuracy,
-            fast: self.fast,
-            certify: self.certify,
-            stiffness: self.stiffness,
-            hardness: self.hardness,
-            conduction: self.joint,
-            leak: self.leak,
-            adhesion: self.adhesion,
-            materials: self.materials.clone(),
-            distributions: self.distributions,
-            keep_gap: self.maps == "all",
-        })
+        let mut request = self.request;
+        request.loads = values.iter().copied().map(load).collect();
+        request.settings.accuracy = accuracy.map(Accuracy::relative);
+        Ok(SolveRequest { spread, ..request })
     }
 }
 
 /// Keeps the maps that are wanted, and tells.
 struct KeptMaps<'a> {
-    maps: &'a str,
+    maps: bool,
+    keep_gap: bool,
     loads: &'a [Load],
     told: Vec<bool>,
     reporter: &'a Reporter,
@@ -124,10 +79,9 @@ impl Watch for KeptMaps<'_> {
 
     fn keep(&mut self, index: usize, grid: Grid, solution: &mut Solution) -> Result<(), Failure> {
         self.last = Some((solution.state.mean_pressure, solution.state.area_fraction));
-        if self.maps != "none" {
+        if self.maps {
             let pressure = std::mem::take(&mut solution.pressure);
-            let gap =
-                if self.maps == "all" { std::mem::take(&mut solution.gap) } else { Vec::new() };
+            let gap = if self.keep_gap { std::mem::take(&mut solution.gap) } else { Vec::new() };
             self.found.insert(index, (grid, pressure, gap));
         }
         Ok(())
@@ -263,7 +217,7 @@ pub(crate) fn solve<'py>(
 ) -> PyResult<SolveAnswer<'py>> {
     let request: SolveArguments = serde_json::from_str(request).map_err(|e| bug(&e))?;
     let (surface, facts) = surface_of(&heights, facts)?;
-    if request.plane_strain {
+    if request.request.plane_strain {
         one_trace(&surface).map_err(|e| raise(&e))?;
     }
     // Of a pair the area of their common part, which is known when they lie on each other.
@@ -273,14 +227,13 @@ pub(crate) fn solve<'py>(
         return Err(busy());
     }
     let WatchedOutcome { value, stopped_by } =
-        watched(py, request.threads, progress, move |reporter| {
-            let (is_pair, surface) = match laid {
-                Some(laid) => (true, laid.on(surface, request.level)?),
-                None => (false, surface),
-            };
-            let question = request.question(&surface)?;
+        watched(py, request.request.settings.threads, progress, move |reporter| {
+            let (maps, level) = (request.maps, request.request.settings.level);
+            let subject = subject(surface, &facts, laid, level)?;
+            let question = request.question(subject.surface.heights.grid().area())?;
             let mut watch = KeptMaps {
-                maps: &request.maps,
+                maps,
+                keep_gap: question.keep_gap,
                 loads: &question.loads,
                 told: vec![false; question.loads.len()],
                 reporter,
@@ -288,19 +241,11 @@ pub(crate) fn solve<'py>(
                 name: &facts.name,
                 last: None,
             };
-            let subject = SolveInput {
-                path: facts.path(),
-                map: surface.heights,
-                missing: if is_pair { surface.origin.missing() } else { facts.missing },
-                fill: &facts.fill,
-                cleaned: if is_pair { &[] } else { &facts.cleaned },
-                pair: surface.origin.pair(),
-            };
             let answer = match &kept {
-                None => question.solve(subject, &mut watch),
+                None => question.solve(subject, &mut None, &mut watch),
                 Some(kept) => {
                     let mut kept = kept.lock().unwrap_or_else(PoisonError::into_inner);
-                    question.solve_on(subject, &mut kept, &mut watch)
+                    question.solve(subject, &mut kept, &mut watch)
                 }
             };
             answer.map(|answer| (answer, watch.found))
@@ -315,8 +260,6 @@ pub(crate) fn solve<'py>(
         };
         maps.push((index, of(pressure)?, of(gap)?));
     }
-    let unmet = answer.plan.as_ref().and_then(|plan| contact_front_end::unmet("", plan));
-    let trouble = answer.trouble.into_iter().chain(unmet).reduce(Failure::and);
-    let trouble = trouble.map(|t| (t.kind().to_owned(), t.message().to_owned()));
+    let trouble = answer.trouble.map(|t| (t.kind, t.message));
     Ok((answer.json.to_string(), maps, trouble, stopped_by))
 }

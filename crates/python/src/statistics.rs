@@ -1,24 +1,13 @@
 //! Roughness statistics.
 
 use crate::failure::{bug, raise};
-use crate::surface::{LaidBody, Second, form, surface_of};
+use crate::surface::{LaidBody, Second, form, subject, surface_of};
 use crate::watched::quietly;
-use contact_compare::Level;
-use contact_front_end::{Failure, Measured};
+use contact_front_end::{Failure, StatisticsRequest};
 use numpy::{PyArray1, PyReadonlyArray2};
 use pyo3::prelude::*;
-use serde::Deserialize;
+use surface_stats::Edges;
 use surface_stats::spectrum::{Ring, Window, radial_psd};
-use surface_stats::{Edges, StatsOptions};
-
-#[derive(Deserialize)]
-struct StatisticsArguments {
-    level: Level,
-    /// None: as the surface was made.
-    boundary: Option<Edges>,
-    iso: bool,
-    scales: bool,
-}
 
 /// What `rough-contact stats` answers, as JSON.
 #[pyfunction]
@@ -31,29 +20,12 @@ pub(crate) fn statistics(
     threads: usize,
     against: Option<Second<'_>>,
 ) -> PyResult<String> {
-    let request: StatisticsArguments = serde_json::from_str(request).map_err(|e| bug(&e))?;
+    let request: StatisticsRequest = serde_json::from_str(request).map_err(|e| bug(&e))?;
     let (surface, facts) = surface_of(&heights, facts)?;
     let laid = LaidBody::of(against.as_ref())?;
     let found = quietly(py, threads, move || {
-        let surface = match laid {
-            Some(laid) => laid.on(surface, request.level)?,
-            None => surface,
-        };
-        let pair = surface.origin.pair();
-        let (missing, height_step, cleaned) = match pair {
-            Some(_) => (surface.origin.missing(), surface.origin.height_step(), &[][..]),
-            None => (facts.missing, facts.height_step, &facts.cleaned[..]),
-        };
-        let options = StatsOptions {
-            level: surface.origin.level(request.level),
-            edges: request.boundary.unwrap_or(surface.origin.edges()),
-            fractal_range: None,
-            missing,
-            height_step,
-        };
-        let from = Measured { path: facts.path(), cleaned, pair };
-        contact_front_end::statistics(&surface.heights, &options, from, request.iso, request.scales)
-            .map(|found| found.json.to_string())
+        let subject = subject(surface, &facts, laid, request.level)?;
+        contact_front_end::statistics(&subject, &request).map(|found| found.json.to_string())
     })?;
     found.map_err(|e| raise(&e))
 }

@@ -134,7 +134,7 @@ impl Theory for GivenTheory {
 pub(crate) fn models() -> String {
     let all = contact_compare::built_in()
         .iter()
-        .map(|theory| contact_front_end::models::card(theory.card()));
+        .map(|theory| contact_front_end::model::described(theory.card()));
     serde_json::Value::Array(all.collect()).to_string()
 }
 
@@ -231,7 +231,7 @@ pub(crate) fn study(
     let stopped_by = stopped_by.map(|e| e.into_value(py).into_any());
     match value {
         Some(Ok((files, trouble))) if stopped_by.is_none() => {
-            let trouble = trouble.map(|t| (t.kind().to_owned(), t.message().to_owned()));
+            let trouble = trouble.map(|t| (t.kind, t.message));
             Ok((files, trouble, None))
         }
         Some(Err(failure)) if stopped_by.is_none() => Err(raise(&failure)),
@@ -269,13 +269,11 @@ fn run(
 /// The command that repeats a study from the file beside its report.
 pub(crate) const REPEAT: &str = "rough-contact compare --from run.toml --out again";
 
-/// The run file of a study of these surfaces.
 pub(crate) fn run_file_of(settings: &Settings, surfaces: Vec<RunSurface>) -> RunFile {
     let program = env!("CARGO_PKG_VERSION").to_owned();
     RunFile { program, settings: settings.clone(), surfaces }
 }
 
-/// The documents of a study as text, by name.
 pub(crate) fn texts(
     documents: impl IntoIterator<Item = (impl Into<String>, Vec<u8>)>,
 ) -> BTreeMap<String, String> {

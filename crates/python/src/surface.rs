@@ -4,7 +4,7 @@ use crate::failure::{bug, raise};
 use crate::reading::{FileReading, Unread, filled};
 use crate::watched::quietly;
 use contact_compare::{Cleaning, GivenOrigin, Level, Origin, Placing, Recipe, Surface, Unevenness};
-use contact_front_end::{Complete, Failure};
+use contact_front_end::{Failure, Subject, pressed};
 use contact_types::{Grid, HeightMap, Named};
 use numpy::ndarray::{Array2, ArrayView2};
 use numpy::{Element, PyArray2, PyArrayMethods, PyReadonlyArray2};
@@ -23,7 +23,6 @@ use surface_stats::clean::Record;
 pub(crate) struct HeightFacts {
     pub(crate) name: String,
     pub(crate) pixel: [f64; 2],
-    pub(crate) missing: usize,
     pub(crate) fill: String,
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub(crate) height_step: Option<f64>,
@@ -36,16 +35,12 @@ pub(crate) struct HeightFacts {
 }
 
 impl HeightFacts {
-    /// Of heights that were read or made; what is known of them as in [`FileReading::origin`].
-    pub(crate) fn new(
-        name: String,
-        pixel: [f64; 2],
-        fill: &str,
-        (missing, cleaned, height_step): (usize, Vec<Record>, Option<f64>),
-        origin: Origin,
-    ) -> Self {
+    /// Of heights that were read or made.
+    pub(crate) fn of(name: String, pixel: [f64; 2], origin: Origin) -> Self {
+        let (height_step, cleaned) = (origin.height_step(), origin.cleaned().to_vec());
+        let fill = if let Origin::File(file) = &origin { &file.fill } else { "refuse" };
         let fill = fill.to_owned();
-        Self { name, pixel, missing, fill, height_step, origin, cleaned, uneven: None }
+        Self { name, pixel, fill, height_step, origin, cleaned, uneven: None }
     }
 
     pub(crate) fn of_text(text: &str) -> PyResult<Self> {
@@ -71,17 +66,6 @@ impl HeightFacts {
     }
 }
 
-/// The heights of an array.
-pub(crate) fn map_of(
-    heights: &PyReadonlyArray2<'_, f64>,
-    facts: &HeightFacts,
-) -> PyResult<HeightMap> {
-    let array = heights.as_array();
-    let refused = |e| raise(&Failure::from_error(&e));
-    let grid = Grid::new([array.nrows(), array.ncols()], facts.pixel).map_err(refused)?;
-    HeightMap::new(grid, array.iter().copied().collect()).map_err(refused)
-}
-
 /// Heights (m) as if measured.
 pub(crate) fn measurement(
     rows: ArrayView2<'_, f64>,
@@ -98,7 +82,10 @@ pub(crate) fn surface_of(
     facts: &str,
 ) -> PyResult<(Surface, HeightFacts)> {
     let facts = HeightFacts::of_text(facts)?;
-    let heights = map_of(heights, &facts)?;
+    let array = heights.as_array();
+    let refused = |e| raise(&Failure::from_error(&e));
+    let grid = Grid::new([array.nrows(), array.ncols()], facts.pixel).map_err(refused)?;
+    let heights = HeightMap::new(grid, array.iter().copied().collect()).map_err(refused)?;
     let surface = Surface { name: facts.name.clone(), origin: facts.origin.clone(), heights };
     Ok((surface, facts))
 }
@@ -128,7 +115,7 @@ impl LaidBody {
         Ok(Some(Self { second, placing, hashes }))
     }
 
-    /// The first with the second on it, named as the command does. Not on a thread of Python: it computes.
+    /// The first with the second on it. Not on a thread of Python: it computes.
     pub(crate) fn on(mut self, mut first: Surface, level: Level) -> Result<Surface, Failure> {
         for (body, hash) in [&mut first, &mut self.second].into_iter().zip(self.hashes) {
             if let Origin::File(file) = &mut body.origin
@@ -137,30 +124,29 @@ impl LaidBody {
                 file.sha256 = hash;
             }
         }
-        // Files of one name are told apart by where they lie.
-        if first.name == self.second.name
-            && let (Origin::File(a), Origin::File(b)) = (&first.origin, &self.second.origin)
-        {
-            let mut names = contact_front_end::told_apart(&[&a.path, &b.path]).into_iter();
-            for body in [&mut first, &mut self.second] {
-                body.name = names.next().unwrap_or_default();
-            }
-        }
-        if first.name == self.second.name {
-            self.second.name += " (2)";
-        }
-        let pressed = first.against(&self.second, &self.placing, level);
-        pressed.map_err(|e| Failure::refused("no_pair", e.to_string()))
+        pressed(first, self.second, &self.placing, level)
     }
 }
 
-/// A form by its name.
+/// The surface, with the second body on it if there is one, as it is asked about.
+pub(crate) fn subject(
+    surface: Surface,
+    facts: &HeightFacts,
+    laid: Option<LaidBody>,
+    level: Level,
+) -> Result<Subject<'_>, Failure> {
+    let (surface, cleaned) = match laid {
+        Some(laid) => (laid.on(surface, level)?, Vec::new()),
+        None => (surface, facts.cleaned.clone()),
+    };
+    Ok(Subject { path: facts.path(), surface, cleaned, fill: &facts.fill })
+}
+
 pub(crate) fn form(name: &str) -> PyResult<Level> {
     let unknown = || bug(&format!("level = {name:?} is no form"));
     Level::of_name(name).ok_or_else(unknown)
 }
 
-/// Rows and columns that cannot be written to.
 pub(crate) fn array<T: Element>(
     py: Python<'_>,
     shape: [usize; 2],
@@ -183,8 +169,8 @@ fn made<'py>(
 ) -> PyResult<MadeSurface<'py>> {
     let shape = map.grid().shape();
     let mut shown = json!({
-        "name": facts.name, "pixel": facts.pixel, "missing": facts.missing, "fill": facts.fill,
-        "height_step": facts.height_step, "cleaning": contact_report::cleaning_json(&facts.cleaned),
+        "name": facts.name, "pixel": facts.pixel, "missing": facts.origin.missing(),
+        "fill": facts.fill, "height_step": facts.height_step, "cleaning": contact_report::cleaning_json(&facts.cleaned),
     });
     if let (Some(shown), Some(said)) = (shown.as_object_mut(), said.as_object()) {
         shown.extend(said.clone());
@@ -202,12 +188,9 @@ pub(crate) fn read<'py>(
     threads: usize,
     content: Option<Vec<u8>>,
 ) -> PyResult<MadeSurface<'py>> {
-    let mut how: FileReading = serde_json::from_str(request).map_err(|e| bug(&e))?;
-    how.content = content;
-    let at = Path::new(path);
-    let (asked, file) = (how.clone(), path.to_owned());
+    let how = FileReading::of(path, request, content)?;
     let found = quietly(py, threads, move || {
-        let (how, path, at) = (asked, &file, Path::new(&file));
+        let (path, at) = (&how.file.path, Path::new(&how.file.path));
         let measurement = how.measurement(at)?;
         let said = contact_front_end::info(&measurement);
         if measurement.is_profile() {
@@ -217,21 +200,15 @@ pub(crate) fn read<'py>(
             );
             return Err(Unread::Other(Failure::refused("profile", message)));
         }
-        let complete = filled(at, measurement, &how)?;
-        Ok((complete, said))
+        Ok((filled(at, measurement, &how)?, said))
     })?;
-    let (complete, said) = found.map_err(|e| e.raise(at))?;
-    let Complete { map, missing, cleaned, height_step, format, crop } = complete;
-    let name = at.file_name().unwrap_or(at.as_os_str()).to_string_lossy().into_owned();
-    let origin = how.origin(path, format, crop, (missing, &cleaned, height_step));
-    let pixel = map.grid().pixel();
-    let known = (missing, cleaned, height_step);
-    let facts = HeightFacts::new(name, pixel, &how.file.fill, known, origin);
+    let (Surface { name, origin, heights }, said) = found.map_err(|e| e.raise(Path::new(path)))?;
+    let facts = HeightFacts::of(name, heights.grid().pixel(), origin);
     let said = json!({
         "format": said["format"], "channel": said["channel"], "channels": said["channels"],
         "metadata": said["metadata"], "ambiguity": said["ambiguity"],
     });
-    made(py, map, &facts, &said)
+    made(py, heights, &facts, &said)
 }
 
 /// What a file holds, as `rough-contact info` says it.
@@ -243,14 +220,12 @@ pub(crate) fn info(
     request: &str,
     content: Option<Vec<u8>>,
 ) -> PyResult<String> {
-    let mut how: FileReading = serde_json::from_str(request).map_err(|e| bug(&e))?;
-    how.content = content;
-    let at = Path::new(path);
-    let file = path.to_owned();
+    let how = FileReading::of(path, request, content)?;
     let found = quietly(py, 1, move || {
-        how.measurement(Path::new(&file)).map(|m| contact_front_end::info(&m).to_string())
+        let file = Path::new(&how.file.path);
+        how.measurement(file).map(|m| contact_front_end::info(&m).to_string())
     })?;
-    found.map_err(|e| e.raise(at))
+    found.map_err(|e| e.raise(Path::new(path)))
 }
 
 /// Heights of an array (m), NaN where a point is missing.
@@ -276,11 +251,15 @@ pub(crate) fn given<'py>(
     (how.file.fill, how.file.cleaning) = (given.fill.clone(), given.cleaning);
     let name = given.name.clone();
     let found = quietly(py, threads, move || filled(Path::new(&name), measurement, &how))?;
-    let Complete { map, missing, cleaned, height_step, .. } = found.map_err(|e| raise(&e))?;
+    let Surface { origin: made_of, heights: map, .. } = found.map_err(|e| raise(&e))?;
     let mut origin = GivenOrigin::of(&map, given.note);
-    (origin.missing, origin.height_step, origin.repeats) = (missing, height_step, given.repeats);
-    let (known, origin) = ((missing, cleaned, height_step), Origin::Given(origin));
-    let facts = HeightFacts::new(given.name, given.pixel, &given.fill, known, origin);
+    origin.repeats = given.repeats;
+    (origin.missing, origin.height_step) = (made_of.missing(), made_of.height_step());
+    let facts = HeightFacts {
+        fill: given.fill,
+        cleaned: made_of.cleaned().to_vec(),
+        ..HeightFacts::of(given.name, given.pixel, Origin::Given(origin))
+    };
     made(py, map, &facts, &json!({}))
 }
 
@@ -294,8 +273,7 @@ pub(crate) fn synth<'py>(
     let recipe: Recipe = serde_json::from_str(recipe).map_err(|e| bug(&e))?;
     let surface = quietly(py, threads, move || recipe.make())?;
     let Surface { name, origin, heights } = surface.map_err(|e| raise(&Failure::from_error(&e)))?;
-    let known = (0, Vec::new(), None);
-    let facts = HeightFacts::new(name, heights.grid().pixel(), "refuse", known, origin);
+    let facts = HeightFacts::of(name, heights.grid().pixel(), origin);
     made(py, heights, &facts, &json!({}))
 }
 
@@ -320,7 +298,7 @@ pub(crate) fn reshape<'py>(
     let note = format!("{} with its {form} taken off", facts.name);
     let mut origin = GivenOrigin::of(&map, note);
     (origin.missing, origin.height_step, origin.repeats) =
-        (facts.missing, facts.height_step, repeats);
+        (facts.origin.missing(), facts.height_step, repeats);
     facts.origin = Origin::Given(origin);
     made(py, map, &facts, &json!({}))
 }

@@ -20,7 +20,6 @@ const PATIENCE: Duration = Duration::from_millis(400);
 /// Stack of the thread (bytes): that of a main thread.
 const STACK: usize = 8 << 20;
 
-/// What Python is told.
 #[derive(Debug, Clone, Default, IntoPyObject)]
 pub(crate) struct News {
     pub(crate) stage: &'static str,
@@ -57,7 +56,6 @@ pub(crate) struct Reporter {
 }
 
 impl Reporter {
-    /// True if the work is to end.
     pub(crate) fn is_stopped(&self) -> bool {
         self.stop.load(Ordering::Relaxed)
     }
@@ -142,7 +140,6 @@ pub(crate) fn watched<T: Send + 'static>(
     })
 }
 
-/// Work that tells nothing.
 pub(crate) fn quietly<T: Send + 'static>(
     py: Python<'_>,
     threads: usize,

@@ -1,20 +1,13 @@
 //! A second body, pressed on the first.
 
 use crate::args;
-use crate::cleaning::CleaningOptions;
-use crate::input::{Complete, MapOrTraces, ReadingOptions};
+use crate::input::{FileOptions, One};
 use crate::outcome::Failure;
-use crate::surfaces::{One, from_file, pressed};
 use clap::{Args, Parser};
-use rough_contact::compare::{
-    Body, Cleaning, Flip, Level, Origin, PairOrigin, Placing, Settings, Surface,
-};
-use rough_contact::front_end::told_apart;
-use rough_contact::{compare, report};
-use serde_json::Value;
+use rough_contact::compare::{Body, Flip, Level, PairOrigin, Placing, Settings, Surface};
+use rough_contact::{compare, front_end, report};
 use std::path::{Path, PathBuf};
 
-/// Options of a second body.
 #[derive(Args, Clone, Debug)]
 pub(crate) struct Against {
     /// Surface file of a second body that lies face down on FILE: the sum of both heights is solved
@@ -34,14 +27,11 @@ pub(crate) struct Against {
     own: Option<Own>,
 }
 
-/// How a body is read and cleaned.
 #[derive(Parser, Clone, Debug)]
 #[command(no_binary_name = true, disable_help_flag = true)]
 struct Own {
     #[command(flatten)]
-    reading: ReadingOptions,
-    #[command(flatten)]
-    cleaning: CleaningOptions,
+    how: FileOptions,
 }
 
 fn own(text: &str) -> Result<Own, String> {
@@ -99,57 +89,26 @@ impl Against {
         }
     }
 
-    /// The first surface with the second on it; the first as it is if there is no second.
-    pub(crate) fn pressed_on(
-        &self,
-        mut first: Surface,
-        how: (&ReadingOptions, Cleaning),
-        level: Level,
-    ) -> Result<Surface, Failure> {
-        let Some(path) = self.given()? else { return Ok(first) };
-        let (reading, cleaning) =
-            self.own.as_ref().map_or(how, |own| (&own.reading, own.cleaning.asked()));
-        let One::Map(mut second) = from_file(path, reading, cleaning)? else {
-            return Err(profile(path));
-        };
-        // Files of one name are told apart by where they lie.
-        if first.name == second.name
-            && let (Origin::File(a), Origin::File(b)) = (&first.origin, &second.origin)
-        {
-            let mut names = told_apart(&[&a.path, &b.path]).into_iter();
-            for body in [&mut first, &mut *second] {
-                body.name = names.next().unwrap_or_default();
-            }
-        }
-        if first.name == second.name {
-            second.name += " (2)";
-        }
-        let placing =
-            Placing { flip: self.flip.unwrap_or_default(), shift: self.shift.unwrap_or_default() };
-        pressed(&first, &second, &placing, level)
-    }
-
-    /// What is in the file, with the second body on it if there is one.
+    /// What is in the file, with the second body on it if there is one; with its hash, for a run that is to be repeated.
     pub(crate) fn measured(
         &self,
         path: &Path,
-        how: (&ReadingOptions, Cleaning),
+        how: &FileOptions,
         level: Level,
-    ) -> Result<(MapOrTraces, Option<PairOrigin>), Failure> {
-        if self.given()?.is_none() {
-            return Ok((how.0.measured(path, how.1)?, None));
-        }
-        let One::Map(first) = from_file(path, how.0, how.1)? else { return Err(profile(path)) };
-        let Surface { origin, heights, .. } = self.pressed_on(*first, how, level)?;
-        let complete = Complete {
-            map: heights,
-            missing: origin.missing(),
-            cleaned: Vec::new(),
-            height_step: origin.height_step(),
-            format: "pair".to_owned(),
-            crop: None,
+        hashed: bool,
+    ) -> Result<One, Failure> {
+        let Some(second) = self.given()? else {
+            return if hashed { how.hashed(path) } else { how.measured(path) };
         };
-        Ok((MapOrTraces::Map(complete), origin.pair().cloned()))
+        let map = |path: &Path, how: &FileOptions| match how.hashed(path)? {
+            One::Map(map) => Ok(*map),
+            One::Profile(_) => Err(profile(path)),
+        };
+        let own = self.own.as_ref().map_or(how, |own| &own.how);
+        let (first, second): (Surface, Surface) = (map(path, how)?, map(second, own)?);
+        let placing =
+            Placing { flip: self.flip.unwrap_or_default(), shift: self.shift.unwrap_or_default() };
+        front_end::pressed(first, second, &placing, level).map(|map| One::Map(Box::new(map)))
     }
 
     /// What the answer depends on beside the first file and the options.
@@ -159,7 +118,7 @@ impl Against {
     }
 }
 
-pub(crate) fn profile(path: &Path) -> Failure {
+fn profile(path: &Path) -> Failure {
     let message = format!(
         "{}: this is a profile, and --against presses two maps on each other; a line of one body says \
          nothing of where the other meets it",
@@ -180,11 +139,6 @@ pub(crate) fn lines(pair: Option<&PairOrigin>, made_of: Option<(f64, Vec<Body>)>
     report::pair_lines(pair, settings.as_ref()).join("\n") + "\n"
 }
 
-/// The pair of a JSON answer, `null` for one body.
-pub(crate) fn json(pair: Option<&PairOrigin>) -> Value {
-    pair.map_or(Value::Null, report::pair_json)
-}
-
 #[cfg(test)]
 mod tests {
     use super::*;
@@ -193,9 +147,9 @@ mod tests {
     #[test]
     fn options_of_the_second_body_are_read_as_those_of_the_first() {
         let said = own("--fill harmonic --channel 'Z Axis' --outliers 8").unwrap();
-        assert_eq!(said.reading.channel.as_deref(), Some("Z Axis"));
-        assert_eq!(said.reading.fill.name(), "harmonic");
-        assert_eq!(said.cleaning.asked().outliers, Some(8.0));
+        assert_eq!(said.how.reading.channel.as_deref(), Some("Z Axis"));
+        assert_eq!(said.how.reading.fill.name(), "harmonic");
+        assert_eq!(said.how.cleaning.asked().outliers, Some(8.0));
         for bad in ["--fill some", "--channel 'Z", "--pressure 1MPa", "b.x3p"] {
             assert!(own(bad).is_err(), "{bad}");
         }

@@ -1,14 +1,16 @@
 //! Options that several commands share.
 
 use crate::outcome::Failure;
-use crate::quantity::{self, QuantityError};
+use crate::quantity;
 use crate::units::Dimension::{self, Length, Number, Pressure};
 use clap::Args;
 use clap::builder::{PossibleValuesParser, TypedValueParser};
-use rough_contact::compare::{AccuracyRequest, EdgesName, Method, Precision, built_in};
+use rough_contact::compare::{
+    AccuracyRequest, EdgesName, Joint, Level, Method, Precision, Settings, built_in,
+};
 use rough_contact::contact_types::Named;
+use rough_contact::front_end::bodies::Bodies;
 
-/// Options of every command.
 #[derive(Args)]
 pub(crate) struct CommonOptions {
     /// One JSON object on standard output, nothing else there
@@ -44,22 +46,20 @@ fn threads(text: &str) -> Result<usize, String> {
 #[derive(Clone, Debug)]
 pub(crate) struct List(pub(crate) Vec<f64>);
 
-/// A quantity of this kind.
 pub(crate) fn one(
     dimension: Dimension,
-) -> impl Fn(&str) -> Result<f64, QuantityError> + Clone + Send + Sync + 'static {
+) -> impl Fn(&str) -> Result<f64, Failure> + Clone + Send + Sync + 'static {
     move |text| quantity::parse(text, dimension)
 }
 
-/// A list of them.
 pub(crate) fn list(
     dimension: Dimension,
-) -> impl Fn(&str) -> Result<List, QuantityError> + Clone + Send + Sync + 'static {
+) -> impl Fn(&str) -> Result<List, Failure> + Clone + Send + Sync + 'static {
     move |text| quantity::parse_list(text, dimension).map(List)
 }
 
 /// A hardness, or `elastic` for bodies that do not yield, as infinity.
-pub(crate) fn hardness(text: &str) -> Result<f64, QuantityError> {
+pub(crate) fn hardness(text: &str) -> Result<f64, Failure> {
     let is_elastic = text.trim().eq_ignore_ascii_case("elastic");
     if is_elastic { Ok(f64::INFINITY) } else { quantity::parse(text, Pressure) }
 }
@@ -101,7 +101,6 @@ pub(crate) fn one_of<T: Named + Send + Sync>() -> impl TypedValueParser<Value = 
 /// The form taken off where nothing is said, by every command: the tilt of a mounting, unless the map repeats.
 pub(crate) const LEVEL: &str = "auto";
 
-/// How a map is solved.
 #[derive(Args, Clone, Debug)]
 pub(crate) struct SolverOptions {
     /// Beyond the edges of a map: the map again, or its mirror images (four times the points, memory and time), which
@@ -127,14 +126,28 @@ pub(crate) struct SolverOptions {
     pub(crate) fast: bool,
 }
 
-/// Mirror images at the edges are for periodic maps.
-pub(crate) fn refuse_mirrored(edges: EdgesName, is_free: bool) -> Result<(), Failure> {
-    if edges == EdgesName::Periodic || !is_free {
-        return Ok(());
+impl SolverOptions {
+    /// Settings of a study of these bodies, with what is asked of the joint.
+    pub(crate) fn settings(&self, level: Level, made_of: Bodies, joint: &Joint) -> Settings {
+        Settings {
+            modulus: made_of.modulus.pascals(),
+            hardness: made_of.hardness,
+            resistivities: joint.resistivities,
+            conductivities: joint.conductivities,
+            gas: joint.gas,
+            load_area: joint.area,
+            materials: made_of.materials,
+            bodies: made_of.bodies,
+            level,
+            edges: self.edges,
+            method: self.method,
+            precision: self.precision,
+            tolerance: self.tolerance,
+            accuracy: self.accuracy.map(AccuracyRequest::relative),
+            fast: self.fast,
+            ..Settings::default()
+        }
     }
-    let message = "--edges mirrored puts mirror images beyond the edges and --boundary free nothing; give \
-                   one of them";
-    Err(Failure::refused("combination", message))
 }
 
 /// Takes `--refine`, which is gone, and names what does its work.
@@ -144,12 +157,10 @@ pub(crate) fn refine_is_gone(_: &str) -> Result<bool, String> {
         .to_owned())
 }
 
-/// A model that a study can ask.
 pub(crate) fn study_models() -> impl TypedValueParser<Value = String> {
     lower_case(built_in().of_studies().map(|t| t.card().name.as_ref()))
 }
 
-/// Any model.
 pub(crate) fn models() -> impl TypedValueParser<Value = String> {
     lower_case(built_in().iter().map(|t| t.card().name.as_ref()))
 }

@@ -1,7 +1,7 @@
 //! One command over many files: every file by itself, nothing aborted, answers kept as they come.
 
 use crate::args::CommonOptions;
-use crate::files::{Files, Kept, expand};
+use crate::files::{Files, expand};
 use crate::outcome::{Failure, Reply};
 use crate::output::Folder;
 use crate::progress::ProgressDisplay;
@@ -14,21 +14,16 @@ use std::path::{Path, PathBuf};
 use std::sync::atomic::{AtomicUsize, Ordering};
 use std::sync::{Mutex, PoisonError, RwLock};
 
-/// Files up to this size are answered side by side, one thread each; larger ones alone, with all
-/// threads. Answers do not depend on it.
+/// Files up to this size are answered side by side, one thread each; larger ones alone, with all threads.
 const SMALL: u64 = 4 << 20;
 
 /// A command that answers for one file at a time.
 pub(crate) trait PerFile: Clone + Debug + Sync {
-    /// Its name.
     const NAME: &'static str;
-    /// The columns of its table on a terminal.
     const SHOWN: &'static [Shown];
 
-    /// The same command with one file only.
     fn on(&self, file: &Path) -> Self;
 
-    /// The answer for the one file.
     fn answer(&self, common: &CommonOptions) -> Result<Reply, Failure>;
 
     /// Content of other files that an answer depends on, as a hash.
@@ -68,10 +63,9 @@ pub(crate) fn run<C: PerFile>(
     if let Some(file) = files.only() {
         return command.on(file).answer(common);
     }
-    let Kept { out, resume } = &files.kept;
-    let open =
-        |out: &PathBuf| Store::at(out, &["table.csv", "results.json"], *resume, common.force);
-    let store = out.as_ref().map(open).transpose()?;
+    let names = ["table.csv", "results.json"];
+    let open = |out: &PathBuf| Store::at(out, &names, files.resume, common.force);
+    let store = files.out.as_ref().map(open).transpose()?;
     let outcomes = outcomes(command, &files.paths, store.as_ref(), common)?;
     let mut reply =
         Reply::new(rows::table(&outcomes, C::SHOWN), json!({ "files": objects(&outcomes) }));
@@ -85,7 +79,6 @@ pub(crate) fn run<C: PerFile>(
     Ok(reply)
 }
 
-/// One object for each file, or why there is none.
 pub(crate) fn objects(outcomes: &[FileOutcome]) -> Vec<Value> {
     let one = |outcome: &FileOutcome| {
         let (mut object, trouble) = match &outcome.result {
@@ -101,7 +94,6 @@ pub(crate) fn objects(outcomes: &[FileOutcome]) -> Vec<Value> {
     outcomes.iter().map(one).collect()
 }
 
-/// Exit status 1 if a file has no complete answer.
 pub(crate) fn trouble(outcomes: &[FileOutcome]) -> Option<Failure> {
     let failed = outcomes.iter().filter(|o| o.why().is_some()).count();
     let message = format!("{failed} of {} files without a complete answer", outcomes.len());
@@ -242,7 +234,6 @@ impl Store {
         Ok(Self { folder, answers, resume })
     }
 
-    /// The whole answer of a file, as it was kept.
     pub(crate) fn whole(&self, outcome: &FileOutcome) -> std::io::Result<Value> {
         Ok(self.read(outcome.kept_as.as_deref().unwrap_or_default())?["answer"].take())
     }
@@ -252,8 +243,7 @@ impl Store {
         serde_json::from_str(&text).map_err(std::io::Error::other)
     }
 
-    /// The name of an answer: of the file, and a hash of its content, of where it lies and of everything
-    /// that was asked.
+    /// The name of an answer: that of the file, and a hash of its path, its content and everything that was asked.
     fn name(file: &Path, content: &str, settings: &str) -> String {
         let shown = file.display().to_string();
         let key = sha256_hex(format!("{shown}\n{content}\n{settings}").as_bytes());
@@ -269,62 +259,17 @@ impl Store {
             return None;
         }
         let mut kept = self.read(name).ok()?;
-        let trouble = kept.get("trouble").and_then(Failure::of_json);
+        let trouble = serde_json::from_value(kept["trouble"].take()).ok()?;
         let answer = kept.get_mut("answer")?.take();
         answer.is_object().then_some((answer, trouble))
     }
 
     /// Puts an answer there. It has its name only when it is whole.
     fn keep(&self, name: &str, reply: &Reply) -> Result<(), Failure> {
-        let kept = json!({
-            "answer": reply.json, "trouble": reply.trouble.as_ref().map(Failure::json_with_status),
-        });
+        let kept = json!({ "answer": reply.json, "trouble": reply.trouble });
         self.answers.write(name, |out| {
             serde_json::to_writer(&mut *out, &kept).map_err(std::io::Error::other)?;
             writeln!(out)
         })
-    }
-}
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-
-    fn store(dir: &Path, resume: bool) -> Store {
-        Store::at(&dir.join("out"), &["table.csv"], resume, false).expect("a folder")
-    }
-
-    #[test]
-    fn an_answer_is_kept_for_this_content_at_this_place_with_these_settings() {
-        let name = |file: &str, content, settings| Store::name(Path::new(file), content, settings);
-        let first = name("a/s.x3p", "00", "stats");
-        assert_eq!(first, name("a/s.x3p", "00", "stats"));
-        for other in
-            [("b/s.x3p", "00", "stats"), ("a/s.x3p", "01", "stats"), ("a/s.x3p", "00", "solve")]
-        {
-            assert_ne!(first, name(other.0, other.1, other.2));
-        }
-        assert!(first.starts_with("s.x3p-"));
-    }
-
-    #[test]
-    fn a_part_of_an_answer_is_none() {
-        let dir = tempfile::tempdir().expect("a folder");
-        let mut reply = Reply::new(String::new(), json!({ "m0": 1.5e-13 }));
-        reply.trouble = Some(Failure::incomplete("not_converged", "at 1 MPa"));
-        store(dir.path(), false).keep("a.json", &reply).expect("written");
-        assert!(store(dir.path(), false).kept("a.json").is_none(), "not asked to go on");
-        let store = store(dir.path(), true);
-        let (answer, trouble) = store.kept("a.json").expect("there");
-        assert_eq!(answer, reply.json);
-        assert_eq!(
-            trouble.map(|t| t.json_with_status()),
-            reply.trouble.map(|t| t.json_with_status())
-        );
-        let whole = std::fs::read(store.answers.path().join("a.json")).expect("there");
-        for length in 0..whole.len() - 1 {
-            std::fs::write(store.answers.path().join("a.json"), &whole[..length]).expect("written");
-            assert!(store.kept("a.json").is_none(), "{length} of {} bytes", whole.len());
-        }
     }
 }

@@ -33,7 +33,7 @@ pub(crate) fn cells(point: &Point, has_spot: bool) -> Vec<String> {
         format!("{:.1e}", d.residuals.preconditioned),
         text::seconds(d.seconds),
     ]);
-    cells.extend(budget.stiffness.map(|k| text::stiffness(k.value)));
+    cells.extend(budget.stiffness.map(|k| format!("{:.2e} Pa/m", k.value)));
     if let Some(Yielded { area_fraction, load_share, .. }) = d.yielded {
         cells.extend([area_fraction, load_share].map(text::percent));
     }
@@ -58,7 +58,6 @@ pub(crate) fn notes(points: &[Point]) -> String {
         };
         let shown = shown(point.load);
         if let Some(finer) = &point.finer {
-            // Writing to a String cannot fail.
             let area = text::percent(finer.area);
             let _ = writeln!(notes, "{shown}: twice the points read {area}; the ± covers both");
         }

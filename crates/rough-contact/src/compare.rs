@@ -4,23 +4,21 @@ use crate::adhesion::AdhesionOptions;
 use crate::against::{self, Against};
 use crate::args::{self, CommonOptions, List, SolverOptions};
 use crate::bodies::BodyOptions;
-use crate::cleaning::CleaningOptions;
 use crate::compare_profiles;
 use crate::conduction::ConductionOptions;
-use crate::input::ReadingOptions;
+use crate::input::{FileOptions, One};
 use crate::leak::{self, LeakOptions};
 use crate::loads::Forces;
 use crate::outcome::{Failure, Reply};
 use crate::output::Folder;
 use crate::progress::ProgressDisplay;
-use crate::shell::quoted;
-use crate::surfaces::{Given, One, from_file, repeat};
+use crate::surfaces::{distinct, parted, repeat};
 use crate::text::{self, Columns, plain};
 use crate::units::Dimension::{Number, Pressure};
 use clap::Args;
 use rough_contact::compare::{
-    AccuracyRequest, Comparison, Level, ModelCurve, Origin, Refused, Registry, RunFile, RunSurface,
-    Settings, Surface, on_threads,
+    Comparison, Level, ModelCurve, Refused, Registry, RunFile, RunSurface, Settings, Surface,
+    SurfaceComparison, on_threads,
 };
 pub(crate) use rough_contact::front_end::not_met;
 use rough_contact::front_end::run_file_in;
@@ -91,42 +89,38 @@ pub(crate) struct Compare {
     #[command(flatten)]
     pub(crate) against: Against,
     #[command(flatten)]
-    reading: ReadingOptions,
-    #[command(flatten)]
-    cleaning: CleaningOptions,
+    how: FileOptions,
 }
 
 impl Compare {
     pub(crate) fn run(&self, common: &CommonOptions) -> Result<Reply, Failure> {
         let mut unread = Vec::new();
-        let (mut settings, surfaces) = if let Some(path) = &self.from {
+        let (mut settings, mut surfaces) = if let Some(path) = &self.from {
             repeat(path)?
         } else {
             let (settings, surfaces) = (self.settings()?, self.surfaces(&mut unread)?);
-            let maps = if let Given::Maps(maps) = &surfaces { &maps[..] } else { &[] };
-            (self.loaded(settings, maps)?, surfaces)
+            let area = |one: &One| match one {
+                One::Map(map) => Some(map.heights.grid().area()),
+                One::Profile(_) => None,
+            };
+            (self.loaded(settings, surfaces.iter().filter_map(area))?, surfaces)
         };
         settings.threads = common.threads();
-        let named = |name: &String, origin: &Origin| RunSurface {
-            name: name.clone(),
-            origin: origin.clone(),
+        let named = |one: &mut One| {
+            let (name, origin) = one.named();
+            RunSurface { name: name.clone(), origin: origin.clone() }
         };
         let run_file = RunFile {
             program: env!("CARGO_PKG_VERSION").to_owned(),
             settings: settings.clone(),
-            surfaces: match &surfaces {
-                Given::Maps(maps) => maps.iter().map(|s| named(&s.name, &s.origin)).collect(),
-                Given::Profiles(all) => all.iter().map(|s| named(&s.name, &s.origin)).collect(),
-            },
+            surfaces: surfaces.iter_mut().map(named).collect(),
         };
         let (run_file, repeat) = (run_file_in(run_file, &self.out), repeat_command(&self.out));
-        let surfaces = match surfaces {
-            Given::Maps(surfaces) => surfaces,
-            Given::Profiles(profiles) => {
-                let out = &self.out;
-                return compare_profiles::run(profiles, &settings, &run_file, out, &repeat, common);
-            }
-        };
+        let (surfaces, profiles) = parted(surfaces)?;
+        if !profiles.is_empty() {
+            let out = &self.out;
+            return compare_profiles::run(profiles, &settings, &run_file, out, &repeat, common);
+        }
         let names = front_end::DOCUMENTS.map(str::to_owned);
         let folder = Folder::prepare(&self.out, &names, common.force)?;
         on_threads(settings.threads, || {
@@ -159,39 +153,26 @@ impl Compare {
             None if self.files.is_empty() => self.bodies.steel().required(self.hardness)?,
             _ => self.bodies.required(self.hardness)?,
         };
-        self.forces.refuse_idle_area(self.conduction.is_asked())?;
-        let area = self.forces.area().filter(|_| self.conduction.is_asked());
-        let conduction = self.conduction.asked(&mut made_of, area)?;
+        let joint = self.conduction.of_part(&mut made_of, &self.forces)?;
         Ok(Settings {
-            modulus: made_of.modulus.pascals(),
-            hardness: made_of.hardness,
-            resistivities: conduction.resistivities,
-            conductivities: conduction.conductivities,
-            gas: conduction.gas,
-            load_area: conduction.area,
             leak: self.leak.asked()?,
             adhesion: self.adhesion.asked()?,
-            materials: made_of.materials,
-            bodies: made_of.bodies,
             pressures: self.pressure.as_ref().map(|List(pressures)| pressures.clone()),
             headline: self.headline,
             models: self.models.clone(),
-            level: self.level,
-            edges: self.solver.edges,
-            method: self.solver.method,
-            precision: self.solver.precision,
-            tolerance: self.solver.tolerance,
-            accuracy: self.solver.accuracy.map(AccuracyRequest::relative),
-            fast: self.solver.fast,
             gamma: self.gamma,
             fractal_range: self.fractal_range,
-            ..Settings::default()
+            ..self.solver.settings(self.level, made_of, &joint)
         })
     }
 
     /// With --load, its pressures on the area that carries it.
-    pub(crate) fn loaded(&self, settings: Settings, maps: &[Surface]) -> Result<Settings, Failure> {
-        let spread = self.forces.spread(maps.iter().map(|s| s.heights.grid().area()))?;
+    pub(crate) fn loaded(
+        &self,
+        settings: Settings,
+        areas: impl IntoIterator<Item = f64>,
+    ) -> Result<Settings, Failure> {
+        let spread = self.forces.spread(areas)?;
         Ok(match spread {
             None => settings,
             Some(spread) => Settings {
@@ -202,15 +183,8 @@ impl Compare {
         })
     }
 
-    /// What is in a file.
     pub(crate) fn read(&self, path: &Path) -> Result<One, Failure> {
-        let how = (&self.reading, self.cleaning.asked());
-        let one = from_file(path, how.0, how.1)?;
-        if self.against.given()?.is_none() {
-            return Ok(one);
-        }
-        let One::Map(map) = one else { return Err(against::profile(path)) };
-        self.against.pressed_on(*map, how, self.level).map(|s| One::Map(Box::new(s)))
+        self.against.measured(path, &self.how, self.level, true)
     }
 
     /// The same command with no file and no folder: what every answer depends on.
@@ -220,7 +194,7 @@ impl Compare {
     }
 
     /// What is in the files. One that cannot be read costs the others nothing: it goes to `unread`.
-    fn surfaces(&self, unread: &mut Vec<Refused>) -> Result<Given, Failure> {
+    fn surfaces(&self, unread: &mut Vec<Refused>) -> Result<Vec<One>, Failure> {
         if !self.files.is_empty() {
             let (mut all, mut first) = (Vec::new(), None);
             for path in &self.files {
@@ -228,7 +202,7 @@ impl Compare {
                     Ok(one) => all.push(one),
                     Err(failure) => {
                         let shown = path.display().to_string();
-                        let message = failure.message();
+                        let message = &failure.message;
                         let reason = message.strip_prefix(&format!("{shown}: ")).unwrap_or(message);
                         let name = path.file_name().map_or(shown, |n| n.to_string_lossy().into());
                         unread.push(Refused { name, reason: reason.to_owned() });
@@ -241,27 +215,33 @@ impl Compare {
             {
                 return Err(failure);
             }
-            let mut given = Given::of(all)?;
-            given.distinct();
-            return Ok(given);
+            distinct(&mut all);
+            return Ok(all);
         }
-        self.cleaning.refuse_without_file()?;
+        self.how.cleaning.refuse_without_file()?;
         if self.against.given()?.is_some() {
             let message = "--against is for a second body on a surface FILE, and none is given";
             return Err(Failure::refused("usage", message));
         }
         let recipes = compare::built_in_recipes();
-        let made = recipes.iter().map(compare::Recipe::make).collect::<Result<_, _>>();
-        made.map(Given::Maps).map_err(|e| Failure::from_error(&e))
+        let made = recipes.iter().map(|recipe| recipe.make().map(|map| One::Map(Box::new(map))));
+        made.collect::<Result<_, _>>().map_err(|e| Failure::from_error(&e))
     }
 }
 
-/// The command that repeats the run, from the folder it was made in: with the run file where it
-/// is, into a folder that is not there yet.
+/// The command that repeats the run, from the folder it was made in, into a folder that is not there yet.
 fn repeat_command(out: &Path) -> String {
     let again = format!("{}-again", out.display().to_string().trim_end_matches(['/', '\\']));
     let run_file = out.join("run.toml").display().to_string();
     format!("rough-contact compare --from {} --out {}", quoted(&run_file), quoted(&again))
+}
+
+pub(crate) fn quoted(word: &str) -> String {
+    let is_plain = |c: char| c.is_alphanumeric() || "/._-+:\\~".contains(c);
+    if word.chars().all(is_plain) {
+        return word.to_owned();
+    }
+    format!("'{}'", word.replace('\'', "'\\''"))
 }
 
 fn study(
@@ -305,7 +285,6 @@ fn study(
     Ok(comparison)
 }
 
-/// A short table per surface, and where the report is.
 fn describe(comparison: &Comparison, folder: &Path) -> String {
     let mut out = String::new();
     for same in comparison.surfaces.chunk_by(|a, b| a.statistics.level == b.statistics.level) {
@@ -317,7 +296,9 @@ fn describe(comparison: &Comparison, folder: &Path) -> String {
         out.push_str(&text::level(comparison.settings.level, same[0].statistics.level));
     }
     out.push_str(text::MOMENTS);
-    out.push_str(&text::loads(&comparison.settings));
+    if let Some(line) = report::loads_line(&comparison.settings) {
+        let _ = writeln!(out, "load: {line}");
+    }
     let made_of = (comparison.settings.modulus, comparison.settings.bodies.clone());
     // Of pairs each says what its bodies are made of.
     if comparison.surfaces.iter().any(|s| s.origin.pair().is_none()) {
@@ -399,5 +380,6 @@ mod tests {
             repeat_command(Path::new("my out")),
             "rough-contact compare --from 'my out/run.toml' --out 'my out-again'"
         );
+        assert_eq!(quoted("it's"), "'it'\\''s'");
     }
 }

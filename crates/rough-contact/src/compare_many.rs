@@ -2,11 +2,10 @@
 
 use crate::args::CommonOptions;
 use crate::batch::{self, PerFile, Store};
-use crate::compare::Compare;
+use crate::compare::{Compare, quoted};
+use crate::input::One;
 use crate::outcome::{Failure, Reply};
 use crate::rows::{self, FileOutcome, How, Shown};
-use crate::shell::quoted;
-use crate::surfaces::One;
 use rough_contact::compare::{Comparison, Registry, Settings, Surface};
 use rough_contact::report::{Provenance, Summary};
 use rough_contact::{compare, report};
@@ -17,10 +16,8 @@ use std::ops::ControlFlow;
 use std::path::{Path, PathBuf};
 use std::time::Instant;
 
-/// What the folder receives beside the answers.
 const OUTPUTS: [&str; 3] = ["report.html", "results.json", "table.csv"];
 
-/// A profile among the files.
 const PROFILE: &str = "a profile has no deterministic answer that closed forms could be compared with; \
 compare up to 10 profiles in a run of their own";
 
@@ -55,7 +52,7 @@ impl PerFile for Compare {
         };
         let settings = Settings { threads: common.threads(), ..self.settings()? };
         let surface = vec![Surface { name: path.display().to_string(), ..*map }];
-        let settings = self.loaded(settings, &surface)?;
+        let settings = self.loaded(settings, [surface[0].heights.grid().area()])?;
         let go_on = &mut |_: compare::Progress<'_>| ControlFlow::Continue(());
         let study = Comparison::run(surface, settings, &Registry::built_in(), go_on)
             .map_err(|e| Failure::in_file(path, &e))?;
@@ -92,7 +89,7 @@ pub(crate) fn run(command: &Compare, common: &CommonOptions) -> Result<Reply, Fa
         reply.trouble = Some(failure);
     }
     let page = store.folder.path().join("report.html");
-    let _ = writeln!(reply.text, "report: {}", page.display()); // a String takes everything
+    let _ = writeln!(reply.text, "report: {}", page.display());
     Ok(reply)
 }
 

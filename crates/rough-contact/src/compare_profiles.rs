@@ -32,7 +32,6 @@ pub(crate) fn refuse_solver(settings: &Settings) -> Result<(), Failure> {
     Err(Failure::refused("combination", message))
 }
 
-/// Runs the study and writes the report.
 pub(crate) fn run(
     surfaces: Vec<ProfileSurface>,
     settings: &Settings,
@@ -67,7 +66,7 @@ fn describe(studies: &[ProfileComparison], folder: &Path) -> String {
     }
     for study in studies {
         let headline = plain(&report::profile_headline(study));
-        let _ = writeln!(out, "{}: {headline}", study.name); // a String takes everything
+        let _ = writeln!(out, "{}: {headline}", study.name);
         out.push_str(&text::cleaning(study.origin.cleaned()));
         out.push_str(&uneven_line(study.uneven));
         out.push_str(&text::findings(&study.findings()));

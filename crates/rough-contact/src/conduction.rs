@@ -1,8 +1,9 @@
 //! `--resistivity`, `--conductivity`, `--gas`: what a joint conducts.
 
 use crate::args;
+use crate::loads::Forces;
 use crate::outcome::Failure;
-use crate::quantity::{self, QuantityError};
+use crate::quantity;
 use crate::text;
 use crate::units::Dimension::{self, Conductivity, Pressure, Resistivity};
 use clap::Args;
@@ -11,7 +12,6 @@ use rough_contact::contact_types::Named;
 use rough_contact::front_end::bodies::Bodies;
 use rough_contact::report;
 
-/// A number of each body.
 #[derive(Clone, Copy, Debug)]
 enum Both {
     Given([f64; 2]),
@@ -19,7 +19,6 @@ enum Both {
     Table,
 }
 
-/// What is in the gap.
 #[derive(Clone, Copy, Debug)]
 enum Filling {
     Vacuum,
@@ -79,6 +78,16 @@ impl ConductionOptions {
         Ok(joint)
     }
 
+    /// The same of the part that carries the forces, whose area has a use only where something is asked.
+    pub(crate) fn of_part(self, bodies: &mut Bodies, forces: &Forces) -> Result<Joint, Failure> {
+        if forces.area.is_some() && forces.load.is_none() && !self.is_asked() {
+            let message = "--area is the area that --load presses on, or the part whose resistance is asked for, and neither \
+                           --load nor --resistivity or --conductivity is given; give one, or leave --area out";
+            return Err(Failure::refused("usage", message));
+        }
+        self.asked(bodies, forces.area.filter(|_| self.is_asked()))
+    }
+
     /// The same, with the numbers of two materials where none are given.
     pub(crate) fn asked_of(self, bodies: &mut Bodies, area: Option<f64>) -> Result<Joint, Failure> {
         if self.is_asked() {
@@ -90,7 +99,6 @@ impl ConductionOptions {
         Self { resistivity, conductivity, ..self }.asked(bodies, area)
     }
 
-    /// Whether anything is.
     pub(crate) fn is_asked(self) -> bool {
         self.resistivity.is_some() || self.conductivity.is_some()
     }
@@ -116,7 +124,6 @@ fn filling(text: &str) -> Result<Filling, String> {
     }
 }
 
-/// In kelvin.
 fn temperature(text: &str) -> Result<f64, String> {
     let plain = text.trim().replace('°', "deg");
     let kelvin = plain.strip_suffix('K').map(|number| (number, 0.0));
@@ -128,8 +135,8 @@ fn temperature(text: &str) -> Result<f64, String> {
     if value > 0.0 { Ok(value) } else { Err(format!("'{text}' is not above absolute zero")) }
 }
 
-fn accommodation(text: &str) -> Result<[f64; 2], QuantityError> {
-    let refused = |why| QuantityError::NotThese { text: text.to_owned(), why };
+fn accommodation(text: &str) -> Result<[f64; 2], Failure> {
+    let refused = |why| Failure::refused("not_these", format!("'{text}': {why}"));
     let values = quantity::parse_list(text, Dimension::Number)?;
     if values.iter().any(|a| !(*a > 0.0 && *a <= 1.0)) {
         return Err(refused("an accommodation coefficient is above 0 and at most 1"));
@@ -147,24 +154,21 @@ fn pair(values: &[f64]) -> Option<[f64; 2]> {
 
 fn both(
     dimension: Dimension,
-) -> impl Fn(&str) -> Result<Both, QuantityError> + Clone + Send + Sync + 'static {
-    move |text| of_both(text, dimension)
+) -> impl Fn(&str) -> Result<Both, Failure> + Clone + Send + Sync + 'static {
+    move |text| {
+        if text.trim().eq_ignore_ascii_case("table") {
+            return Ok(Both::Table);
+        }
+        let refused = |why| Failure::refused("not_these", format!("'{text}': {why}"));
+        let values = quantity::parse_list(text, dimension)?;
+        if values.iter().any(|v| *v < 0.0) {
+            return Err(refused("it must not be negative; 0 is a limit that is allowed"));
+        }
+        let given = pair(&values).map(Both::Given);
+        given.ok_or_else(|| refused("give one number for both bodies, or two, one for each"))
+    }
 }
 
-fn of_both(text: &str, dimension: Dimension) -> Result<Both, QuantityError> {
-    if text.trim().eq_ignore_ascii_case("table") {
-        return Ok(Both::Table);
-    }
-    let refused = |why| QuantityError::NotThese { text: text.to_owned(), why };
-    let values = quantity::parse_list(text, dimension)?;
-    if values.iter().any(|v| *v < 0.0) {
-        return Err(refused("it must not be negative; 0 is a limit that is allowed"));
-    }
-    let given = pair(&values).map(Both::Given);
-    given.ok_or_else(|| refused("give one number for both bodies, or two, one for each"))
-}
-
-/// Headings of what is said first.
 pub(crate) fn first_headings(asked: &Joint, has_area: bool) -> Vec<&'static str> {
     let (current, heat) = (asked.resistivities.is_some(), asked.conductivities.is_some());
     let names = match (current, heat) {

@@ -1,9 +1,8 @@
 //! `rough-contact convert`: the heights of a file, cleaned and levelled as asked, in another format.
 
 use crate::args::{self, CommonOptions};
-use crate::cleaning::CleaningOptions;
 use crate::export::MapFormat;
-use crate::input::{Complete, MapOrTraces, ReadingOptions};
+use crate::input::{FileOptions, One};
 use crate::outcome::{Failure, Reply};
 use crate::output;
 use crate::text::{self, TwoColumns};
@@ -27,9 +26,7 @@ pub(crate) struct Convert {
     #[arg(long, value_name = "FILE")]
     out: PathBuf,
     #[command(flatten)]
-    reading: ReadingOptions,
-    #[command(flatten)]
-    cleaning: CleaningOptions,
+    how: FileOptions,
 }
 
 impl Convert {
@@ -37,16 +34,14 @@ impl Convert {
         let format = MapFormat::of(&self.out)?;
         output::check(&self.out, common.force)?;
         let shown = self.file.display().to_string();
-        let MapOrTraces::Map(complete) =
-            self.reading.measured(&self.file, self.cleaning.asked())?
-        else {
+        let One::Map(surface) = self.how.measured(&self.file)? else {
             let message = format!("{shown}: a profile is no map, and maps are what is written");
             return Err(Failure::refused("profile", message));
         };
-        let Complete { map, missing, cleaned, .. } = complete;
+        let (missing, cleaned) = (surface.origin.missing(), surface.origin.cleaned());
         let refused = |e| Failure::in_file(&self.file, &e);
-        let form = self.level.on(&map).map_err(refused)?;
-        let map = level(&map, form).map_err(refused)?;
+        let form = self.level.on(&surface.heights).map_err(refused)?;
+        let map = level(&surface.heights, form).map_err(refused)?;
         let steps: Vec<String> = cleaned.iter().map(ToString::to_string).collect();
         let comment = format!(
             "rough-contact convert {shown}: {missing} points filled; level {}; cleaned: {}",
@@ -63,8 +58,8 @@ impl Convert {
         table.row("pixel", format!("{} × {} (dy × dx)", text::length(dy), text::length(dx)));
         table.row("level", form.name());
         table.row("heights", text::length_range(low, high));
-        if !format.lacks().is_empty() {
-            table.row("note", format.lacks());
+        if format == MapFormat::Npy {
+            table.row("note", "NPY has no place for the pixel size and the unit (metres)");
         }
         let json = json!({
             "path": self.out.to_string_lossy(),
@@ -74,8 +69,8 @@ impl Convert {
             "level": form.name(),
             "height_min": low,
             "height_max": high,
-            "cleaning": report::cleaning_json(&cleaned),
+            "cleaning": report::cleaning_json(cleaned),
         });
-        Ok(Reply::new(text::cleaning(&cleaned) + &table.to_string(), json))
+        Ok(Reply::new(text::cleaning(cleaned) + &table.to_string(), json))
     }
 }

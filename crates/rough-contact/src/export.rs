@@ -6,7 +6,6 @@ use rough_contact::surface_io::write;
 use std::io::{Seek, Write};
 use std::path::Path;
 
-/// What a file name asks for.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) enum MapFormat {
     Npy,
@@ -17,7 +16,6 @@ pub(crate) enum MapFormat {
     Hdf5,
 }
 
-/// Every format and its endings.
 const ENDINGS: [(MapFormat, &[&str]); 6] = [
     (MapFormat::X3p, &["x3p"]),
     (MapFormat::Npy, &["npy"]),
@@ -28,7 +26,6 @@ const ENDINGS: [(MapFormat, &[&str]); 6] = [
 ];
 
 impl MapFormat {
-    /// By the ending.
     pub(crate) fn of(path: &Path) -> Result<Self, Failure> {
         let ending = path.extension().unwrap_or_default().to_string_lossy().to_lowercase();
         let found = ENDINGS.iter().find(|(_, endings)| endings.contains(&ending.as_str()));
@@ -57,14 +54,6 @@ impl MapFormat {
             Self::Text => write::text(out, map),
             Self::Vti => write::vti(out, map.grid(), &[("height", map.heights())]),
             Self::Hdf5 => write::hdf5(out, map.grid(), &[("height", "m", map.heights())], comment),
-        }
-    }
-
-    /// What a reader of the file has to be told.
-    pub(crate) fn lacks(self) -> &'static str {
-        match self {
-            Self::Npy => "NPY has no place for the pixel size and the unit (metres)",
-            _ => "",
         }
     }
 }

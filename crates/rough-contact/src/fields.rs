@@ -27,7 +27,6 @@ pub(crate) enum Field {
     Spots,
 }
 
-/// Of what kind the files of fields are.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
 pub(crate) enum FieldFormat {
     /// One file for each field, f64, [ny, nx]
@@ -38,7 +37,6 @@ pub(crate) enum FieldFormat {
     Hdf5,
 }
 
-/// What to write, and where.
 #[derive(Args, Clone, Debug)]
 pub(crate) struct FieldOptions {
     /// Folder for what --fields names, of each load: pressure-000.npy, gap-000.npy, …
@@ -65,7 +63,6 @@ impl FieldOptions {
         Self { maps, ..self.clone() }
     }
 
-    /// The files for so many loads.
     pub(crate) fn names(&self, loads: usize) -> Vec<String> {
         (0..loads).flat_map(|load| self.files(load)).map(|(name, _)| name).collect()
     }
@@ -76,7 +73,7 @@ impl FieldOptions {
         let drawn: Vec<Field> = self.asked.iter().copied().filter(|f| *f != Field::Spots).collect();
         let mut files = match self.map_format {
             FieldFormat::Npy => {
-                drawn.into_iter().map(|f| (file(f.name(), "npy"), vec![f])).collect()
+                drawn.into_iter().map(|f| (file(f.named().0, "npy"), vec![f])).collect()
             }
             _ if drawn.is_empty() => Vec::new(),
             FieldFormat::Vti => vec![(file("contact", "vti"), drawn)],
@@ -102,27 +99,18 @@ impl FieldOptions {
 }
 
 impl Field {
-    fn name(self) -> &'static str {
+    /// Its name, and the unit of its numbers; the columns of the table have their own.
+    fn named(self) -> (&'static str, &'static str) {
         match self {
-            Self::Pressure => "pressure",
-            Self::Gap => "gap",
-            Self::Displacement => "displacement",
-            Self::Heights => "heights",
-            Self::Spots => "spots",
-        }
-    }
-
-    /// Unit of its numbers; the columns of the table have their own.
-    fn unit(self) -> &'static str {
-        match self {
-            Self::Pressure => "Pa",
-            Self::Gap | Self::Displacement | Self::Heights => "m",
-            Self::Spots => "",
+            Self::Pressure => ("pressure", "Pa"),
+            Self::Gap => ("gap", "m"),
+            Self::Displacement => ("displacement", "m"),
+            Self::Heights => ("heights", "m"),
+            Self::Spots => ("spots", ""),
         }
     }
 }
 
-/// A folder, and what goes there.
 pub(crate) struct FieldFolder {
     folder: Folder,
     fields: FieldOptions,
@@ -160,14 +148,14 @@ impl FieldFolder {
                 continue;
             }
             let values: Vec<_> = fields.iter().map(|&f| self.values(f, solution)).collect();
-            let all = || fields.iter().zip(&values).map(|(f, v)| (f, v.as_ref()));
+            let all = || fields.iter().zip(&values).map(|(f, v)| (f.named(), v.as_ref()));
             self.folder.write(&name, |out| match self.fields.map_format {
                 FieldFormat::Npy => write::npy_array(out, grid.shape(), &values[0]),
                 FieldFormat::Vti => {
-                    write::vti(out, grid, &all().map(|(f, v)| (f.name(), v)).collect::<Vec<_>>())
+                    write::vti(out, grid, &all().map(|((n, _), v)| (n, v)).collect::<Vec<_>>())
                 }
                 FieldFormat::Hdf5 => {
-                    let all: Vec<_> = all().map(|(f, v)| (f.name(), f.unit(), v)).collect();
+                    let all: Vec<_> = all().map(|((n, unit), v)| (n, unit, v)).collect();
                     write::hdf5(out, grid, &all, "")
                 }
             })?;
@@ -182,8 +170,7 @@ impl FieldFolder {
             Field::Gap => Cow::Borrowed(&solution.gap),
             Field::Heights => Cow::Borrowed(heights),
             Field::Displacement => {
-                // The flat stands where it first touched, less the approach; what is left of a point under it
-                // is its gap.
+                // The flat stands where it first touched, less the approach; a point lies under it by its gap.
                 let highest = heights.iter().copied().fold(f64::NEG_INFINITY, f64::max);
                 let flat = highest - solution.approach;
                 heights.iter().zip(&solution.gap).map(|(z, g)| z + g - flat).collect()

@@ -7,14 +7,17 @@ use rough_contact::surface_io::FORMATS;
 use std::fmt;
 use std::path::{Path, PathBuf};
 
-/// The files of a command.
 #[derive(Args, Clone, Default)]
 pub(crate) struct Files {
     /// Surface files, and folders whose files are taken; recognised by their content
     #[arg(value_name = "FILE")]
     pub(crate) paths: Vec<PathBuf>,
-    #[command(flatten)]
-    pub(crate) kept: Kept,
+    /// Of several files: folder for table.csv and results.json, with every answer as it comes
+    #[arg(long, value_name = "DIR")]
+    pub(crate) out: Option<PathBuf>,
+    /// Go on with --out: answers to the same content and the same options are kept
+    #[arg(long, requires = "out")]
+    pub(crate) resume: bool,
 }
 
 impl fmt::Debug for Files {
@@ -24,22 +27,11 @@ impl fmt::Debug for Files {
     }
 }
 
-/// Where the answers of a run over several files are kept.
-#[derive(Args, Clone, Default)]
-pub(crate) struct Kept {
-    /// Of several files: folder for table.csv and results.json, with every answer as it comes
-    #[arg(long, value_name = "DIR")]
-    pub(crate) out: Option<PathBuf>,
-    /// Go on with --out: answers to the same content and the same options are kept
-    #[arg(long, requires = "out")]
-    pub(crate) resume: bool,
-}
-
 impl Files {
     /// The one file, where one was named and its answer is not to be kept.
     pub(crate) fn only(&self) -> Option<&Path> {
         match self.paths.as_slice() {
-            [one] if !one.is_dir() && self.kept.out.is_none() => Some(one),
+            [one] if !one.is_dir() && self.out.is_none() => Some(one),
             _ => None,
         }
     }
@@ -145,16 +137,6 @@ mod tests {
     use super::*;
 
     #[test]
-    fn endings_of_formats_and_of_other_things() {
-        for name in ["a.x3p", "A.SUR", "scan.003", "bare", "b.csv", "c.txt", "d.zip"] {
-            assert!(ends_like_a_format(Path::new(name)), "{name}");
-        }
-        for name in ["a.png", "readme.md", "b.0123", "notes.pdf"] {
-            assert!(!ends_like_a_format(Path::new(name)), "{name}");
-        }
-    }
-
-    #[test]
     fn a_folder_is_walked_in_the_order_of_names() {
         let dir = tempfile::tempdir().expect("a folder");
         std::fs::create_dir(dir.path().join("b")).expect("a folder in it");
@@ -167,12 +149,18 @@ mod tests {
             "a.x3p",
             "b/.hidden.x3p",
             "b/picture.png",
+            "b/readme.md",
+            "b/notes.0123",
+            "scan.003",
+            "bare",
+            "d.zip",
+            "E.SUR",
         ] {
             std::fs::write(dir.path().join(name), "").expect("a file");
         }
         let found = expand(&[dir.path().to_owned()]).expect("files");
         let names: Vec<_> = found.iter().map(|p| p.strip_prefix(dir.path()).unwrap()).collect();
-        let order = ["a.x3p", "b/a.sdf", "c.x3p", "part1.x3p", "part2.x3p", "part10.x3p"];
-        assert_eq!(names, order.map(Path::new));
+        let order = "E.SUR a.x3p b/a.sdf bare c.x3p d.zip part1.x3p part2.x3p part10.x3p scan.003";
+        assert_eq!(names, order.split(' ').map(Path::new).collect::<Vec<_>>());
     }
 }

@@ -7,13 +7,11 @@ use rough_contact::surface_stats::SurfaceStatistics;
 use serde_json::{Value, json};
 use std::fmt::Write as _;
 
-/// Headings of the table.
 pub(crate) const HEADINGS: [&str; 2] = ["area at H", "load at H"];
 
 /// What stands below the table; `highest` is the largest mean pressure that was solved for (Pa).
 pub(crate) fn lines(given: Hardness, highest: f64) -> String {
     let mut out = format!("hardness {}", text::pressure(given.pascals));
-    // Writing to a String cannot fail.
     if let Some(ratio) = given.over_elastic() {
         let _ = write!(
             out,
@@ -79,7 +77,6 @@ pub(crate) fn forecast(
         number(found.mikic)
     );
     if let Some(said) = unusual_hardness(given) {
-        // A String takes everything.
         let _ = writeln!(text, "check the hardness: {said}");
     }
     (text, object)

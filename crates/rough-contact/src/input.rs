@@ -5,15 +5,14 @@ use crate::cleaning::CleaningOptions;
 use crate::files::Files;
 use crate::needs;
 use crate::outcome::{self, Failure};
-use crate::profiles::{self, Traces};
+use crate::profiles;
 use crate::quantity;
 use clap::Args;
 use clap::builder::{PossibleValue, PossibleValuesParser, TypedValueParser};
-use rough_contact::compare::{Cleaning, FileOrigin};
+use rough_contact::compare::{FileOrigin, Origin, ProfileSurface, Surface, sha256_hex};
 use rough_contact::contact_types::Named;
-pub(crate) use rough_contact::front_end::Complete;
 use rough_contact::surface_io::{
-    Cut, DecimalMark, Fill, HeightUnit, Layout, Measurement, Need, ReadError, ReadOptions,
+    Cut, DecimalMark, Fill, HeightUnit, Layout, Measurement, Need, ReadError,
 };
 use rough_contact::{front_end, surface_io};
 use std::path::{Path, PathBuf};
@@ -70,27 +69,50 @@ pub(crate) struct ReadingOptions {
     pub(crate) crop: Option<Cut>,
 }
 
+#[derive(Args, Clone, Debug)]
+pub(crate) struct FileOptions {
+    #[command(flatten)]
+    pub(crate) reading: ReadingOptions,
+    #[command(flatten)]
+    pub(crate) cleaning: CleaningOptions,
+}
+
+pub(crate) enum One {
+    Map(Box<Surface>),
+    Profile(Box<ProfileSurface>),
+}
+
+impl One {
+    pub(crate) fn named(&mut self) -> (&mut String, &Origin) {
+        match self {
+            Self::Map(map) => (&mut map.name, &map.origin),
+            Self::Profile(profile) => (&mut profile.name, &profile.origin),
+        }
+    }
+}
+
 impl ReadingOptions {
-    /// What the options say of the file.
-    fn options(&self) -> ReadOptions {
-        let mut options = ReadOptions::default();
-        options.channel.clone_from(&self.channel);
-        options.pixel = self.pixel;
-        options.lateral_unit = self.lateral_unit;
-        options.height_unit = match self.override_height_unit {
-            Some(metres) => Some(HeightUnit::Always(metres)),
-            None => self.height_unit.map(HeightUnit::IfSilent),
-        };
-        options.layout = self.layout;
-        options.decimal = self.decimal;
-        options.missing.clone_from(&self.missing);
-        options
+    /// What the options say of a file, as a run that repeats it has it.
+    fn origin(&self, path: &Path) -> FileOrigin {
+        FileOrigin {
+            path: path.display().to_string(),
+            channel: self.channel.clone(),
+            pixel: self.pixel,
+            lateral_unit: self.lateral_unit,
+            height_unit: self.height_unit,
+            override_height_unit: self.override_height_unit,
+            layout: self.layout.map(|layout| layout.name().to_owned()),
+            decimal: self.decimal.map(|mark| mark.name().to_owned()),
+            missing_marks: self.missing.clone(),
+            fill: self.fill.name().to_owned(),
+            ..FileOrigin::default()
+        }
     }
 
     /// Numbers as they stand in a file that does not say their units, and what it does not say:
     /// what is missing is taken for 1. `None` if something else is wrong with the file.
     pub(crate) fn raw(&self, path: &Path) -> Option<(Measurement, Vec<Need>)> {
-        let mut options = self.options();
+        let (mut options, _) = front_end::reading(&self.origin(path)).ok()?;
         let mut missing = Vec::new();
         loop {
             let needs = match surface_io::read(path, &options) {
@@ -117,90 +139,94 @@ impl ReadingOptions {
 
     /// Reads and crops; missing points stay missing. Of several traces the first.
     pub(crate) fn measurement(&self, path: &Path) -> Result<Measurement, Failure> {
-        self.measurements(path).map(|mut all| all.swap_remove(0))
-    }
-
-    /// The same of every trace of a file of several; one measurement of any other file.
-    pub(crate) fn measurements(&self, path: &Path) -> Result<Vec<Measurement>, Failure> {
-        let options = self.options();
-        let all = surface_io::read_traces(path, &options).map_err(|e| needs::unread(path, &e))?;
-        let Some(measurement) = all.first() else {
-            return Err(Failure::refused("empty", format!("{}: nothing is there", path.display())));
-        };
-        if let Some(unit) = measurement.kept_unit() {
-            let kept = "which is kept; --override-height-unit U would overrule it";
-            tell_of(path, &format!("the file gives its heights in {unit}, {kept}"));
-        }
-        if let Some(what) = measurement.metadata().get("left out") {
-            tell_of(path, &format!("{what} are left out"));
-        }
-        let readable =
-            |c: &&surface_io::ChannelInfo| c.is_height && c.fault.is_none() && !c.is_trace;
-        let heights = measurement.channels().iter().filter(readable).count();
-        if self.channel.is_none() && heights > 1 {
-            let what = format!(
-                "{:?} is read, one of {heights} channels in units of length; \
-                 `info` lists them, --channel NAME reads another",
-                measurement.channel()
-            );
-            tell_of(path, &what);
-        }
-        let Some(crop) = self.crop else { return Ok(all) };
-        let cut = |m: Measurement| m.crop(crop).map_err(|e| needs::unread(path, &e));
-        let all: Vec<Measurement> = all.into_iter().map(cut).collect::<Result<_, _>>()?;
-        if let (Some(part), false) = (all[0].cropped(), matches!(crop, Cut::Rectangle(_))) {
-            tell_of(path, &format!("--crop {crop} is --crop {}", Cut::Rectangle(part)));
-        }
-        Ok(all)
-    }
-
-    /// What the options say of a file, for findings and for a run that is to be repeated.
-    pub(crate) fn origin(&self, path: &Path, cleaning: Cleaning) -> FileOrigin {
-        FileOrigin {
-            path: path.display().to_string(),
-            channel: self.channel.clone(),
-            pixel: self.pixel,
-            lateral_unit: self.lateral_unit,
-            height_unit: self.height_unit,
-            override_height_unit: self.override_height_unit,
-            layout: self.layout.map(|layout| layout.name().to_owned()),
-            decimal: self.decimal.map(|mark| mark.name().to_owned()),
-            missing_marks: self.missing.clone(),
-            fill: self.fill.name().to_owned(),
-            cleaning,
-            ..FileOrigin::default()
-        }
-    }
-
-    /// A complete surface, or the traces of one: read, cropped, cleaned, filled.
-    pub(crate) fn measured(&self, path: &Path, cleaning: Cleaning) -> Result<MapOrTraces, Failure> {
-        let mut all = self.measurements(path)?;
-        if let Some(reading) = all[0].ambiguity() {
-            tell_of(path, &needs::reading(reading));
-        }
-        if all[0].is_profile() {
-            return profiles::traces(path, all, cleaning, self.fill).map(MapOrTraces::Traces);
-        }
-        front_end::complete(all.swap_remove(0), cleaning, self.fill)
-            .map(MapOrTraces::Map)
-            .map_err(|e| needs::unmade(path, &e))
+        measurements(path, &self.origin(path), self.crop).map(|(mut all, _)| all.swap_remove(0))
     }
 }
 
-/// Tells something of a file on standard error.
+impl FileOptions {
+    fn origin(&self, path: &Path) -> FileOrigin {
+        FileOrigin { cleaning: self.cleaning.asked(), ..self.reading.origin(path) }
+    }
+
+    /// A complete surface, or the traces of one: read, cropped, cleaned, filled.
+    pub(crate) fn measured(&self, path: &Path) -> Result<One, Failure> {
+        let file = self.origin(path);
+        let (all, fill) = measurements(path, &file, self.reading.crop)?;
+        complete(path, all, file, fill)
+    }
+
+    /// The same with the hash of the file, for a run that is to be repeated.
+    pub(crate) fn hashed(&self, path: &Path) -> Result<One, Failure> {
+        from_file(path, self.origin(path), self.reading.crop)
+    }
+}
+
+/// What is in a file, with its hash.
+pub(crate) fn from_file(path: &Path, file: FileOrigin, crop: Option<Cut>) -> Result<One, Failure> {
+    let (all, fill) = measurements(path, &file, crop)?;
+    let bytes = std::fs::read(path).map_err(|e| Failure::refused("io", e.to_string()))?;
+    complete(path, all, FileOrigin { sha256: sha256_hex(&bytes), ..file }, fill)
+}
+
+/// Every trace of a file of several, one measurement of any other, cropped; and how missing points are filled.
+fn measurements(
+    path: &Path,
+    file: &FileOrigin,
+    crop: Option<Cut>,
+) -> Result<(Vec<Measurement>, Fill), Failure> {
+    let (options, fill) = front_end::reading(file)?;
+    let all = surface_io::read_traces(path, &options).map_err(|e| needs::unread(path, &e))?;
+    let Some(measurement) = all.first() else {
+        return Err(Failure::refused("empty", format!("{}: nothing is there", path.display())));
+    };
+    if let Some(unit) = measurement.kept_unit() {
+        let kept = "which is kept; --override-height-unit U would overrule it";
+        tell_of(path, &format!("the file gives its heights in {unit}, {kept}"));
+    }
+    if let Some(what) = measurement.metadata().get("left out") {
+        tell_of(path, &format!("{what} are left out"));
+    }
+    let readable = |c: &&surface_io::ChannelInfo| c.is_height && c.fault.is_none() && !c.is_trace;
+    let heights = measurement.channels().iter().filter(readable).count();
+    if file.channel.is_none() && heights > 1 {
+        let what = format!(
+            "{:?} is read, one of {heights} channels in units of length; \
+             `info` lists them, --channel NAME reads another",
+            measurement.channel()
+        );
+        tell_of(path, &what);
+    }
+    let Some(crop) = crop else { return Ok((all, fill)) };
+    let cut = |m: Measurement| m.crop(crop).map_err(|e| needs::unread(path, &e));
+    let all: Vec<Measurement> = all.into_iter().map(cut).collect::<Result<_, _>>()?;
+    if let (Some(part), false) = (all[0].cropped(), matches!(crop, Cut::Rectangle(_))) {
+        tell_of(path, &format!("--crop {crop} is --crop {}", Cut::Rectangle(part)));
+    }
+    Ok((all, fill))
+}
+
+fn complete(
+    path: &Path,
+    mut all: Vec<Measurement>,
+    file: FileOrigin,
+    fill: Fill,
+) -> Result<One, Failure> {
+    if let Some(reading) = all[0].ambiguity() {
+        tell_of(path, &needs::reading(reading));
+    }
+    let made = if all[0].is_profile() {
+        profiles::refuse(path, file.cleaning)?;
+        front_end::traces(all, file, fill).map(|traces| One::Profile(Box::new(traces)))
+    } else {
+        front_end::complete(all.swap_remove(0), file, fill).map(|map| One::Map(Box::new(map)))
+    };
+    made.map_err(|e| needs::unmade(path, &e))
+}
+
 fn tell_of(path: &Path, what: &str) {
     outcome::tell(&format!("rough-contact: {}: {what}", path.display()));
 }
 
-/// What a file gave.
-pub(crate) enum MapOrTraces {
-    /// A map.
-    Map(Complete),
-    /// One trace or several of one surface.
-    Traces(Traces),
-}
-
-/// Files and how to read them.
 #[derive(Args, Clone, Debug)]
 pub(crate) struct InputFiles {
     #[command(flatten)]
@@ -209,24 +235,16 @@ pub(crate) struct InputFiles {
     #[arg(skip)]
     pub(crate) file: PathBuf,
     #[command(flatten)]
-    pub(crate) reading: ReadingOptions,
-    #[command(flatten)]
-    cleaning: CleaningOptions,
+    pub(crate) how: FileOptions,
 }
 
 impl InputFiles {
-    /// The same with one file only.
     pub(crate) fn on(&self, file: &Path) -> Self {
         Self { file: file.to_owned(), ..self.clone() }
     }
 
-    /// How the file is read and cleaned.
-    pub(crate) fn how(&self) -> (&ReadingOptions, Cleaning) {
-        (&self.reading, self.cleaning.asked())
-    }
-
     /// The surface, complete, or the traces of one.
-    pub(crate) fn measured(&self) -> Result<MapOrTraces, Failure> {
-        self.reading.measured(&self.file, self.cleaning.asked())
+    pub(crate) fn measured(&self) -> Result<One, Failure> {
+        self.how.measured(&self.file)
     }
 }

@@ -31,7 +31,6 @@ pub(crate) struct LeakOptions {
 }
 
 impl LeakOptions {
-    /// What is asked of the gap.
     pub(crate) fn asked(&self) -> Result<Option<LeakRequest>, Failure> {
         let Self { leak, viscosity, pressure_drop, seal_length, seal_width } = self;
         front_end::leak_request(
@@ -41,7 +40,6 @@ impl LeakOptions {
     }
 }
 
-/// A permeability.
 fn cubic(metres: f64) -> String {
     format!("{metres:.3e} m³")
 }
@@ -106,7 +104,6 @@ pub(crate) fn lines<'a>(
     }
     let mut out = columns.to_string();
     let [flow, mean, bruggeman] = seconds.map(text::seconds);
-    // Writing to a String cannot fail.
     let _ = writeln!(
         out,
         "leak: Reynolds' equation on the gap, Q = K W Δp/(12 η L), {flow}; of the same gap ⟨g⟩³ in {mean}, Bruggeman in \

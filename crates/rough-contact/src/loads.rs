@@ -1,5 +1,4 @@
-//! Loads as they were asked for: forces made pressures, which are refused, in which order they are
-//! solved, how they are called.
+//! Loads as they were asked for: forces made pressures, and which are refused.
 
 use crate::args::{self, List};
 use crate::outcome::Failure;
@@ -9,16 +8,15 @@ use clap::Args;
 use rough_contact::fft_bem_solver::Load;
 pub(crate) use rough_contact::front_end::loads::{Spread, positive, rising, shown};
 
-/// Loads as forces.
 #[derive(Args, Clone, Debug)]
 pub(crate) struct Forces {
     /// Loads as forces on the whole nominal area, such as 10N, instead of --pressure
     #[arg(long, value_name = "LIST", value_parser = args::list(Force), allow_hyphen_values = true)]
     #[arg(conflicts_with = "pressure")]
-    load: Option<List>,
+    pub(crate) load: Option<List>,
     /// Nominal area that --load presses on and whose resistance is asked for, such as 2mm2 [default: that of the map]
     #[arg(long, value_name = "A", value_parser = args::one(Area), allow_hyphen_values = true)]
-    area: Option<f64>,
+    pub(crate) area: Option<f64>,
 }
 
 /// Loads to solve for, as one of three kinds.
@@ -33,15 +31,10 @@ pub(crate) struct Loads {
     /// Mean gaps to solve for, instead of --pressure
     #[arg(long, value_name = "LIST", value_parser = args::list(Length), allow_hyphen_values = true)]
     #[arg(conflicts_with = "load")]
-    gap: Option<List>,
+    pub(crate) gap: Option<List>,
 }
 
 impl Loads {
-    /// True if the gap is prescribed, and the load is an answer.
-    pub(crate) fn is_by_gap(&self) -> bool {
-        self.gap.is_some()
-    }
-
     /// How many loads there are; zero and negative ones are refused before any work.
     pub(crate) fn count(&self) -> Result<usize, Failure> {
         if let Some(forces) = self.forces.given()? {
@@ -60,7 +53,6 @@ impl Loads {
         Ok(gaps.len())
     }
 
-    /// The loads in the order given.
     pub(crate) fn each(&self, spread: Option<&Spread>) -> Vec<Load> {
         let gaps = self.gap.iter().flat_map(|List(gaps)| gaps.iter().map(|&g| Load::MeanGap(g)));
         let given = self.pressure.as_ref().map(|List(pressures)| pressures);
@@ -71,25 +63,15 @@ impl Loads {
 }
 
 impl Forces {
-    /// The nominal area given (m²).
-    pub(crate) fn area(&self) -> Option<f64> {
-        self.area
-    }
-
-    /// Refuses an area that nothing asks for; `conducts` asks for one.
-    pub(crate) fn refuse_idle_area(&self, conducts: bool) -> Result<(), Failure> {
-        if self.area.is_none() || self.load.is_some() || conducts {
-            return Ok(());
-        }
-        let message = "--area is the area that --load presses on, or the part whose resistance is asked for, and neither \
-                       --load nor --resistivity or --conductivity is given; give one, or leave --area out";
-        Err(Failure::refused("usage", message))
-    }
-
     /// The forces given (N), refused unless each presses.
     pub(crate) fn given(&self) -> Result<Option<&[f64]>, Failure> {
         let Some(List(forces)) = &self.load else { return Ok(None) };
-        refuse_idle(forces, self.area)?;
+        for &force in forces {
+            positive("load", force, "N", "at which something touches")?;
+        }
+        if let Some(area) = self.area {
+            positive("nominal area", area, "m^2", "that carries the load")?;
+        }
         Ok(Some(forces))
     }
 
@@ -102,20 +84,12 @@ impl Forces {
     }
 }
 
-fn refuse_idle(forces: &[f64], area: Option<f64>) -> Result<(), Failure> {
-    for &force in forces {
-        positive("load", force, "N", "at which something touches")?;
-    }
-    area.map_or(Ok(()), |area| positive("nominal area", area, "m^2", "that carries the load"))
-}
-
 /// Forces over the area given, or the one area that all maps have.
 pub(crate) fn spread(
     forces: &[f64],
     given: Option<f64>,
     maps: impl IntoIterator<Item = f64>,
 ) -> Result<Spread, Failure> {
-    refuse_idle(forces, given)?;
     let mut maps = maps.into_iter();
     let refused = |message: String| Err(Failure::refused("usage", message));
     let area = match (given, maps.next()) {

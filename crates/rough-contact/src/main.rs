@@ -43,7 +43,6 @@ mod roughness;
 mod rows;
 #[cfg(feature = "app")]
 mod serve;
-mod shell;
 mod solve;
 mod stats;
 mod surfaces;

@@ -18,7 +18,6 @@ pub(crate) struct Man {
 }
 
 impl Man {
-    /// The pages of `command`.
     pub(crate) fn run(&self, command: Command, common: &CommonOptions) -> Result<Reply, Failure> {
         let pages = pages(command)?;
         if let Some(out) = &self.out {

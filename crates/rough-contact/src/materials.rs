@@ -3,8 +3,9 @@
 use crate::outcome::{Failure, Reply};
 use crate::text::{self, Columns};
 use clap::Args;
-use rough_contact::compare::{Material, Property, material, materials};
+use rough_contact::compare::{Material, Property, materials};
 use rough_contact::contact_types::Named;
+use rough_contact::front_end::bodies::known;
 use rough_contact::report;
 use serde_json::json;
 
@@ -24,13 +25,7 @@ impl Materials {
             let all: Vec<&Material> = materials().iter().collect();
             return Ok(Reply::new(table(&all), json(&all)));
         }
-        let find = |name: &String| {
-            material(name).map_err(|near| {
-                let near = near.join(", ");
-                Failure::refused("material", format!("{name} is not in the table; near it: {near}"))
-            })
-        };
-        let chosen = self.names.iter().map(find).collect::<Result<Vec<_>, _>>()?;
+        let chosen = self.names.iter().map(|name| known(name)).collect::<Result<Vec<_>, _>>()?;
         let text: String = chosen.iter().map(|m| report::material_in_full(m) + "\n").collect();
         Ok(Reply::new(text, json(&chosen)))
     }

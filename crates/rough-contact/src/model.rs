@@ -3,31 +3,28 @@
 use crate::against::{self, Against};
 use crate::args::{self, List};
 use crate::bodies::BodyOptions;
-use crate::cleaning::CleaningOptions;
 use crate::conduction::{self, ConductionOptions};
-use crate::input::{MapOrTraces, ReadingOptions};
+use crate::input::{FileOptions, One};
 use crate::loads::{self, Spread};
 use crate::outcome::{Failure, Reply};
-use crate::profiles::{self, Traces};
+use crate::profiles;
 use crate::roughness::{Source, options_of, ways};
-use crate::surfaces::of_traces;
 use crate::text::{self, Columns};
 use crate::units::Dimension::{Force, Length, Pressure};
 use clap::Args;
 use multiscale_models::Persson;
 use rough_contact::compare::survey::SIMILAR;
-use rough_contact::compare::{
-    Card, Conducted, Input, Inputs, Joint, PairOrigin, Solved, Spikes, Theory, built_in,
-};
-use rough_contact::contact_types::{Citation, ContactState, Named};
+use rough_contact::compare::{Card, Conducted, Input, Inputs, Joint, PairOrigin, Theory, built_in};
+use rough_contact::contact_types::{Citation, ContactModulus, ContactState, Named};
+use rough_contact::front_end::Subject;
 use rough_contact::front_end::bodies::Bodies;
-use rough_contact::front_end::model::{self, ModelLoad, ModelResult, Said, Unasked};
-use rough_contact::front_end::models;
-use rough_contact::surface_stats::clean::row_offsets;
+use rough_contact::front_end::model::{
+    self, ModelLoad, ModelReply, ModelResult, ModelSubject, Said,
+};
 use rough_contact::{compare, report};
 use serde_json::json;
 use std::fmt::Write as _;
-use std::path::{Path, PathBuf};
+use std::path::PathBuf;
 
 #[derive(Args)]
 pub(crate) struct Model {
@@ -62,9 +59,7 @@ pub(crate) struct Model {
     #[command(flatten)]
     against: Against,
     #[command(flatten)]
-    reading: ReadingOptions,
-    #[command(flatten)]
-    cleaning: CleaningOptions,
+    how: FileOptions,
 }
 
 impl Model {
@@ -74,120 +69,89 @@ impl Model {
         let card = theory.card();
         let hardness = self.source.hardness();
         let mut made_of = match self.bodies.given(hardness)? {
-            None if card.is_rigid => Bodies::rigid(hardness),
+            None if card.is_rigid => {
+                let (bodies, materials) = (Vec::new(), Vec::new());
+                Bodies { modulus: ContactModulus::RIGID, bodies, hardness, materials }
+            }
             Some(given) => given,
             None => self.bodies.required(hardness)?,
         };
         let joint = self.joint(card, &mut made_of)?;
-        let modulus = made_of.modulus;
         self.refuse_silence()?;
         let area_has_use = self.load.is_some() || joint.is_asked();
-        let mut pair = None;
-        let (mut cleaned, mut rows, mut spikes) = (Vec::new(), None, Spikes::default());
-        let mut level = None;
         self.source.refuse_unused(card, self.file.as_deref(), area_has_use)?;
-        let inputs = if let Some(path) = &self.file {
-            let how = (&self.reading, self.cleaning.asked());
-            let (measured, both) = self.against.measured(path, how, self.source.level())?;
-            let surface = match measured {
-                MapOrTraces::Map(surface) => surface,
-                MapOrTraces::Traces(traces) => {
-                    return self.of_profile((theory, joint), made_of, path, &traces);
+        let (modulus, asked) = (made_of.modulus, self.source.level());
+        let (mut first, mut traces) = (String::new(), 0);
+        let mut subject = if let Some(path) = &self.file {
+            match self.against.measured(path, &self.how, asked, false)? {
+                One::Map(surface) => {
+                    let cleaned = surface.origin.cleaned().to_vec();
+                    first += &text::cleaning(&cleaned);
+                    let fill = self.how.reading.fill.name();
+                    let map = Subject { path, surface: *surface, cleaned, fill };
+                    ModelSubject::of_map(card, modulus, map, asked, self.source.boundary())?
                 }
-            };
-            pair = both;
-            cleaned.clone_from(&surface.cleaned);
-            spikes = Spikes::left(&surface.map, &cleaned, pair.as_ref());
-            rows = row_offsets(surface.map.grid(), surface.map.heights()).ok();
-            let used = self.source.level().on(&surface.map);
-            let used = used.map_err(|e| Failure::in_file(path, &e))?;
-            level = Some(used);
-            let given = self.source.beside_file(Inputs::new(modulus));
-            self.source.measured(card, given, path, surface, used)?
+                One::Profile(profile) => {
+                    first += &text::cleaning(profile.origin.cleaned());
+                    first += &profiles::uneven_line(profile.uneven);
+                    traces = profile.traces.len();
+                    ModelSubject::of_traces(modulus, path, &profile, asked)?
+                }
+            }
         } else {
-            self.cleaning.refuse_without_file()?;
+            self.how.cleaning.refuse_without_file()?;
             if self.against.given()?.is_some() {
                 let message = "--against is for a second body on a surface FILE, and none is given; for \
                                moments typed in, add those of the two";
                 return Err(Failure::refused("usage", message));
             }
-            self.source.typed(card, modulus, made_of.hardness, area_has_use)?
+            let hardness = made_of.hardness;
+            ModelSubject::typed(self.source.typed(card, modulus, hardness, area_has_use)?)
         };
-        let inputs = made_of.add(inputs);
-        let (questions, spread) = self.questions(inputs.nominal_area)?;
-        // Of a load the area that carries it, which may be that of the map.
-        let area = joint.area.or(spread.as_ref().map(|s| s.area)).or(inputs.nominal_area);
-        let joint = Joint { area, hardness: inputs.hardness, ..joint };
-        let answers = model::results(theory, &inputs, &questions, &joint)
-            .map_err(|unasked| no_answer(theory, &unasked))?;
-        let mut reply = reply(card, (&inputs, &joint), &questions, &answers, spread.as_ref());
-        let scene = model::scene(card, &inputs, &answers, rows);
-        let known = Solved { scene, spikes, pair: pair.as_ref(), ..Solved::default() };
-        let findings = known.findings();
-        let first = text::cleaning(&cleaned) + &text::findings(&findings);
-        reply.text.insert_str(0, &first);
-        reply.json["findings"] = report::findings_json(&findings);
-        reply.json["level"] = json!(level.map(compare::Level::name));
-        if let (Some(level), Some(_)) = (level, inputs.moments) {
-            reply.text += &text::level(self.source.level(), level);
-            reply.text += text::MOMENTS;
-        }
-        reply.json["cleaning"] = report::cleaning_json(&cleaned);
-        reply.json["pair"] = against::json(pair.as_ref());
-        add_bodies(&mut reply, made_of, pair.as_ref(), card.is_rigid);
-        Ok(reply)
-    }
-
-    /// The model of the isotropic surface with the moments of the traces, with what their length leaves
-    /// open.
-    fn of_profile(
-        &self,
-        (theory, joint): (&dyn Theory, Joint),
-        made_of: Bodies,
-        path: &Path,
-        traces: &Traces,
-    ) -> Result<Reply, Failure> {
-        let level = self.source.level().of_profile();
-        let origin = of_traces(self.reading.origin(path, traces.cleaning), traces);
-        let found = model::of_profile(
-            theory,
-            made_of.modulus,
-            &joint,
-            (path, traces, &origin, level),
-            |inputs| {
-                let inputs = made_of.add(self.source.beside_file(inputs));
-                let (questions, spread) = self.questions(None)?;
-                Ok((inputs, questions, spread))
+        let poisson = compare::poisson(&made_of.bodies);
+        let inputs = self.source.beside_file(subject.inputs);
+        subject.inputs = Inputs { hardness: made_of.hardness, poisson, ..inputs };
+        let (questions, spread) = self.questions(subject.inputs.nominal_area)?;
+        // Of a load the area that carries it, which may be that of the map; traces have none.
+        let joint = match traces {
+            0 => Joint {
+                area: joint
+                    .area
+                    .or(spread.as_ref().map(|s| s.area))
+                    .or(subject.inputs.nominal_area),
+                hardness: subject.inputs.hardness,
+                ..joint
             },
-            |unasked| no_answer(theory, unasked),
+            _ => joint,
+        };
+        let inputs = format!("give {}", ways(card));
+        let found = subject.ask(
+            theory,
+            &joint,
+            &questions,
+            spread.as_ref(),
+            ["give --pressure", &inputs],
         )?;
-        let mut reply = reply(
-            theory.card(),
-            (&found.inputs, &joint),
-            &found.questions,
-            &found.results,
-            found.spread.as_ref(),
-        );
-        let first = text::cleaning(&traces.cleaned)
-            + &profiles::uneven_line(traces.uneven)
-            + &text::findings(&found.findings);
-        reply.text.insert_str(0, &first);
-        for (question, interval) in found.questions.iter().zip(&found.intervals) {
+        first += &text::findings(&found.findings);
+        let text = first + &describe(card, &found, &joint, &questions, spread.as_ref());
+        let told = found.results.iter().find_map(|answer| answer.as_ref().err());
+        let mut reply = Reply { text, trouble: told.map(model::failure), json: found.json };
+        for (question, interval) in questions.iter().zip(&found.intervals) {
             if let Some([low, high]) = interval {
                 let [low, high] = [*low, *high].map(text::percent);
-                // A String takes everything.
                 let _ = writeln!(
                     reply.text,
                     "{}: 95 % interval of the area {low} to {high}, by the length of the {}",
                     text::pressure(question.value()),
-                    if found.traces == 1 { "trace" } else { "traces" }
+                    if traces == 1 { "trace" } else { "traces" }
                 );
             }
         }
-        reply.text += &text::level(level, level);
-        reply.text += text::MOMENTS;
-        reply.json = found.json;
-        add_bodies(&mut reply, made_of, None, false);
+        if let (Some(level), Some(_)) = (found.level, found.inputs.moments) {
+            reply.text += &text::level(asked, level);
+            reply.text += text::MOMENTS;
+        }
+        add_bodies(&mut reply, made_of, found.pair.as_ref(), card.is_rigid);
         Ok(reply)
     }
 
@@ -236,7 +200,6 @@ impl Model {
     }
 }
 
-/// What the bodies are made of, in text and JSON.
 fn add_bodies(reply: &mut Reply, made_of: Bodies, pair: Option<&PairOrigin>, is_rigid: bool) {
     let Bodies { modulus, bodies, materials, .. } = made_of;
     reply.json["bodies"] = report::bodies_json(pair, &bodies);
@@ -247,23 +210,15 @@ fn add_bodies(reply: &mut Reply, made_of: Bodies, pair: Option<&PairOrigin>, is_
     }
 }
 
-fn no_answer(theory: &dyn Theory, unasked: &Unasked) -> Failure {
-    match unasked {
-        Unasked::NoSeparation { .. } => unasked.failure("give --pressure"),
-        Unasked::Missing(error) => {
-            let message = format!("{error}; give {}", ways(theory.card()));
-            Failure::refused("missing_input", message)
-        }
-    }
-}
-
-fn reply(
+/// The table, and what must be known of it.
+fn describe(
     card: &Card,
-    (inputs, joint): (&Inputs, &Joint),
+    found: &ModelReply,
+    joint: &Joint,
     questions: &[ModelLoad],
-    answers: &[ModelResult],
     spread: Option<&Spread>,
-) -> Reply {
+) -> String {
+    let (answers, inputs) = (&found.results, &found.inputs);
     let mut headings = if spread.is_some() { vec!["load"] } else { Vec::new() };
     headings.extend(conduction::first_headings(joint, joint.area.is_some()));
     // A theory that knows its own error says it.
@@ -284,7 +239,7 @@ fn reply(
     // The first refusal is said on standard error.
     let told = answers.iter().find_map(|answer| answer.as_ref().err());
     for (question, answer) in questions.iter().zip(answers) {
-        let force = spread.map(|s| text::force(s.force(question.value())));
+        let force = spread.map(|s| text::force(question.value() * s.area));
         let error = surveyed.then(|| survey(answer));
         let conducted = answer.as_ref().ok().and_then(|said| said.conducted);
         let absent = |n: usize| vec!["–".to_owned(); n];
@@ -304,13 +259,13 @@ fn reply(
         let note = match answer {
             Ok(said) => said.state.caveat.as_ref().map(|caveat| format!("caution: {caveat}")),
             Err(error) if Some(error) == told => None,
-            Err(error) => Some(format!("refused: {}", model::short(error))),
+            Err(error) => Some(format!("refused: {}", model::failure(error))),
         };
         notes.extend(note.filter(|note| !notes.contains(note)));
     }
     let mut text = format!("{} ({})\n{columns}", card.title, cited(&card.citation));
     if !card.formula.is_empty() {
-        let _ = writeln!(text, "{}", card.formula); // a String takes everything
+        let _ = writeln!(text, "{}", card.formula);
     }
     if surveyed {
         let [bandwidth, load] = SIMILAR;
@@ -332,12 +287,9 @@ fn reply(
     let gaps: Vec<f64> = answers.iter().filter_map(gap).collect();
     text += &conduction::line(joint, &gaps);
     for note in notes {
-        let _ = writeln!(text, "{note}"); // a String takes everything
+        let _ = writeln!(text, "{note}");
     }
-    text += &spread.map_or_else(String::new, loads::carried);
-    let json = model::object(card, (inputs, joint), questions, answers, spread);
-    let trouble = told.map(model::failure);
-    Reply { text, json, trouble }
+    text + &spread.map_or_else(String::new, loads::carried)
 }
 
 /// The range of errors of the theory where there is no map.
@@ -370,7 +322,6 @@ fn cells(question: ModelLoad, answer: &ModelResult, has_bar: bool) -> Vec<String
     cells
 }
 
-/// A source, in a few words.
 fn cited(c: &Citation) -> String {
     if c.doi.is_empty() {
         format!("{} {}", c.authors, c.year)
@@ -379,7 +330,6 @@ fn cited(c: &Citation) -> String {
     }
 }
 
-/// Every model with its source, inputs and domain.
 fn list() -> Reply {
     let mut text = String::new();
     let mut models = Vec::new();
@@ -388,13 +338,12 @@ fn list() -> Reply {
         let doi = if c.doi.is_empty() { String::new() } else { format!(" doi:{}", c.doi) };
         let options = options_of(card).join(", or ");
         let separation = if card.has_separation { "; --separation as well" } else { "" };
-        // A String takes everything.
         let _ = writeln!(
             text,
             "{}: {}\n  {} ({}) {}. {}.{doi}\n  inputs: {}\n  domain: {}\n  options: {options}{separation}\n",
             card.name, card.title, c.authors, c.year, c.title, c.journal, card.needs, card.domain,
         );
-        let mut object = models::card(card);
+        let mut object = model::described(card);
         object["options"] = json!(options_of(card));
         models.push(object);
     }

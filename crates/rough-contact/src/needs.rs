@@ -1,5 +1,4 @@
-//! What reading a file needs, as options of this command: `surface-io` says what is missing, here
-//! stands how to give it.
+//! What a file leaves open, which `surface-io` says, as options of this command.
 
 use crate::outcome::Failure;
 use rough_contact::front_end::Incomplete;
@@ -18,7 +17,6 @@ pub(crate) fn unread(path: &Path, error: &ReadError) -> Failure {
     Failure::in_file(path, error).adding(&way_out)
 }
 
-/// The refusal of a map with missing points.
 pub(crate) fn unfilled(path: &Path, error: &FillError) -> Failure {
     let way_out = match error {
         FillError::NotConverged { .. } => "use --fill nearest".to_owned(),
@@ -59,7 +57,6 @@ pub(crate) fn reading(ambiguity: Ambiguity) -> String {
     format!("{ambiguity}; {}", options(&ambiguity.needs()))
 }
 
-/// One sentence for all needs.
 fn options(needs: &[Need]) -> String {
     let missing: Vec<&str> = needs.iter().filter_map(|need| scale(*need)).collect();
     if missing.is_empty() {
@@ -68,7 +65,6 @@ fn options(needs: &[Need]) -> String {
     format!("add {}", missing.join(" and "))
 }
 
-/// The option for what a file does not say.
 fn scale(need: Need) -> Option<&'static str> {
     match need {
         Need::PixelSize => Some("--pixel DX[,DY]"),

@@ -1,7 +1,6 @@
-//! How the command ends: what goes to standard output, what to standard error, and the exit
-//! status.
+//! How the command ends: standard output, standard error, exit status.
 
-pub(crate) use rough_contact::front_end::{Failure, variant};
+pub(crate) use rough_contact::front_end::Failure;
 use serde_json::{Value, json};
 use std::io::Write;
 use std::path::Path;
@@ -11,8 +10,7 @@ use std::process::ExitCode;
 pub(crate) struct Reply {
     pub(crate) text: String,
     pub(crate) json: Value,
-    /// What went wrong although there is something to print: exit status 1, or 2 if it was a
-    /// refusal.
+    /// What went wrong although there is something to print.
     pub(crate) trouble: Option<Failure>,
 }
 
@@ -29,7 +27,6 @@ pub(crate) fn usage(error: &clap::Error) -> Failure {
     Failure::refused("usage", text)
 }
 
-/// The file is not touched because it exists.
 pub(crate) fn exists(path: &Path) -> Failure {
     let message = format!(
         "{} exists and would be overwritten; give --force to replace it, or another name",
@@ -38,7 +35,6 @@ pub(crate) fn exists(path: &Path) -> Failure {
     Failure::refused("output_exists", message)
 }
 
-/// A file could not be written.
 pub(crate) fn unwritable(path: &Path, error: &std::io::Error) -> Failure {
     let message = format!(
         "{} cannot be written: {error}; choose a folder that exists and may be written to",
@@ -74,8 +70,8 @@ pub(crate) fn finish(result: Result<Reply, Failure>, json: bool) -> ExitCode {
     // A reader that closes the pipe early, as `head` does, has seen what it wanted.
     let written = stdout.write_all(out.as_bytes()).and_then(|()| stdout.flush());
     if let Some(failure) = failure {
-        tell(&format!("rough-contact: {}", failure.message()));
-        return ExitCode::from(failure.status());
+        tell(&format!("rough-contact: {}", failure.message));
+        return ExitCode::from(failure.status);
     }
     match written {
         Err(error) if error.kind() != std::io::ErrorKind::BrokenPipe => {

@@ -34,7 +34,6 @@ impl Folder {
         &self.path
     }
 
-    /// Writes these files.
     pub(crate) fn write_all(
         &self,
         files: impl IntoIterator<Item = (impl AsRef<str>, Vec<u8>)>,
@@ -44,7 +43,6 @@ impl Folder {
             .try_for_each(|(name, bytes)| self.write(name.as_ref(), |out| out.write_all(&bytes)))
     }
 
-    /// Writes one file.
     pub(crate) fn write(
         &self,
         name: &str,
@@ -67,13 +65,14 @@ pub(crate) fn check(path: &Path, force: bool) -> Result<(), Failure> {
     }
 }
 
-/// Writes `content` to `path`. A file that could not be finished is removed, so that no half
-/// file passes for a whole one.
+/// Writes `content` to `path`. A file that could not be finished is removed.
 pub(crate) fn write(
     path: &Path,
     content: impl FnOnce(&mut BufWriter<File>) -> std::io::Result<()>,
 ) -> Result<(), Failure> {
-    let partial = partial_name(path);
+    let mut partial = path.file_name().unwrap_or_default().to_owned();
+    partial.push(format!(".{}.partial", std::process::id()));
+    let partial = path.with_file_name(partial);
     let result = File::create(&partial).and_then(|file| {
         let mut writer = BufWriter::new(file);
         content(&mut writer)?;
@@ -85,32 +84,4 @@ pub(crate) fn write(
         let _ = fs::remove_file(&partial);
         outcome::unwritable(path, &error)
     })
-}
-
-/// The name under which a file is written until it is complete.
-fn partial_name(path: &Path) -> PathBuf {
-    let mut name = path.file_name().unwrap_or_default().to_owned();
-    name.push(format!(".{}.partial", std::process::id()));
-    path.with_file_name(name)
-}
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-
-    #[test]
-    fn a_folder_is_made_with_its_first_file() {
-        let dir = tempfile::tempdir().expect("a folder");
-        let out = dir.path().join("a/b");
-        let folder = Folder::prepare(&out, &["x".to_owned()], false).expect("writable");
-        assert_eq!(
-            fs::read_dir(dir.path()).expect("a folder").count(),
-            0,
-            "nothing is left behind"
-        );
-        folder.write("x", |file| file.write_all(b"1")).expect("written");
-        assert!(out.join("x").is_file());
-        assert!(Folder::prepare(&out, &["x".to_owned()], false).is_err(), "not over it");
-        assert!(Folder::prepare(&out.join("x/c"), &[], true).is_err(), "a file is no folder");
-    }
 }

@@ -1,18 +1,19 @@
 //! `rough-contact stats` of a profile.
 
 use crate::outcome::{Failure, Reply};
-use crate::profiles::{Traces, uneven_line};
+use crate::profiles::uneven_line;
 use crate::text::{self, Columns, TwoColumns, plain};
-use rough_contact::report;
+use rough_contact::compare::{Level, ProfileSurface};
 use rough_contact::surface_stats::profile::ProfileStatistics;
+use rough_contact::{front_end, report};
 use std::fmt::Write as _;
 use std::path::Path;
 
-pub(crate) fn run(path: &Path, traces: &Traces, degree: usize) -> Result<Reply, Failure> {
-    let (s, json) = traces.statistics(degree).map_err(|e| Failure::in_file(path, &e))?;
-    let mut text = text::cleaning(&traces.cleaned);
-    text.push_str(&uneven_line(traces.uneven));
-    text.push_str(&describe(&s, traces.missing));
+pub(crate) fn run(path: &Path, traces: &ProfileSurface, level: Level) -> Result<Reply, Failure> {
+    let (s, json) = front_end::profile_statistics(path, traces, level)?;
+    let text = text::cleaning(traces.origin.cleaned())
+        + &uneven_line(traces.uneven)
+        + &describe(&s, traces.origin.missing());
     Ok(Reply::new(text, json))
 }
 
@@ -29,7 +30,6 @@ fn describe(s: &ProfileStatistics, missing: usize) -> String {
     };
     t.row("form taken off", form);
     let mut out = t.to_string();
-    // A String takes everything.
     let _ = writeln!(out, "\nISO 21920-2. {}", plain(&report::setting_words(s)));
     out.push_str(&parameters(s));
     let mut t = TwoColumns::default();

@@ -1,37 +1,22 @@
-//! Profiles: traces of a stylus, from a file to what every command takes.
+//! Profiles: what every command says of the traces of a stylus.
 
-use crate::needs;
 use crate::outcome::Failure;
 use crate::text;
-use rough_contact::compare::{Cleaning, Unevenness};
-use rough_contact::contact_types::HeightMap;
-pub(crate) use rough_contact::front_end::Traces;
-use rough_contact::surface_io::{Fill, Measurement};
+use rough_contact::compare::{Cleaning, Origin, ProfileSurface, Surface, Unevenness};
 use rough_contact::surface_stats::clean::Form;
 use std::path::Path;
-
-/// The traces of a file, at equal distances, cleaned and filled.
-pub(crate) fn traces(
-    path: &Path,
-    measurements: Vec<Measurement>,
-    cleaning: Cleaning,
-    fill: Fill,
-) -> Result<Traces, Failure> {
-    refuse(path, cleaning)?;
-    Traces::of(measurements, cleaning, fill).map_err(|e| needs::unmade(path, &e))
-}
 
 /// Takes the traces of another file of the same surface in.
 ///
 /// # Errors
 /// If they are of another length or spacing.
 pub(crate) fn add(
-    all: &mut Traces,
-    other: Traces,
+    all: &mut ProfileSurface,
+    other: ProfileSurface,
     first: &Path,
     file: &Path,
 ) -> Result<(), Failure> {
-    if let (Some(a), Some(b)) = (all.each.first(), other.each.first()) {
+    if let (Some(a), Some(b)) = (all.traces.first(), other.traces.first()) {
         let same = (b.spacing() / a.spacing() - 1.0).abs() < 1e-6;
         if a.len() != b.len() || !same {
             let message = format!(
@@ -47,30 +32,32 @@ pub(crate) fn add(
             return Err(Failure::refused("profile", message));
         }
     }
-    all.each.extend(other.each);
-    all.missing += other.missing;
-    all.height_step = all.height_step.into_iter().chain(other.height_step).reduce(f64::max);
+    all.traces.extend(other.traces);
+    if let (Origin::File(all), Origin::File(other)) = (&mut all.origin, other.origin) {
+        all.missing += other.missing;
+        all.height_step = all.height_step.into_iter().chain(other.height_step).reduce(f64::max);
+    }
     all.uneven = all.uneven.or(other.uneven);
     Ok(())
 }
 
 /// The one trace that is solved in plane strain.
-pub(crate) fn only(mut all: Traces, path: &Path) -> Result<(HeightMap, Traces), Failure> {
-    let filtered = all.cleaning.s_filter.is_some() || all.cleaning.l_filter.is_some();
-    let message = if all.each.len() > 1 {
+pub(crate) fn only(all: ProfileSurface, path: &Path) -> Result<Surface, Failure> {
+    let ProfileSurface { name, origin, traces, .. } = all;
+    let filter = |c: &Cleaning| c.s_filter.or(c.l_filter);
+    let message = if traces.len() > 1 {
         "several traces are several solutions; choose one with --channel NAME"
-    } else if filtered {
+    } else if matches!(&origin, Origin::File(file) if filter(&file.cleaning).is_some()) {
         "--s-filter and --l-filter cut the ends of a trace off, which is then no period; leave them \
          out"
     } else {
-        let trace = all.each.swap_remove(0);
-        return Ok((trace.as_map().clone(), all));
+        return Ok(Surface { name, origin, heights: traces[0].as_map().clone() });
     };
     Err(Failure::refused("profile", format!("{}: {message}", path.display())))
 }
 
 /// Cleaning that is for maps only.
-fn refuse(path: &Path, cleaning: Cleaning) -> Result<(), Failure> {
+pub(crate) fn refuse(path: &Path, cleaning: Cleaning) -> Result<(), Failure> {
     let message = if cleaning.align_rows {
         "--align-rows puts the rows of a map in line, and this is a profile; leave it out"
     } else if let Some(Form::Sphere | Form::Cylinder) = cleaning.form {

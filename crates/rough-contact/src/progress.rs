@@ -1,11 +1,9 @@
-//! Progress on standard error: a bar on a terminal, one line per step elsewhere, nothing with
-//! --quiet.
+//! Progress on standard error: a bar on a terminal, one line per step elsewhere, nothing with --quiet.
 
 use crate::outcome::tell;
 use indicatif::{ProgressBar, ProgressDrawTarget, ProgressStyle};
 use std::io::IsTerminal;
 
-/// Steps of a long run.
 pub(crate) struct ProgressDisplay {
     bar: Option<ProgressBar>,
     lines: bool,
@@ -35,7 +33,6 @@ impl ProgressDisplay {
         }
     }
 
-    /// What is being done now.
     pub(crate) fn working_on(&mut self, what: &str) {
         if let Some(bar) = &self.bar {
             bar.set_message(what.to_owned());
@@ -51,7 +48,6 @@ impl ProgressDisplay {
         }
     }
 
-    /// One step is done.
     pub(crate) fn step(&mut self, what: &str) {
         self.done += 1;
         if let Some(bar) = &self.bar {

@@ -1,17 +1,16 @@
 //! What a model is made from: typed numbers, or the statistics of a surface file.
 
 use crate::args::{self, List};
-use crate::input::Complete;
 use crate::outcome::Failure;
+use crate::quantity;
 use crate::units::Dimension;
-use clap::builder::ValueParser;
 use clap::error::Error;
 use clap::{Arg, ArgMatches, Args, Command, FromArgMatches};
+use rough_contact::compare;
 use rough_contact::compare::{Card, INPUTS, Input, InputFact, InputUnit, Inputs, Level};
 use rough_contact::contact_types::ContactModulus;
-use rough_contact::front_end::typed::{Typed, Untyped};
+use rough_contact::front_end::typed::{self, Typed};
 use rough_contact::surface_stats::Edges;
-use rough_contact::{compare, front_end};
 use std::path::Path;
 
 /// Roughness typed in, each number by an option of its name, and how a FILE is read instead.
@@ -22,9 +21,6 @@ pub(crate) struct Source {
 }
 
 const HEADING: &str = "Roughness, typed in instead of FILE";
-
-/// What stands for the value of an option that takes several numbers.
-const LIST: &str = "LIST";
 
 #[derive(Args, Clone)]
 #[command(next_help_heading = HEADING)]
@@ -44,13 +40,18 @@ fn option(fact: &InputFact) -> Arg {
         InputUnit::Area => (Dimension::Area, "A"),
         InputUnit::PerArea => (Dimension::PerArea, "N"),
         InputUnit::Pressure => (Dimension::Pressure, "P"),
-        InputUnit::Lengths => (Dimension::Length, LIST),
-        InputUnit::PerAreas => (Dimension::PerArea, LIST),
-        InputUnit::Numbers => (Dimension::Number, LIST),
+        InputUnit::Lengths => (Dimension::Length, "LIST"),
+        InputUnit::PerAreas => (Dimension::PerArea, "LIST"),
+        InputUnit::Numbers => (Dimension::Number, "LIST"),
     };
-    let parser = match value {
-        LIST => ValueParser::new(args::list(dimension)),
-        _ => ValueParser::new(args::one(dimension)),
+    let takes_many =
+        matches!(fact.unit, InputUnit::Lengths | InputUnit::PerAreas | InputUnit::Numbers);
+    let parser = move |text: &str| {
+        if takes_many {
+            quantity::parse_list(text, dimension).map(List)
+        } else {
+            quantity::parse(text, dimension).map(|value| List(vec![value]))
+        }
     };
     let arg = Arg::new(fact.name).long(fact.name).value_name(value).value_parser(parser);
     arg.allow_hyphen_values(true).help(fact.help).help_heading(HEADING)
@@ -68,13 +69,11 @@ impl Args for Source {
 
 impl FromArgMatches for Source {
     fn from_arg_matches(matches: &ArgMatches) -> Result<Self, Error> {
-        let typed = INPUTS.iter().fold(Typed::default(), |typed, fact| match fact.unit {
-            InputUnit::Lengths | InputUnit::PerAreas | InputUnit::Numbers => {
-                let list = matches.get_one::<List>(fact.name);
-                typed.with_list(fact.input, list.map(|l| l.0.clone()))
-            }
-            _ => typed.with(fact.input, matches.get_one(fact.name).copied()),
-        });
+        let given = |fact: &InputFact| {
+            let List(values) = matches.get_one::<List>(fact.name)?;
+            Some((fact.input, values.clone()))
+        };
+        let typed = INPUTS.iter().filter_map(given).collect();
         Ok(Self { typed, file: OfFile::from_arg_matches(matches)? })
     }
 
@@ -84,7 +83,6 @@ impl FromArgMatches for Source {
     }
 }
 
-/// The option of an input.
 fn named(input: Input) -> String {
     format!("--{}", input.name())
 }
@@ -116,39 +114,22 @@ impl Source {
         area_has_use: bool,
     ) -> Result<Inputs, Failure> {
         let mut typed = self.typed.clone();
-        let area = typed.one(Input::Area);
-        let carries = area_has_use && !card.takes(Input::Area);
-        if carries {
-            typed = typed.without(Input::Area);
+        if area_has_use && !card.takes(Input::Area) {
+            typed.remove(&Input::Area);
         }
-        if card.requires(Input::Hardness) && typed.one(Input::Hardness).is_none() {
-            typed = typed.with(Input::Hardness, hardness);
+        if let Some(hardness) = hardness.filter(|_| card.requires(Input::Hardness)) {
+            typed.entry(Input::Hardness).or_insert(vec![hardness]);
         }
-        let inputs = typed.inputs(card, modulus).map_err(|untyped| {
-            let message = untyped.told(card, named);
-            match &untyped {
-                Untyped::Model(error) => Failure::from_error(error),
-                Untyped::Incomplete { given, missing } if given.is_empty() => {
-                    let needed: Vec<String> = missing.iter().copied().map(named).collect();
-                    let message =
-                        format!("{} needs {}; give {}", card.name, needed.join(" "), ways(card));
-                    Failure::refused("missing_input", message)
-                }
-                Untyped::Incomplete { .. } => Failure::refused("missing_input", message),
-                _ => Failure::refused("usage", message),
-            }
-        })?;
-        Ok(Inputs { nominal_area: area.or(inputs.nominal_area), ..inputs })
+        let inputs = typed::inputs(&typed, card, modulus, named, Some(&ways(card)))?;
+        Ok(Inputs { nominal_area: self.area().or(inputs.nominal_area), ..inputs })
     }
 
-    /// The hardness given (Pa).
     pub(crate) fn hardness(&self) -> Option<f64> {
-        self.typed.one(Input::Hardness)
+        typed::one(&self.typed, Input::Hardness)
     }
 
-    /// The nominal area given (m²).
     pub(crate) fn area(&self) -> Option<f64> {
-        self.typed.one(Input::Area)
+        typed::one(&self.typed, Input::Area)
     }
 
     /// The form taken off a FILE.
@@ -156,31 +137,21 @@ impl Source {
         self.file.level.unwrap_or_default()
     }
 
+    /// What lies beyond the edges of a FILE.
+    pub(crate) fn boundary(&self) -> Option<Edges> {
+        self.file.boundary
+    }
+
     /// With what no file says.
     pub(crate) fn beside_file(&self, inputs: Inputs) -> Inputs {
         Inputs {
-            gamma: self.typed.one(Input::Gamma),
-            critical_area: self.typed.one(Input::CriticalArea),
+            gamma: typed::one(&self.typed, Input::Gamma),
+            critical_area: typed::one(&self.typed, Input::CriticalArea),
             ..inputs
         }
     }
 
-    /// What the model needs of a measured surface without this form, and nothing else.
-    pub(crate) fn measured(
-        &self,
-        card: &Card,
-        given: Inputs,
-        path: &Path,
-        surface: Complete,
-        form: Level,
-    ) -> Result<Inputs, Failure> {
-        let edges = self.file.boundary.unwrap_or_default();
-        let Complete { map, missing, .. } = surface;
-        front_end::model::measured(card, given, path, map, missing, (form, edges))
-    }
-
-    /// An option that the model does not use is a mistake, not a wish.
-    /// With a load or a conductance, --area has a use beside that.
+    /// An option that the model does not use is a mistake, but --area with a load or a conductance.
     pub(crate) fn refuse_unused(
         &self,
         card: &Card,
@@ -205,13 +176,9 @@ impl Source {
             let kind = matches!(input, Input::Gamma | Input::CriticalArea | Input::Hardness);
             (kind && card.takes(input)) || (area_has_use && input == Input::Area)
         };
-        match self.typed.given().find(|input| !beside(*input)) {
+        match self.typed.keys().copied().find(|input| !beside(*input)) {
             None => Ok(()),
-            Some(input) if !card.takes(input) => {
-                let sets = options_of(card).join(", or ");
-                let (name, model) = (named(input), &card.name);
-                refused(format!("{name} is no input of {model}, which takes {sets}"))
-            }
+            Some(input) if !card.takes(input) => Err(typed::unused(card, input, named)),
             Some(input) => refused(format!(
                 "{} and {} both say what the surface is; give one of them",
                 named(input),

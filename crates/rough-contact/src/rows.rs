@@ -8,12 +8,10 @@ use std::fmt::Write as _;
 use std::io::{self, Write};
 use std::path::{Path, PathBuf};
 
-/// What became of one file.
 pub(crate) struct FileOutcome {
     pub(crate) file: PathBuf,
     /// The digest of its answer, and what is incomplete in it.
     pub(crate) result: Result<(Value, Option<Failure>), Failure>,
-    /// True if the answer was there already.
     pub(crate) is_kept: bool,
     /// The file name of its answer, where answers are kept.
     pub(crate) kept_as: Option<String>,
@@ -26,7 +24,7 @@ impl FileOutcome {
             Ok((_, trouble)) => trouble.as_ref()?,
             Err(failure) => failure,
         };
-        let message = failure.message();
+        let message = &failure.message;
         let name = format!("{}: ", self.file.display());
         Some(message.strip_prefix(&name).unwrap_or(message).to_owned())
     }
@@ -34,15 +32,12 @@ impl FileOutcome {
 
 /// A column of a table on a terminal.
 pub(crate) struct Shown {
-    /// Its heading.
     pub(crate) head: &'static str,
     /// Where the number is: the first of these that there is. A `*` stands for every load.
     pub(crate) at: &'static [&'static str],
-    /// How it is written.
     pub(crate) how: How,
 }
 
-/// How a value is written.
 #[derive(Clone, Copy)]
 pub(crate) enum How {
     /// `ny × nx`.
@@ -88,8 +83,7 @@ fn cell(answer: &Value, shown: &Shown, load: usize) -> Option<String> {
     shown.at.iter().filter_map(value).find_map(|value| shown.how.write(value))
 }
 
-/// A row for every file with an answer, a line for every one without. A column that no file fills is
-/// left out.
+/// A row for every file with an answer, a line for every one without; no column that no file fills.
 pub(crate) fn table(outcomes: &[FileOutcome], shown: &[Shown]) -> String {
     let folder = common_folder(outcomes);
     let name =
@@ -129,7 +123,7 @@ pub(crate) fn table(outcomes: &[FileOutcome], shown: &[Shown]) -> String {
         let Some(why) = outcome.why() else { continue };
         let kind = if outcome.result.is_ok() { "incomplete" } else { "no answer" };
         let why = why.replace('\n', "; ");
-        let _ = writeln!(out, "{kind}: {}: {why}", name(outcome)); // a String takes everything
+        let _ = writeln!(out, "{kind}: {}: {why}", name(outcome));
     }
     let kept = outcomes.iter().filter(|o| o.is_kept).count();
     if kept > 0 {

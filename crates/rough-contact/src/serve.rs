@@ -5,7 +5,6 @@ use crate::outcome::tell;
 use contact_web::{Host, Messages, answer, page_of_program};
 use std::net::{TcpListener, TcpStream};
 use std::sync::Arc;
-use std::sync::atomic::{AtomicUsize, Ordering};
 use std::time::{Duration, Instant};
 
 /// Connections at the same time. A browser opens six.
@@ -39,7 +38,6 @@ impl Site {
         Self { host, origin, token, place, page: page_of_program(place), quiet }
     }
 
-    /// The address of the page.
     pub(crate) fn address(&self) -> String {
         format!("{}/{}/", self.origin, self.token)
     }
@@ -47,16 +45,18 @@ impl Site {
     /// Answers until the program is ended. What keeps a connection from being taken passes: the other side has gone, or
     /// there are too many open files until others time out.
     pub(crate) fn serve(self, listener: &TcpListener) -> ! {
-        let (site, open) = (Arc::new(self), Arc::new(AtomicUsize::new(0)));
+        // One clone for each connection that is open.
+        let (site, open) = (Arc::new(self), Arc::new(()));
         loop {
             let Ok((mut stream, _)) = listener.accept() else {
                 std::thread::sleep(AGAIN);
                 continue;
             };
-            let (site, taken) = (Arc::clone(&site), Taken::of(&open));
+            let (site, taken) = (Arc::clone(&site), Arc::clone(&open));
+            let count = Arc::strong_count(&open) - 1;
             // A thread that cannot be started drops the connection; the browser says so.
             let _ = std::thread::Builder::new().spawn(move || {
-                let done = if taken.number > MOST_CONNECTIONS {
+                let done = if count > MOST_CONNECTIONS {
                     http::refuse(&mut stream, HttpRefusal(503, "Too many questions at once."))
                 } else {
                     site.connection(&mut stream)
@@ -67,7 +67,6 @@ impl Site {
         }
     }
 
-    /// One question on one connection.
     fn connection(&self, stream: &mut TcpStream) -> std::io::Result<()> {
         let head = match http::head(stream) {
             Ok(Some(head)) => head,
@@ -75,8 +74,8 @@ impl Site {
             Err(refused) => return http::refuse(stream, refused),
         };
         let question = match self.allowed(&head) {
-            Ok(PageRequest::Page) => return http::answer(stream, "text/html", &self.page),
-            Ok(PageRequest::Question(question)) => question,
+            Ok(None) => return http::answer(stream, "text/html", &self.page),
+            Ok(Some(question)) => question,
             Err(refused) => return http::refuse(stream, refused),
         };
         let most = self.place.most_bytes().saturating_add(MOST_REQUEST as u64);
@@ -93,9 +92,9 @@ impl Site {
         Ok(())
     }
 
-    /// Who asks for what. A page of another site can make a browser ask here, under our name or its own; it knows
-    /// neither the secret, nor can it name our origin or send this type of content.
-    fn allowed(&self, head: &Head) -> Result<PageRequest, HttpRefusal> {
+    /// The question that is asked; none of the page itself. A page of another site can make a browser ask here, under our
+    /// name or its own; it knows neither the secret, nor can it name our origin or send this type of content.
+    fn allowed(&self, head: &Head) -> Result<Option<String>, HttpRefusal> {
         if head.host.as_deref() != Some(&self.host) {
             return Err(HttpRefusal(403, "This program answers to its own address only."));
         }
@@ -107,7 +106,7 @@ impl Site {
         }
         let is = |method| head.method == method;
         match name {
-            "" if is("GET") => Ok(PageRequest::Page),
+            "" if is("GET") => Ok(None),
             "" => Err(HttpRefusal(405, "The page can be read.")),
             _ => {
                 let question = name.strip_prefix("ask/").ok_or(unknown)?;
@@ -120,7 +119,7 @@ impl Site {
                 if head.content_type.as_deref() != Some("application/octet-stream") {
                     return Err(HttpRefusal(415, "A question is an octet-stream."));
                 }
-                Ok(PageRequest::Question(question.to_owned()))
+                Ok(Some(question.to_owned()))
             }
         }
     }
@@ -138,31 +137,6 @@ impl Site {
                 Err(_) => tell(&format!("stopped after {seconds:.1} s: the page waits no longer")),
             }
         }
-    }
-}
-
-/// What may be asked.
-enum PageRequest {
-    Page,
-    Question(String),
-}
-
-/// A place among the connections, given back at the end of its thread, however that ends.
-struct Taken {
-    open: Arc<AtomicUsize>,
-    number: usize,
-}
-
-impl Taken {
-    fn of(open: &Arc<AtomicUsize>) -> Self {
-        let number = open.fetch_add(1, Ordering::Relaxed) + 1;
-        Self { open: Arc::clone(open), number }
-    }
-}
-
-impl Drop for Taken {
-    fn drop(&mut self) {
-        self.open.fetch_sub(1, Ordering::Relaxed);
     }
 }
 

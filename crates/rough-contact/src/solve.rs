@@ -10,21 +10,20 @@ use crate::conduction::{self, ConductionOptions};
 use crate::fields::{FieldFolder, FieldOptions};
 use crate::files::folder_name;
 use crate::hardness;
-use crate::input::{Complete, InputFiles, MapOrTraces};
+use crate::input::{InputFiles, One};
 use crate::leak::{self, LeakOptions};
 use crate::loads::{Loads, carried, shown};
 use crate::outcome::{Failure, Reply};
-use crate::profiles::{self, Traces};
+use crate::profiles;
 use crate::progress::ProgressDisplay;
 use crate::rows::{How, Shown};
 use crate::text::{self, Columns};
 use clap::Args;
-use rough_contact::compare::{EdgesName, Joint, Level, PairOrigin, on_threads};
+use rough_contact::compare::{EdgesName, Joint, Level, Origin, Settings, Surface, on_threads};
 use rough_contact::contact_types::{Grid, HeightMap, Named};
 use rough_contact::fft_bem_solver::{Boundary, Iteration, Load, Solution};
-use rough_contact::front_end::{Point, SolveInput, SolveRequest, SolveResult, Watch};
-use rough_contact::surface_stats::clean::Record;
-use rough_contact::{front_end, report};
+use rough_contact::front_end::{Point, SolveRequest, SolveResult, Subject, Watch};
+use rough_contact::report;
 use std::ops::ControlFlow;
 use std::path::{Path, PathBuf};
 
@@ -39,8 +38,8 @@ pub(crate) struct Solve {
     #[arg(long, value_name = "FORM", value_parser = args::one_of::<Level>(), default_value = args::LEVEL)]
     level: Level,
     /// What lies beyond the edges: the same map again, or nothing
-    #[arg(long, value_parser = ["periodic", "free"], default_value = "periodic")]
-    boundary: String,
+    #[arg(long, value_parser = args::one_of::<Boundary>(), default_value = "periodic")]
+    boundary: Boundary,
     #[command(flatten)]
     solver: SolverOptions,
     #[arg(long, hide = true, num_args = 0, default_missing_value = "", value_parser = args::refine_is_gone)]
@@ -75,20 +74,20 @@ pub(crate) struct Solve {
     input: InputFiles,
 }
 
-/// What a profile is taken for.
 const PLANE_STRAIN: &str = "plane strain: the trace is the cross-section of parallel ridges that are \
 infinitely long and repeat with its length; a surface that is rough in both directions touches \
 differently. Mean pressure is load per length of ridge over the length of the trace. If the two ends \
 of the trace differ in height, --edges mirrored takes the jump between them out.\n";
 
-/// Why heights and displacements are not written on a chosen grid.
 const CHOSEN_GRID: &str = "--fields heights and displacement are on the grid of the file, and --accuracy and \
                            --fast choose a grid of their own; leave them out, or give --tolerance";
 
-/// Why an isolated contact is not solved for its gap.
 const FREE_GAP: &str = "--gap cannot be prescribed with --boundary free: the mean gap of an isolated \
                         contact depends on where one stops looking; give --pressure, or solve with \
                         --boundary periodic";
+
+const FREE_MIRRORED: &str = "--edges mirrored puts mirror images beyond the edges and --boundary free nothing; give \
+                             one of them";
 
 impl Solve {
     pub(crate) fn run(&self, common: &CommonOptions) -> Result<Reply, Failure> {
@@ -139,81 +138,51 @@ impl PerFile for Solve {
 
     fn answer(&self, common: &CommonOptions) -> Result<Reply, Failure> {
         let mut made_of = self.bodies.required(self.hardness)?;
-        self.loads.forces.refuse_idle_area(self.conduction.is_asked())?;
-        let area = self.loads.forces.area().filter(|_| self.conduction.is_asked());
-        let conduction = self.conduction.asked(&mut made_of, area)?;
-        let front_end::bodies::Bodies { modulus, bodies, hardness, materials } = made_of;
-        let adhesion = self.adhesion.asked()?;
-        let leak = self.leak.asked()?;
-        let count = self.loads.count()?;
-        let boundary = match self.boundary.as_str() {
-            "free" if self.loads.is_by_gap() => {
-                return Err(Failure::refused("combination", FREE_GAP));
-            }
-            "free" => Boundary::Free,
-            _ => Boundary::Periodic,
+        let joint = self.conduction.of_part(&mut made_of, &self.loads.forces)?;
+        let settings = Settings {
+            adhesion: self.adhesion.asked()?,
+            leak: self.leak.asked()?,
+            ..self.solver.settings(self.level, made_of, &joint)
         };
-        args::refuse_mirrored(self.solver.edges, self.boundary == "free")?;
-        let repeats = boundary == Boundary::Periodic && self.solver.edges == EdgesName::Periodic;
+        let count = self.loads.count()?;
+        let is_free = self.boundary == Boundary::Free;
+        if is_free && self.loads.gap.is_some() {
+            return Err(Failure::refused("combination", FREE_GAP));
+        }
+        let mirrored = self.solver.edges == EdgesName::Mirrored;
+        if is_free && mirrored {
+            return Err(Failure::refused("combination", FREE_MIRRORED));
+        }
+        let repeats = !is_free && !mirrored;
         if (self.solver.accuracy.is_some() || self.solver.fast) && self.fields.needs_heights() {
             return Err(Failure::refused("combination", CHOSEN_GRID));
         }
-        let (complete, pair) = self.section()?;
+        let surface = self.section()?;
         let maps = FieldFolder::prepare(&self.fields, count, repeats, common.force)?;
-        let Complete { map, cleaned, missing, .. } = complete;
-        let spread = self.loads.forces.spread([map.grid().area()])?;
+        let spread = self.loads.forces.spread([surface.heights.grid().area()])?;
         let question = SolveRequest {
             loads: self.loads.each(spread.as_ref()),
             spread,
-            modulus,
-            bodies,
-            level: self.level,
-            boundary,
-            edges: self.solver.edges,
+            settings,
+            boundary: self.boundary,
             plane_strain: self.plane_strain,
-            method: self.solver.method,
-            precision: self.solver.precision,
-            tolerance: self.solver.tolerance,
-            accuracy: self.solver.accuracy,
-            fast: self.solver.fast,
             certify: self.certify,
             stiffness: self.stiffness,
-            hardness,
-            conduction,
-            leak,
-            adhesion,
-            materials,
             distributions: self.distributions,
             keep_gap: self.fields.needs_gap(),
         };
-        let subject = SolveInput {
-            path: &self.input.file,
-            map,
-            missing,
-            fill: self.input.reading.fill.name(),
-            cleaned: &cleaned,
-            pair: pair.as_ref(),
-        };
+        let origin = surface.origin.clone();
+        let (path, cleaned) = (&self.input.file, origin.cleaned().to_vec());
+        let subject = Subject { path, surface, cleaned, fill: self.input.how.reading.fill.name() };
         let progress = ProgressDisplay::new(common.quiet, question.loads.len());
         let mut terminal = Terminal { progress, maps, needs_heights: self.fields.needs_heights() };
-        let answer = on_threads(common.threads(), || question.solve(subject, &mut terminal))?;
+        let solve = || question.solve(subject, &mut None, &mut terminal);
+        let answer = on_threads(common.threads(), solve)?;
         drop(terminal);
-        let notes = match answer.plan {
-            None => notes(&answer.points),
-            Some(_) => String::new(),
-        };
-        let plan = answer.plan.clone();
-        let mut reply = self.reply(answer, &notes, &question, (&cleaned, pair.as_ref()));
-        if let Some(reached) = plan {
-            reply.text += &(report::plan_explanation(&reached) + "\n");
-            let unmet = front_end::unmet("", &reached);
-            reply.trouble = reply.trouble.into_iter().chain(unmet).reduce(Failure::and);
-        }
-        Ok(reply)
+        Ok(self.reply(answer, &question, &origin))
     }
 }
 
-/// Progress, and where the maps go.
 struct Terminal {
     progress: ProgressDisplay,
     maps: Option<FieldFolder>,
@@ -252,76 +221,68 @@ impl Watch for Terminal {
 }
 
 impl Solve {
-    /// Whether more than the solution is asked, which only maps answer.
-    fn asks_set(&self) -> Result<bool, Failure> {
-        let adhesion = self.adhesion.asked()?.is_some();
-        let leak = self.leak.asked()?.is_some();
-        Ok(self.stiffness || self.conduction.is_asked() || leak || adhesion)
-    }
-
     /// The map, or the one trace that is to be solved in plane strain.
-    fn section(&self) -> Result<(Complete, Option<PairOrigin>), Failure> {
+    fn section(&self) -> Result<Surface, Failure> {
         let path = &self.input.file;
-        let refused = |message: &str| {
-            Err(Failure::refused("profile", format!("{}: {message}", path.display())))
-        };
-        let (measured, pair) = if self.plane_strain {
-            (self.input.measured()?, None)
-        } else {
-            self.against.measured(path, self.input.how(), self.level)?
-        };
-        match (measured, self.plane_strain) {
-            (MapOrTraces::Map(complete), false) => Ok((complete, pair)),
-            (MapOrTraces::Map(_), true) => refused(
+        let refused =
+            |message: &str| Failure::refused("profile", format!("{}: {message}", path.display()));
+        if !self.plane_strain {
+            return match self.against.measured(path, &self.input.how, self.level, false)? {
+                One::Map(map) => Ok(*map),
+                One::Profile(_) => Err(refused(
+                    "this is a profile, and a surface has no deterministic answer from one line of it; give \
+                     --plane-strain if it is the cross-section of long parallel ridges, or see `model` and \
+                     `compare`, which take it for a line of an isotropic surface",
+                )),
+            };
+        }
+        let One::Profile(traces) = self.input.measured()? else {
+            return Err(refused(
                 "this is a map, and --plane-strain is for a profile; leave it out, or cut out a row with \
                  --crop Y0,0,1,NX",
-            ),
-            (MapOrTraces::Traces(_), false) => refused(
-                "this is a profile, and a surface has no deterministic answer from one line of it; give \
-                 --plane-strain if it is the cross-section of long parallel ridges, or see `model` and \
-                 `compare`, which take it for a line of an isotropic surface",
-            ),
-            (MapOrTraces::Traces(_), true) if self.against.given()?.is_some() => refused(
+            ));
+        };
+        let of_maps = [
+            self.solver.accuracy.is_some() || self.solver.fast,
+            self.stiffness || self.conduction.is_asked(),
+            self.leak.asked()?.is_some() || self.adhesion.asked()?.is_some(),
+        ];
+        let wrong = [
+            (
+                self.against.given()?.is_some(),
                 "--against presses two maps on each other, and --plane-strain is for one profile; leave \
                  one of them out",
             ),
-            (MapOrTraces::Traces(_), true) if self.loads.forces.given()?.is_some() => refused(
+            (
+                self.loads.forces.given()?.is_some(),
                 "--load is a force on an area, and in plane strain a load is a force on a length of ridge; \
                  give --pressure",
             ),
-            (MapOrTraces::Traces(_), true) if self.boundary == "free" => refused(
+            (
+                self.boundary == Boundary::Free,
                 "--boundary free is for a contact that ends in all directions; ridges in plane strain do \
                  not: leave it out",
             ),
-            (MapOrTraces::Traces(_), true)
-                if self.solver.accuracy.is_some() || self.solver.fast || self.asks_set()? =>
-            {
-                refused(
-                    "--accuracy, --fast, --stiffness, --resistivity, --conductivity, --leak and \
-                     --work-of-adhesion are for maps; give --tolerance with --plane-strain",
-                )
-            }
-            (MapOrTraces::Traces(traces), true) => {
-                let (map, traces) = profiles::only(traces, path)?;
-                let Traces { missing, cleaned, height_step, format, crop, .. } = traces;
-                Ok((Complete { map, missing, cleaned, height_step, format, crop }, None))
-            }
+            (
+                of_maps.contains(&true),
+                "--accuracy, --fast, --stiffness, --resistivity, --conductivity, --leak and \
+                 --work-of-adhesion are for maps; give --tolerance with --plane-strain",
+            ),
+        ];
+        match wrong.iter().find(|(is_given, _)| *is_given) {
+            Some((_, message)) => Err(refused(message)),
+            None => profiles::only(*traces, path),
         }
     }
 
-    fn reply(
-        &self,
-        answer: SolveResult,
-        notes: &str,
-        question: &SolveRequest,
-        (cleaned, pair): (&[Record], Option<&PairOrigin>),
-    ) -> Reply {
+    fn reply(&self, answer: SolveResult, question: &SolveRequest, origin: &Origin) -> Reply {
+        let settings = &question.settings;
         let spread = question.spread.as_ref();
         let mut headings = if spread.is_some() { vec!["load"] } else { Vec::new() };
-        let joint = Joint { hardness: answer.hardness.map(|h| h.pascals), ..question.conduction };
+        let joint = settings.joint();
         headings.extend(conduction::first_headings(&joint, true));
         headings.push("mean pressure");
-        if self.loads.is_by_gap() {
+        if self.loads.gap.is_some() {
             headings.push("±"); // the load is an answer too
         }
         headings.extend([
@@ -355,27 +316,32 @@ impl Solve {
         let gaps: Vec<f64> = answer.points.iter().filter_map(gap).collect();
         let solved = |p: &'_ Point| Some(p.solution.as_ref()?.state.mean_pressure);
         let leaks = answer.points.iter().filter_map(|p| Some((solved(p)?, p.leak.as_ref()?)));
-        let (modulus, yields) = (question.modulus.pascals(), answer.hardness.is_some());
+        let (modulus, yields) = (settings.modulus, answer.hardness.is_some());
         let part = Joint { area: answer.json["nominal_area"].as_f64(), ..joint };
         let mut text = [
-            text::cleaning(cleaned),
+            text::cleaning(origin.cleaned()),
             text::findings(&answer.findings),
             columns.to_string(),
-            leak::lines(question.leak.as_ref(), leaks, modulus, yields),
+            leak::lines(settings.leak.as_ref(), leaks, modulus, yields),
             spread.map_or_else(String::new, carried),
-            against::lines(pair, Some((modulus, question.bodies.clone()))),
+            against::lines(origin.pair(), Some((modulus, settings.bodies.clone()))),
             text::level(self.level, answer.level),
             conduction::line(&part, &gaps),
-            text::materials(&question.materials),
+            text::materials(&settings.materials),
         ]
         .concat();
         if self.plane_strain {
             text += PLANE_STRAIN;
         }
-        text += notes;
+        if answer.plan.is_none() {
+            text += &notes(&answer.points);
+        }
         if let Some(given) = answer.hardness {
             let highest = answer.points.iter().filter_map(solved).fold(0.0, f64::max);
             text += &hardness::lines(given, highest);
+        }
+        if let Some(reached) = &answer.plan {
+            text += &(report::plan_explanation(reached) + "\n");
         }
         Reply { text, json: answer.json, trouble: answer.trouble }
     }

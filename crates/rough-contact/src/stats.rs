@@ -7,7 +7,7 @@ use crate::batch::{self, PerFile};
 use crate::bodies::BodyOptions;
 use crate::files::expand;
 use crate::hardness;
-use crate::input::{Complete, InputFiles, MapOrTraces};
+use crate::input::{InputFiles, One};
 use crate::outcome::{Failure, Reply};
 use crate::rows::{How, Shown};
 use crate::text::{self, Columns, TwoColumns};
@@ -15,11 +15,9 @@ use crate::{profile_stats, profiles};
 use clap::Args;
 use rough_contact::compare::{Level, WorkOfAdhesion};
 use rough_contact::contact_types::Named;
-use rough_contact::front_end::IsoParameter;
 use rough_contact::front_end::bodies::Bodies;
-use rough_contact::surface_stats::{
-    ByDistance, Edges, FIELDS, Field, StatsOptions, SurfaceStatistics,
-};
+use rough_contact::front_end::{IsoParameter, StatisticsRequest, Subject};
+use rough_contact::surface_stats::{ByDistance, Edges, FIELDS, Field, SurfaceStatistics};
 use rough_contact::{front_end, report};
 use std::path::Path;
 
@@ -59,12 +57,11 @@ impl Stats {
         if self.pool { self.pooled() } else { batch::run(self, &self.input.files, common) }
     }
 
-    /// All files as one sample.
     fn pooled(&self) -> Result<Reply, Failure> {
         let mut files = expand(&self.input.files.paths)?.into_iter();
         let profile = |file: &Path| match self.input.on(file).measured()? {
-            MapOrTraces::Traces(traces) => Ok(traces),
-            MapOrTraces::Map(_) => {
+            One::Profile(traces) => Ok(*traces),
+            One::Map(_) => {
                 let message = format!(
                     "{}: this is a map, and --pool is for the traces of profiles; leave --pool out",
                     file.display()
@@ -77,7 +74,7 @@ impl Stats {
         for file in files {
             profiles::add(&mut all, profile(&file)?, &first, &file)?;
         }
-        profile_stats::run(&first, &all, self.level.degree().unwrap_or(0))
+        profile_stats::run(&first, &all, self.level)
     }
 }
 
@@ -108,30 +105,29 @@ impl PerFile for Stats {
     fn answer(&self, _: &CommonOptions) -> Result<Reply, Failure> {
         let asked = self.asked()?; // refused before any work
         let path = &self.input.file;
-        let (measured, pair) = self.against.measured(path, self.input.how(), self.level)?;
-        let complete = match measured {
-            MapOrTraces::Map(complete) => complete,
-            MapOrTraces::Traces(_) if asked.is_some() => {
+        let surface = match self.against.measured(path, &self.input.how, self.level, false)? {
+            One::Map(surface) => *surface,
+            One::Profile(_) if asked.is_some() => {
                 let message = "modulus and hardness are for maps; of a profile leave them out";
                 return Err(Failure::refused("profile", message));
             }
-            MapOrTraces::Traces(traces) => {
-                return profile_stats::run(path, &traces, self.level.degree().unwrap_or(0));
-            }
+            One::Profile(traces) => return profile_stats::run(path, &traces, self.level),
         };
-        let Complete { map, missing, cleaned, height_step, .. } = complete;
-        let (level, edges) = (self.level, self.boundary);
-        let options =
-            StatsOptions { level, edges, missing, height_step, ..StatsOptions::default() };
-        let subject = front_end::Measured { path, cleaned: &cleaned, pair: pair.as_ref() };
-        let mut found = front_end::statistics(&map, &options, subject, self.iso, self.scales)?;
-        if let Some((made_of, Some(given))) = &asked {
-            found.stick(*given, &map, self.level, made_of.modulus, path)?;
-        }
-        let mut text = text::cleaning(&cleaned)
+        let sticking = |(made_of, given): &(Bodies, Option<_>)| Some(((*given)?, made_of.modulus));
+        let request = StatisticsRequest {
+            level: self.level,
+            boundary: Some(self.boundary),
+            iso: self.iso,
+            scales: self.scales,
+            adhesion: asked.as_ref().and_then(sticking),
+        };
+        let cleaned = surface.origin.cleaned().to_vec();
+        let subject = Subject { path, surface, cleaned, fill: self.input.how.reading.fill.name() };
+        let found = front_end::statistics(&subject, &request)?;
+        let mut text = text::cleaning(&subject.cleaned)
             + &text::all_findings(&found.findings)
             + &self.describe(&found.statistics);
-        text += &against::lines(pair.as_ref(), None);
+        text += &against::lines(subject.surface.origin.pair(), None);
         if let Some(iso) = &found.iso {
             text = format!("{text}\nISO 25178-2\n{}", areal(iso));
         }
@@ -162,7 +158,6 @@ fn areal(iso: &[IsoParameter]) -> TwoColumns {
     t
 }
 
-/// A line for each distance.
 fn scales(list: &[ByDistance]) -> Columns {
     let mut columns = Columns::new(&["distance", "rms slope", "rms curvature", "autocorrelation"]);
     for d in list {

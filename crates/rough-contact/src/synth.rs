@@ -53,11 +53,14 @@ impl Synth {
         let format = MapFormat::of(&self.out)?;
         output::check(&self.out, common.force)?;
         let (map, rolloff) = self.surface()?;
-        output::write(&self.out, |writer| format.write(writer, &map, &self.comment(rolloff)))?;
+        let comment = format!(
+            "rough-contact synth: Hurst {}, roll-off {rolloff} m, cut-off {} m, seed {}",
+            self.hurst, self.cutoff, self.seed
+        );
+        output::write(&self.out, |writer| format.write(writer, &map, &comment))?;
         Ok(self.reply(&map, rolloff))
     }
 
-    /// The map, and its roll-off.
     fn surface(&self) -> Result<(HeightMap, f64), Failure> {
         let grid = Grid::new(self.shape, self.pixel).map_err(|e| Failure::from_error(&e))?;
         let scale = match (self.rms_height, self.rms_gradient) {
@@ -85,14 +88,6 @@ impl Synth {
         let recipe = with_both.map_err(|e| Failure::from_error(&e))?;
         let map = recipe.generate().map_err(|e| Failure::from_error(&e))?;
         Ok((map, recipe.rolloff))
-    }
-
-    /// The recipe, for people who find the file.
-    fn comment(&self, rolloff: f64) -> String {
-        format!(
-            "rough-contact synth: Hurst {}, roll-off {rolloff} m, cut-off {} m, seed {}",
-            self.hurst, self.cutoff, self.seed
-        )
     }
 
     fn reply(&self, map: &HeightMap, rolloff: f64) -> Reply {

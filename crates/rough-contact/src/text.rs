@@ -1,6 +1,6 @@
 //! Numbers and tables as people read them on a terminal.
 
-use rough_contact::compare::{Fact, Finding, Level, MaterialUse, Settings, Weight};
+use rough_contact::compare::{Fact, Finding, Level, MaterialUse, Weight};
 use rough_contact::contact_types::{AsperityStatistics, Named};
 pub(crate) use rough_contact::front_end::shown::*;
 use rough_contact::report;
@@ -9,7 +9,6 @@ use rough_contact::report::numbers::{AREAS, NEWTONS};
 use rough_contact::surface_stats::clean::Record;
 use std::fmt;
 
-/// Two columns: a name and what it is.
 #[derive(Default)]
 pub(crate) struct TwoColumns {
     rows: Vec<(String, String)>,
@@ -44,7 +43,6 @@ pub(crate) fn cleaning(records: &[Record]) -> String {
     records.iter().map(|record| format!("cleaned: {record}\n")).collect::<Vec<_>>().concat()
 }
 
-/// Which moments every model is given.
 pub(crate) const MOMENTS: &str = "moments of the models: finite differences\n";
 
 /// What was taken off a map first, and why if nobody asked for it.
@@ -58,13 +56,6 @@ pub(crate) fn level(asked: Level, used: Level) -> String {
     }
 }
 
-/// Forces and the pressures they are, where a study was given forces.
-pub(crate) fn loads(settings: &Settings) -> String {
-    report::loads_line(settings)
-        .map_or_else(String::new, |line| format!("load: {}\n", plain(&line)))
-}
-
-/// Most findings that are shown.
 const MOST: usize = 3;
 
 /// The worst findings, one line each, and how many more there are.
@@ -87,7 +78,6 @@ pub(crate) fn materials(used: &[MaterialUse]) -> String {
     used.iter().map(line).collect()
 }
 
-/// All findings, one line each.
 pub(crate) fn all_findings(found: &[Finding]) -> String {
     found.iter().map(finding_line).collect::<Vec<_>>().concat()
 }
@@ -113,11 +103,6 @@ pub(crate) fn seconds(seconds: f64) -> String {
     plain(&report::numbers::duration(seconds))
 }
 
-/// A stiffness per area, such as `1.23e13 Pa/m`.
-pub(crate) fn stiffness(pascals_per_metre: f64) -> String {
-    format!("{pascals_per_metre:.2e} Pa/m")
-}
-
 /// The highest pressure of a point. The mean over the contact cannot exceed it: where it seems to,
 /// the contacts are smaller than the points.
 pub(crate) fn highest(highest: f64, mean: Option<f64>) -> String {
@@ -132,17 +117,14 @@ pub(crate) fn or_dash<T>(value: Option<T>, write: impl FnOnce(T) -> String) -> S
     value.map_or_else(|| "–".to_owned(), write)
 }
 
-/// Three moments of a spectrum, in SI units.
 pub(crate) fn moments(m0: f64, m2: f64, m4: f64) -> String {
     format!("{m0:.4e} m², {m2:.4e}, {m4:.4e} m⁻²")
 }
 
-/// A pure number with three significant digits.
 pub(crate) fn digits(value: f64) -> String {
     significant(value, 3)
 }
 
-/// A pure number with four significant digits.
 pub(crate) fn number(value: f64) -> String {
     significant(value, 4)
 }

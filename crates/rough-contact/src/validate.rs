@@ -1,13 +1,13 @@
 //! `rough-contact validate`: the solver against exact solutions, on this machine.
 
 use crate::args::{self, CommonOptions};
-use crate::outcome::{Failure, Reply, variant};
+use crate::outcome::{Failure, Reply};
 use crate::progress::ProgressDisplay;
 use crate::text::{self, Columns};
 use clap::Args;
 use rough_contact::compare::Method;
 use rough_contact::fft_bem_solver::validation::{self, Options, ValidationError, ValidationRow};
-use rough_contact::front_end;
+use serde_json::json;
 
 #[derive(Args)]
 pub(crate) struct Validate {
@@ -33,15 +33,14 @@ impl Validate {
         })
         .map_err(|error| failure(&error))?;
         drop(progress);
-        Ok(Reply::new(table(&rows), front_end::validated(&rows)))
+        Ok(Reply::new(table(&rows), json!({ "rows": rows })))
     }
 }
 
-/// A setting that is refused, or a solve that broke off.
 fn failure(error: &ValidationError) -> Failure {
     match error {
         ValidationError::TooCoarse(_) => Failure::from_error(error),
-        _ => Failure::incomplete(&variant(error), error.to_string()),
+        _ => Failure { status: 1, ..Failure::from_error(error) },
     }
 }
 

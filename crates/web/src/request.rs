@@ -134,7 +134,7 @@ pub(crate) struct Facts {
 
 /// A number as people type it: with a point or a comma.
 pub(crate) fn parse(text: &str, dimension: Dimension) -> Result<f64, Failure> {
-    quantity::parse(&text.trim().replace(',', "."), dimension).map_err(|e| Failure::from_error(&e))
+    quantity::parse(&text.trim().replace(',', "."), dimension)
 }
 
 /// The same of a field that may be empty.
@@ -190,10 +190,8 @@ fn named<T: Named>(what: &str, name: Option<&str>) -> Result<Option<T>, Failure>
     name.map(|name| T::of_name(name).ok_or_else(|| unknown(name))).transpose()
 }
 
-/// A unit of length (m), if one was said.
 pub(crate) fn unit(text: Option<&str>) -> Result<Option<f64>, Failure> {
-    let found = text.map(quantity::parse_length_unit).transpose();
-    found.map_err(|e| Failure::from_error(&e))
+    text.map(quantity::parse_length_unit).transpose()
 }
 
 impl Remedies {
@@ -280,9 +278,7 @@ impl Request {
         &self,
         of_map: f64,
     ) -> Result<(Option<Vec<f64>>, Option<f64>), Failure> {
-        let list = |dimension| {
-            quantity::parse_list(&self.load.list, dimension).map_err(|e| Failure::from_error(&e))
-        };
+        let list = |dimension| quantity::parse_list(&self.load.list, dimension);
         Ok(match self.load.by {
             LoadBy::Auto => (None, None),
             LoadBy::Pressure => (Some(list(Dimension::Pressure)?), None),

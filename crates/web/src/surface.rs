@@ -2,8 +2,8 @@
 
 use crate::request::{Request, unit};
 use crate::trouble::Trouble;
-use contact_compare::{FileOrigin, Level, Origin, Surface, built_in_recipes, sha256_hex};
-use contact_front_end::{Complete, Failure, complete};
+use contact_compare::{FileOrigin, Level, Surface, built_in_recipes, sha256_hex};
+use contact_front_end::{Failure, complete};
 use contact_types::HeightMap;
 use surface_io::Measurement;
 use surface_stats::{DirectionalMoments, Edges, HeightStatistics, StatsError};
@@ -19,12 +19,6 @@ pub(crate) fn measurement(request: &Request, file: &[u8]) -> Result<Measurement,
         None => Ok(found),
         Some(cut) => found.crop(cut).map_err(Trouble::Unread),
     }
-}
-
-/// A complete map with the remedies that are ticked.
-pub(crate) fn completed(measurement: Measurement, request: &Request) -> Result<Complete, Trouble> {
-    let remedies = &request.remedies;
-    complete(measurement, remedies.cleaning(), remedies.fill()).map_err(Trouble::Incomplete)
 }
 
 /// The surface of the study.
@@ -43,13 +37,10 @@ pub(crate) fn of_measurement(
     file: &[u8],
     measured: Measurement,
 ) -> Result<Surface, Trouble> {
-    let Complete { map, missing, cleaned, height_step, format, crop } =
-        completed(measured, request)?;
     let reading = &request.reading;
     let origin = FileOrigin {
         path: request.name.clone(),
         sha256: sha256_hex(file),
-        format,
         channel: reading.channel.clone(),
         pixel: reading.pixel()?,
         lateral_unit: unit(reading.lateral_unit.as_deref())?,
@@ -58,19 +49,27 @@ pub(crate) fn of_measurement(
         layout: reading.layout.clone(),
         decimal: reading.decimal.clone(),
         missing_marks: reading.missing.clone(),
-        crop,
-        fill: request.remedies.rule().to_owned(),
-        missing,
-        cleaning: request.remedies.cleaning(),
-        cleaned,
-        height_step,
+        ..FileOrigin::default()
     };
-    Ok(Surface { name: request.name.clone(), origin: Origin::File(origin), heights: map })
+    let surface = completed(measured, request, origin)?;
+    Ok(Surface { name: request.name.clone(), ..surface })
+}
+
+/// With the remedies that are ticked.
+fn completed(
+    measured: Measurement,
+    request: &Request,
+    origin: FileOrigin,
+) -> Result<Surface, Trouble> {
+    let remedies = &request.remedies;
+    let origin = FileOrigin { cleaning: remedies.cleaning(), ..origin };
+    complete(measured, origin, remedies.fill()).map_err(Trouble::Incomplete)
 }
 
 /// The map of a measurement with the remedies as ticked, its form taken off.
 pub(crate) fn prepared(measured: &Measurement, request: &Request) -> Result<HeightMap, Trouble> {
-    levelled(&completed(measured.clone(), request)?.map, request.remedies.level())
+    let surface = completed(measured.clone(), request, FileOrigin::default())?;
+    levelled(&surface.heights, request.remedies.level())
 }
 
 pub(crate) fn levelled(map: &HeightMap, level: Level) -> Result<HeightMap, Trouble> {

@@ -107,7 +107,7 @@ impl Trouble {
                 "",
                 vec!["Look at the data-quality warnings.", "Change the bodies or the loads."],
             ),
-            Self::Refused(failure) if failure.kind() == "internal" => {
+            Self::Refused(failure) if failure.kind == "internal" => {
                 words("The page asked wrongly; that is a bug.", "", vec![])
             }
             Self::Refused(_) => {
@@ -119,8 +119,8 @@ impl Trouble {
     /// Tells it.
     pub(crate) fn tell(&self, place: Host, out: &mut Messages<'_>) {
         let (failure, (heading, text, ways)) = (self.failure(), self.words(place));
-        let text = if text.is_empty() { capital(failure.message()) } else { text };
-        let detail = format!("{}: {}", failure.kind(), failure.message());
+        let text = if text.is_empty() { capital(&failure.message) } else { text };
+        let detail = format!("{}: {}", failure.kind, failure.message);
         let failure = failure.json();
         let said = json!({ "heading": heading, "text": text, "ways": ways, "detail": detail, "failure": failure });
         out.tell("error", said);

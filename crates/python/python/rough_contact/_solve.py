@@ -24,6 +24,9 @@ from ._units import Q
 
 __all__ = ["displacement", "solve"]
 
+#: What a request has beside the settings that a study has too.
+_BESIDE = ("boundary", "plane_strain", "certify", "stiffness", "distributions", "keep_gap")
+
 Method = Literal["auto", "chord", "polonsky-keer", "stanley-kato"]
 
 
@@ -177,9 +180,10 @@ def solve(
         "edges": edges,
         "accuracy": _accuracy(accuracy),
         "fast": bool(fast),
+        **_bodies.joint(resistivity, conductivity, gas, None),
+        "load_area": of_part if conduction else None,
         "certify": bool(certify),
         "stiffness": bool(stiffness),
-        "joint": _bodies.joint(resistivity, conductivity, gas, of_part),
         "leak": _bodies.leak(leak, viscosity, pressure_drop, seal_length, seal_width),
         "adhesion": _bodies.adhesion(work_of_adhesion, attraction_range),
         "distributions": bool(distributions),
@@ -211,7 +215,8 @@ def settings(
         "method": method,
         "precision": precision or "f64",
         "tolerance": 1e-4 if tolerance is None else _units.number(tolerance, "tolerance"),
-        "maps": {False: "none", True: "all", "pressure": "pressure"}[maps],
+        "maps": bool(maps),
+        "keep_gap": maps not in (False, "pressure"),
         "threads": count(threads),
     }
 
@@ -292,6 +297,9 @@ def asked(
     kind, values = request["loads"]
     places = [i for i, value in enumerate(values) if not math.isnan(value)]
     request = {**request, "loads": (kind, [values[i] for i in places])}
+    own = {key: request.pop(key) for key in ("loads", "area", "accuracy", "maps") if key in request}
+    beside = {key: request.pop(key) for key in _BESIDE if key in request}
+    request = {**own, "request": {**beside, "settings": request}}
     with sorted_as(SettingError):
         text, kept, trouble, stopped_by = _rust.solve(
             surface._heights,

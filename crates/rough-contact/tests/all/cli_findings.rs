@@ -42,10 +42,7 @@ fn solve_says_on_the_terminal_what_its_json_says() {
     for (claim, effect) in found.iter().take(3) {
         has(&text, &[claim, &effect.replace('\u{202F}', " ")]);
     }
-}
-
-#[test]
-fn a_surface_that_is_resolved_has_nothing_to_check_in_a_solve() {
+    // A surface that is resolved has nothing to check.
     let at = &folder();
     at.matrix("waves.txt", 64, 64, |iy, ix| {
         let wave = |i: usize| (i as f64 * std::f64::consts::TAU / 32.0).cos();

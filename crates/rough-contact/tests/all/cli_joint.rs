@@ -115,6 +115,11 @@ fn a_map_in_air_has_resistances_with_uncertainty() {
             let [low, high] = ends(&point[format!("{key}_interval")]);
             assert!(low < of(key) && of(key) < high && high < 2.0 * low, "{key}: {low} {high}");
         }
+        // The ± of a conductance is that of the stiffness of its set.
+        let share = |key: &str| ends(&point[format!("{key}_interval")]).map(|end| end / of(key));
+        for (own, of_set) in share("electrical_conductance").iter().zip(share("stiffness")) {
+            assert!((own - of_set).abs() < 1e-12, "{point}");
+        }
         // Between plates at the mean gap and at no gap.
         let (k, jump) = (number(&found["gas"]["conductivity"]), number(&found["gas"]["jump"]));
         let plate = k / (of("mean_gap") + jump);

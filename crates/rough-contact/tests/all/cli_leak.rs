@@ -111,16 +111,10 @@ fn metals_leak_through_the_yielded_gap() {
 #[test]
 fn what_has_no_leak_is_refused() {
     let at = &surface();
-    let seal = |eta: &str, drop: &str| {
-        SEAL.replace("1mPa.s", eta).replace("drop 1MPa", &format!("drop {drop}"))
-    };
     at.refuses_each(
         "solve a.x3p --modulus 10MPa --pressure 20kPa",
         &[
-            (&seal("0mPa.s", "1MPa"), &["viscosity 0e0: it must be more than 0"]),
-            (&seal("1mPa.s", "-1MPa"), &["pressure drop -1e6: it must be 0 or more"]),
             ("--leak x --viscosity 1mPa.s", &["pressure drop is"]),
-            ("--viscosity 1mPa.s", &["ask for it along"]),
             ("--leak z", &["both"]),
             ("--leak x --viscosity 1", &["Pa.s"]),
             ("--leak x --boundary free", &["around an isolated contact everything is open"]),

@@ -1,6 +1,6 @@
 //! Materials of the table and a work of adhesion, as a user asks for them.
 
-use crate::cli::{TestFolder, book, close, ends, folder, has, list, number};
+use crate::cli::{TestFolder, book, close, folder, has, list, number};
 use std::f64::consts::PI;
 
 /// A folder with the map `a.x3p`.
@@ -165,36 +165,6 @@ fn whether_bodies_stick_is_said() {
         ],
     );
     at.refuses("stats a.x3p --work-of-adhesion 5mJ/m2", &["modulus"]);
-}
-
-/// The ± of a conductance is that of the stiffness of its set: around the value, in JSON and in the table; with the
-/// sampling variability for elastic bodies.
-#[test]
-fn a_conductance_has_its_bars() {
-    let at = &surface();
-    for more in ["", "--hardness 2GPa"] {
-        let line = format!(
-            "solve a.x3p --modulus 110GPa --pressure 50MPa,500MPa --resistivity 22nohm.m {more}"
-        );
-        for point in list(&at.answer(&line)["points"]) {
-            let value = number(&point["electrical_conductance"]);
-            let k = number(&point["stiffness"]);
-            for kind in ["interval", "prediction_interval"] {
-                let [own, of_stiffness] = ["electrical_conductance", "stiffness"]
-                    .map(|name| &point[format!("{name}_{kind}")]);
-                if own.is_null() || of_stiffness.is_null() {
-                    assert!(kind == "prediction_interval" && !more.is_empty(), "{point}");
-                    continue;
-                }
-                let [low, high] = ends(own);
-                assert!(low < value && value < high, "{point}");
-                let [softest, stiffest] = ends(of_stiffness);
-                assert!((low / value - softest / k).abs() < 1e-12, "{point}");
-                assert!((high / value - stiffest / k).abs() < 1e-12, "{point}");
-            }
-        }
-        has(&at.run(&line).out, &["± surface", "S/m²", "±"]);
-    }
 }
 
 /// The table of the book has the numbers of the program.

@@ -1,7 +1,7 @@
 //! Two bodies pressed together, as a user presses them.
 
 use crate::cli::{self, TestFolder, UNITS, close, folder, has, list, number};
-use serde_json::Value;
+use serde_json::{Value, json};
 use std::f64::consts::TAU;
 
 const STEEL_AND_BRONZE: &str = "--young 210GPa --poisson 0.3 --young 100GPa --poisson 0.34";
@@ -39,57 +39,30 @@ fn numbers(answer: &Value) -> Vec<Value> {
     list(&answer["points"]).iter().flat_map(|p| keys.map(|key| p[key].clone())).collect()
 }
 
+/// What two bodies are to each other is tested in `surface-stats`; here what is said of it.
 #[test]
-fn a_flat_body_changes_no_bit_of_the_answer() {
+fn a_pair_says_how_it_lies() {
     let at = &bodies();
-    let alone = solved(at, "a.txt --pressure 100MPa,1GPa");
-    for how in ["", "--flip rows", "--flip none --shift 5um,3um"] {
-        let pair = solved(at, &format!("a.txt --against flat.txt {how} --pressure 100MPa,1GPa"));
-        assert_eq!(numbers(&pair), numbers(&alone), "{how}");
-        assert_eq!(pair["findings"], alone["findings"]);
-    }
-}
-
-#[test]
-fn the_bodies_may_change_places() {
-    let at = &bodies();
-    let [one, other] = ["a.txt --against b.txt", "b.txt --against a.txt"]
-        .map(|pair| solved(at, &format!("{pair} --pressure 500MPa")));
-    for key in ["area_fraction", "mean_gap", "max_pressure"] {
-        // The mirror image is iterated in another order: as well as the tolerance of 1e-4.
-        close(number(&one["points"][0][key]), number(&other["points"][0][key]), 1e-3);
-    }
+    let alone = solved(at, "a.txt --pressure 1GPa");
+    let flat = solved(at, "a.txt --against flat.txt --flip rows --pressure 1GPa");
+    assert_eq!(numbers(&flat), numbers(&alone), "to the bit");
+    let found = solved(at, "a.txt --against b.txt --pressure 1GPa --level none --shift 4.4um,0um");
     // E* is of the two together, by Johnson (4.20).
     let modulus = 1.0 / ((1.0 - 0.09) / 210e9 + (1.0 - 0.34 * 0.34) / 100e9);
-    close(number(&one["modulus"]), modulus, 1e-14);
-    assert_eq!(one["bodies"][0]["name"], "a.txt");
-    assert_eq!(one["bodies"][1]["name"], "b.txt");
-    assert!((number(&one["bodies"][1]["young"]) - 100e9).abs() < 1.0);
-    assert_eq!(one["pair"]["flip"], "columns");
-}
-
-#[test]
-fn a_body_on_its_own_negative_closes_at_any_load() {
-    let said = solved(&bodies(), "a.txt --against negative.txt --pressure 1Pa,1GPa");
-    for point in list(&said["points"]) {
-        assert!((number(&point["area_fraction"]) - 1.0).abs() < 1e-15, "{point}");
+    close(number(&found["modulus"]), modulus, 1e-14);
+    for (body, name) in list(&found["bodies"]).iter().zip(["a.txt", "b.txt"]) {
+        assert_eq!(body["name"], name);
     }
-    assert_eq!(said["pair"]["moments"]["independent"], false);
-    has(&said["findings"].to_string(), &["a.txt and negative.txt fit into each other."]);
-}
-
-#[test]
-fn a_shift_by_the_period_is_none_and_another_is_made_in_whole_points() {
-    let at = &bodies();
-    let pair = "a.txt --against b.txt --pressure 1GPa --level none";
-    let by = |shift: &str| solved(at, &format!("{pair} --shift {shift}"));
-    let unmoved = numbers(&by("0um,0um"));
-    assert_eq!(numbers(&by("32um,-64um")), unmoved);
-    let moved = by("4.4um,0um");
-    assert_ne!(numbers(&moved), unmoved);
-    assert!((number(&moved["pair"]["shift"][1]) - 4e-6).abs() < 1e-18);
-    assert!((number(&moved["pair"]["shift_asked"][1]) - 4.4e-6).abs() < 1e-18);
-    assert_eq!(moved["pair"]["is_rolled"], true);
+    close(number(&found["bodies"][1]["young"]), 100e9, 1e-12);
+    let pair = &found["pair"];
+    assert_eq!((&pair["flip"], &pair["is_rolled"]), (&json!("columns"), &json!(true)));
+    // Whole points.
+    close(number(&pair["shift"][1]), 4e-6, 1e-12);
+    close(number(&pair["shift_asked"][1]), 4.4e-6, 1e-12);
+    let mated = solved(at, "a.txt --against negative.txt --pressure 1Pa");
+    close(number(&mated["points"][0]["area_fraction"]), 1.0, 1e-15);
+    assert_eq!(mated["pair"]["moments"]["independent"], false);
+    has(&mated["findings"].to_string(), &["a.txt and negative.txt fit into each other."]);
 }
 
 #[test]

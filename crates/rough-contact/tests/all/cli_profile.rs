@@ -41,9 +41,7 @@ fn a_sine_has_the_parameters_of_the_formulas() {
     assert_eq!(r["sections"], 5);
     for (name, expected) in [
         ("Ra", 2e-6 / PI),
-        ("Rq", 1e-6 / 2f64.sqrt()),
         ("Rz", 2e-6),
-        ("Rt", 2e-6),
         ("RSm", 50e-6),
         ("Rku", 1.5),
         ("Rdq", 2f64.sqrt() * PI * 1e-6 / 50e-6),
