@@ -244,7 +244,7 @@ impl Origin {
     }
 
     /// The form that is taken off: [`Level::Auto`] follows what was said of the edges, where something was.
-    fn level(&self, asked: Level) -> Level {
+    pub fn level(&self, asked: Level) -> Level {
         match self {
             Self::Given(GivenOrigin { repeats: Some(repeats), .. }) if asked == Level::Auto => {
                 if *repeats {

@@ -23,12 +23,6 @@ fn figure_name(figure: &str, index: usize, count: usize) -> String {
     if count == 1 { format!("{figure}.svg") } else { format!("{figure}-{}.svg", index + 1) }
 }
 
-type Unmade = Box<dyn std::error::Error + Send + Sync>;
-
-fn failure(error: &Unmade) -> Failure {
-    Failure::incomplete("output", error.to_string())
-}
-
 /// The documents of studies of profiles by name.
 ///
 /// # Errors

@@ -6,9 +6,9 @@ use crate::loads::Spread;
 use contact_accuracy::round_to_digits;
 use contact_compare::survey::{ErrorRange, gaussian_errors};
 use contact_compare::{
-    BuildError, Card, Conducted, Finding, Input, Inputs, Joint, Level, OfMap, Origin,
-    PairOrigin, Pressed, ProfileSurface, Scene, Settings, Solved, Spikes, Theory, Unevenness,
-    built_in, conducted_by,
+    BuildError, Card, Conducted, Finding, Input, Inputs, Joint, Level, OfMap, Origin, PairOrigin,
+    Pressed, ProfileSurface, Scene, Settings, Solved, Spikes, Theory, Unevenness, built_in,
+    conducted_by,
 };
 use contact_types::{
     AmplitudeSpectrum, Caveat, ContactModel, ContactModulus, ContactState, ModelError, Named,
@@ -211,7 +211,7 @@ impl ModelSubject {
         // Every model has the moments that a study gives it; only Persson's mean gap needs more.
         let rms = HeightStatistics::of(&map).rms_height;
         let differences = DirectionalMoments::of(&map, edges).map_err(refused)?;
-        inputs.source = MomentSource::FiniteDifferences;
+        inputs.is_measured = true;
         inputs.moments = Some(differences.isotropic(rms * rms));
         match card.of_map {
             OfMap::Fractal => {

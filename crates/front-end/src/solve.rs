@@ -226,9 +226,9 @@ impl SolveRequest {
                 object["load"] = json!(point.force);
             }
             // The keys of what has yielded, absent in a load that was refused.
-            for key in contact_report::YIELD_KEYS {
-                if hardness.is_some() && object.get(key).is_none() {
-                    object[key] = Value::Null;
+            for (key, null) in contact_report::yield_keys(None, 0.0) {
+                if hardness.is_some() && object.get(&key).is_none() {
+                    object[key] = null;
                 }
             }
             objects.push(object);

@@ -135,18 +135,36 @@ fn point(p: &DeterministicPoint) -> Value {
             "trouble": p.trouble,
         });
     };
-    let mut point = json!(a);
-    point["mean_pressure"] = json!(p.mean_pressure);
-    point["trouble"] = json!(p.trouble);
-    point["area_interval_covers"] = json!("this map");
-    point["no_interval_because"] = json!(a.budget.area.half_width().err().map(|r| r.to_string()));
+    let d = &a.diagnostics;
+    let mut point = json!({
+        "mean_pressure": p.mean_pressure,
+        "touching_fraction": a.touching_fraction,
+        "area_fraction": a.area_fraction,
+        "area_interval_covers": "this map",
+        "no_interval_because": a.budget.area.half_width().err().map(|r| r.to_string()),
+        "mean_gap": a.mean_gap,
+        "approach": a.approach,
+        "max_pressure": d.max_pressure,
+        "converged": a.converged,
+        "stopped_at_rounding": d.end == End::Rounding,
+        "trouble": p.trouble,
+        "iterations": d.iterations,
+        "transforms": d.transforms,
+        "seconds": d.seconds,
+        "residuals": {
+            "preconditioned": d.residuals.preconditioned,
+            "complementarity": d.residuals.complementarity,
+            "penetration": d.residuals.penetration,
+        },
+        "duality_gap": d.duality_gap,
+        "energy_bound": d.energy_bound,
+        "contact_pixels": d.contact_pixels,
+        "contact_perimeter": d.contact_perimeter,
+    });
     if let Value::Object(keys) = &mut point {
-        for other in ["coarser", "finer", "method", "yielded"] {
-            keys.remove(other);
-        }
         keys.extend(parts_json::budget_keys(Some(&a.budget)));
-        if a.yielded.is_some() {
-            keys.extend(parts_json::yield_keys(a.yielded, a.touching_fraction));
+        if d.yielded.is_some() {
+            keys.extend(parts_json::yield_keys(d.yielded, a.touching_fraction));
         }
     }
     point

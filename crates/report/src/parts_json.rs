@@ -2,7 +2,7 @@
 //! a contact conducts, its leak, a pair of bodies. SI units.
 
 use crate::messages::conduction::{conductance, kinds};
-use contact_accuracy::{Budget, Estimate, Leak, Leaks, NotSolved, RealPressure};
+use contact_accuracy::{Budget, Estimate, Leak, Leaks, NotSolved};
 use contact_compare::{
     Body, Comparison, Conducted, DeterministicPoint, GapGas, LeakRequest, PairOrigin,
     SurfaceComparison, Yielded,
@@ -31,11 +31,10 @@ pub fn budget_keys(budget: Option<&Budget>) -> Map<String, Value> {
     }
     // An area that may be 0 leaves the pressure without an upper end, which JSON writes as null.
     let real = budget.and_then(Budget::real_pressure);
-    let prediction = real.and_then(RealPressure::prediction);
-    add("real_pressure", real.and_then(|r| r.interval().ok()), prediction);
+    add("real_pressure", real.and_then(|r| r.interval), real.and_then(|r| r.prediction));
     let others = [
         ("area_interval_reason", json!(area.and_then(|a| Some(a.half_width().err()?.to_string())))),
-        ("real_pressure", json!(real.map(RealPressure::value))),
+        ("real_pressure", json!(real.map(|r| r.value))),
         ("stiffness", json!(stiffness.map(|s| s.value))),
         ("interpolation_indicator", json!(budget.and_then(|b| b.indicator))),
         (

@@ -18,7 +18,7 @@ use crate::units::Dimension::{Number, Pressure};
 use clap::Args;
 use rough_contact::compare::{
     Comparison, Level, ModelCurve, Refused, Registry, RunFile, RunSurface, Settings, Surface,
-    SurfaceComparison, on_threads,
+    on_threads,
 };
 pub(crate) use rough_contact::front_end::not_met;
 use rough_contact::front_end::run_file_in;
@@ -297,7 +297,7 @@ fn describe(comparison: &Comparison, folder: &Path) -> String {
     }
     out.push_str(text::MOMENTS);
     if let Some(line) = report::loads_line(&comparison.settings) {
-        let _ = writeln!(out, "load: {line}");
+        let _ = writeln!(out, "load: {}", plain(&line));
     }
     let made_of = (comparison.settings.modulus, comparison.settings.bodies.clone());
     // Of pairs each says what its bodies are made of.

@@ -15,8 +15,8 @@ pub use contact_compare::{
     SurfaceComparison, Tabulated, Theory, built_in,
 };
 pub use contact_front_end::units::Dimension as Quantity;
-pub use contact_report::{Provenance, documents};
 pub use contact_front_end::{Failure, quantity::parse as quantity};
+pub use contact_report::{Provenance, documents};
 pub use contact_types::{
     AsperityStatistics, Caveat, Citation, ContactModel, ContactModulus, ContactState, Elastic,
     FractalParameters, Grid, HeightMap, ModelError, SpectralMoments, SurfaceError,

@@ -66,7 +66,7 @@ pub(crate) fn headline(surface: &SurfaceComparison) -> String {
     if answer.diagnostics.contact_pixels == 0 {
         return format!("At {p} nothing touches.");
     }
-    let (opening, at) = match (answer.converged, answer.stopped_at_rounding) {
+    let (opening, at) = match (answer.converged, answer.diagnostics.end == End::Rounding) {
         (true, _) => ("", "At"),
         (false, true) => ("Stopped at rounding: ", "at"),
         (false, false) => ("Not converged: ", "at"),

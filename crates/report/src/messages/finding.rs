@@ -80,20 +80,7 @@ pub(crate) fn of_fact(fact: &Fact) -> Words {
         Fact::Filter { wavelength, limit, ra: None } => profile::no_short(*wavelength, *limit),
         Fact::Warned(found) => found.message(),
         Fact::EdgeJump { ratio, edges, seam } => edge_jump(*ratio, *edges, seam.as_ref()),
-        Fact::Filled { share, spikes, how } => {
-            let what = if *spikes { "missing or spikes" } else { "missing" };
-            words(
-                format!("{} of the points were {what}.", percent(*share)),
-                format!(
-                    "They were filled ({how}) from their neighbours, which makes them smoother than \
-                     the surface; contact there is a guess."
-                ),
-            )
-        }
-        Fact::Cleaned(records) => words(
-            format!("The heights were cleaned: {}.", steps(records)),
-            "What was taken off is in no answer here.",
-        ),
+        Fact::Cleaned { steps, filled, how } => cleaned(steps, *filled, how),
         Fact::Pair { names, moments } => pair::dependent(names, moments),
         Fact::Laid { names, pixels, shares } => {
             let pixels = pixels.map(|pixels| pair::pixels_differ(names, pixels));
@@ -278,6 +265,33 @@ fn spikes([count, taken, of]: [usize; 3], largest: f64, share: Option<f64>) -> W
             ),
         ],
     }
+}
+
+/// Both claims and both texts, of what there is.
+fn together(first: Option<Words>, second: Option<Words>) -> Words {
+    let all: Vec<Words> = first.into_iter().chain(second).collect();
+    [0, 1].map(|k| all.iter().map(|words| words[k].as_str()).collect::<Vec<_>>().join(" "))
+}
+
+fn cleaned(records: &[Record], filled: f64, how: &str) -> Words {
+    let steps = (!records.is_empty()).then(|| {
+        words(
+            format!("The heights were cleaned: {}.", steps(records)),
+            "What was taken off is in no answer here.",
+        )
+    });
+    let is_spike = |r: &Record| matches!(r, Record::Outliers { count, .. } if *count > 0);
+    let spikes = if records.iter().any(is_spike) { "missing or spikes" } else { "missing" };
+    let filled = (filled > 0.0).then(|| {
+        words(
+            format!("{} of the points were {spikes}.", percent(filled)),
+            format!(
+                "They were filled ({how}) from their neighbours, which makes them smoother than \
+                 the surface; contact there is a guess."
+            ),
+        )
+    });
+    together(filled, steps)
 }
 
 /// The steps of cleaning in a few words.

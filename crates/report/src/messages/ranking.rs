@@ -76,7 +76,7 @@ pub(crate) fn cheapest(surface: &SurfaceComparison) -> Option<[String; 2]> {
     Some(
         form.map(|r| way(&r))
             .or_else(|| cheapest_grid(surface))
-            .unwrap_or_else(|| ["This solution".into(), duration(answer.seconds)]),
+            .unwrap_or_else(|| ["This solution".into(), duration(answer.diagnostics.seconds)]),
     )
 }
 

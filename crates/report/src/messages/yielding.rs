@@ -23,8 +23,8 @@ pub(crate) fn headline(found: &Yielding) -> [String; 2] {
 }
 
 /// Of a hardness that no solid of this modulus has.
-pub(crate) fn odd(hardness: f64, [low, high]: [f64; 2]) -> [String; 2] {
-    let [hardness, low, high] = [hardness, low, high].map(|p| quantity(p, PASCALS, 2));
+pub(crate) fn odd(given: [f64; 3]) -> [String; 2] {
+    let [hardness, low, high] = given.map(|p| quantity(p, PASCALS, 2));
     [
         "Is the unit of the hardness right?".into(),
         format!("It is {hardness}; solids with this contact modulus have about {low} to {high}."),
@@ -72,7 +72,7 @@ pub(crate) fn or_yielded(surface: &SurfaceComparison) -> String {
 /// ", 43 % of that at the hardness"; empty where nothing is.
 pub(crate) fn share(surface: &SurfaceComparison) -> String {
     let share = surface.headline_answer().and_then(|a| {
-        let yielded = a.yielded?.area_fraction;
+        let yielded = a.diagnostics.yielded?.area_fraction;
         (yielded > 0.0).then(|| (yielded / a.area_fraction).min(1.0))
     });
     share.map_or_else(String::new, |share| {

@@ -65,7 +65,7 @@ pub(crate) fn sources(
         let how = format!("they read {}{SPACE}%", significant(100.0 * finer.area, 3));
         add("Twice the points", &|e| part(e, |p| p.finer), &how);
     }
-    let left = tolerance_words(answer.residuals.preconditioned.max(1e-16));
+    let left = tolerance_words(answer.diagnostics.residuals.preconditioned.max(1e-16));
     add("Iteration", &|e| part(e, |p| p.iteration), &format!("rms pressure error {left}"));
     add("Of this map ±", &|e| e.interval().ok(), "");
     if budget.area.sampling.is_some() {

@@ -84,7 +84,7 @@ const MOST_GAP: Say = ("d-most", |d| Some(quantity(*d.gap.as_ref()?.gaps.last()?
 fn at(surface: &SurfaceComparison, load: usize) -> Option<&Distributions> {
     let answer = surface.deterministic.get(load)?.answer.as_ref()?;
     let found = surface.distributions.get(load)?.as_ref()?;
-    (answer.contact_pixels >= LEAST).then_some(found)
+    (answer.diagnostics.contact_pixels >= LEAST).then_some(found)
 }
 
 /// What the slider writes into the captions at each load.

@@ -198,9 +198,10 @@ fn solver_words(page: &ReportPage<'_>) -> String {
     let settings = &page.comparison.settings;
     let points = || page.comparison.surfaces.iter().flat_map(|s| &s.deterministic);
     let answers = || points().filter_map(|p| p.answer.as_ref());
-    let methods: std::collections::BTreeSet<&str> = answers().map(|a| a.method.as_str()).collect();
-    let pairs: f64 = answers().map(|a| a.transforms).sum();
-    let seconds: f64 = answers().map(|a| a.seconds).sum();
+    let found = || answers().map(|a| &a.diagnostics);
+    let methods: std::collections::BTreeSet<&str> = found().map(|d| d.method.name()).collect();
+    let pairs: f64 = found().map(|d| d.transforms).sum();
+    let seconds: f64 = found().map(|d| d.seconds).sum();
     let plan = page.comparison.surfaces.iter().find_map(|s| s.plan.as_ref());
     let (precision, tolerance) =
         plan.map_or((settings.precision, settings.tolerance), |p| (p.precision, p.tolerance));

@@ -64,8 +64,10 @@ impl<'a> Moving<'a> {
         let lost: Vec<_> = if shape == [ny, nx] { contact.lost.clone() } else { Vec::new() };
         let points = grid.len();
         let title = |p: &DeterministicPoint| {
-            let (touching, highest) =
-                p.answer.as_ref().map_or((0, 0.0), |a| (a.contact_pixels, a.max_pressure));
+            let (touching, highest) = p
+                .answer
+                .as_ref()
+                .map_or((0, 0.0), |a| (a.diagnostics.contact_pixels, a.diagnostics.max_pressure));
             let load = crate::messages::load(p.mean_pressure, surface.load_area);
             let highest = quantity(highest, PASCALS, 2);
             format!(

@@ -92,7 +92,7 @@ fn listed(surfaces: &[SurfaceComparison]) -> String {
             answer.map_or("–".into(), messages::area),
             answer.map_or("–".into(), messages::real_pressure),
         ];
-        let seconds = answer.map_or("–".into(), |a| duration(a.seconds));
+        let seconds = answer.map_or("–".into(), |a| duration(a.diagnostics.seconds));
         let link = format!("<a href=\"#s{i}-w\">{}</a>", escape(&s.name));
         row(&link, numbers, &format!("<td>{nearest}</td><td class=\"n\">{seconds}</td>"))
     };

@@ -14,7 +14,7 @@ use crate::page::sections::notes;
 use crate::page::shared::{Numbering, date, figure, table, terms};
 use crate::page::tables::{applies, cited, model_area, model_head, model_pressure};
 use crate::provenance::Provenance;
-use contact_compare::{ProfileComparison, ProfileModel};
+use contact_compare::{ModelComparison, ProfileComparison};
 
 pub(crate) fn report(studies: &[ProfileComparison], provenance: &Provenance) -> String {
     let several = studies.len() > 1;
@@ -132,7 +132,7 @@ fn thinned(points: &[[f64; 2]]) -> Vec<[f64; 2]> {
 
 fn models(study: &ProfileComparison, numbers: &mut Numbering, h: &str, id: &str) -> String {
     let p = chosen(study.headline_pressure(), PASCALS);
-    let line = |(place, m): (usize, &ProfileModel)| {
+    let line = |(place, m): (usize, &ModelComparison)| {
         let card = &m.card;
         let source = cited(numbers, card.citation.clone());
         let point = m.outcome.as_ref().ok().map(|c| &c.points[study.headline]);

@@ -7,7 +7,7 @@ use std::fmt::Write as _;
 use std::fs;
 use std::path::Path;
 use studies::figures::{tradeoff_area, tradeoff_pressure};
-use studies::tradeoff::{AreaOf, PAIR, STATISTICS, TradeoffRow, TradeoffTable, Way, is, ways};
+use studies::tradeoff::{AreaOf, TradeoffRow, TradeoffTable, Way, is, ways};
 
 /// Errors a reader may want to stay below.
 const WANTED: [f64; 6] = [0.5, 0.3, 0.15, 0.05, 0.025, 0.015];
