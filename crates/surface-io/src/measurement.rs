@@ -1,6 +1,6 @@
 //! What a file contains, before and after a channel is chosen.
 
-use crate::binary::{Bytes, Sample};
+use crate::binary::Raster;
 use crate::cut::Cut;
 use crate::error::ReadError;
 use crate::format::Format;
@@ -114,19 +114,17 @@ impl<'a> Channel<'a> {
         }
     }
 
-    /// A map of stored numbers, in rows; `convert` brings one to `unit`, or to NaN
-    /// if it marks a missing point.
+    /// A map of stored numbers; `convert` brings one to `unit`, or to NaN if it marks a missing
+    /// point.
     pub(crate) fn raster(
         name: impl Into<String>,
-        unit: Option<&str>,
+        unit: &str,
         pixel: Pixel,
         raster: Raster<'a>,
         convert: impl Fn(f64) -> f64 + 'a,
-    ) -> Result<Self, ReadError> {
-        let Raster { bytes, at, shape, sample } = raster;
-        bytes.map_length(at, shape, sample)?;
-        let decode = move || bytes.samples(at, shape[0] * shape[1], sample);
-        Ok(Self::new(name, unit, shape, pixel, decode).converted(convert))
+    ) -> Self {
+        let decode = move || Ok(raster.values());
+        Self::new(name, Some(unit), raster.shape, pixel, decode).converted(convert)
     }
 
     /// Changes the heights once they are decoded.
@@ -196,16 +194,6 @@ impl<'a> Channel<'a> {
             fault: self.fault.as_ref().map(ReadError::to_string),
         }
     }
-}
-
-/// Where a map of stored numbers is.
-#[derive(Clone, Copy)]
-pub(crate) struct Raster<'a> {
-    pub(crate) bytes: Bytes<'a>,
-    pub(crate) at: usize,
-    /// `[ny, nx]`
-    pub(crate) shape: [usize; 2],
-    pub(crate) sample: Sample,
 }
 
 /// Everything a reader finds in a file.

@@ -30,21 +30,18 @@ mod sheet;
 
 use self::sheet::{HEIGHTS, INDEX, Sheet, two_readings};
 use super::scattered::{self, Line};
+use crate::binary::Bytes;
 use crate::cells::{Digits, Written};
 use crate::header::{Header, Title};
 use crate::measurement::{Channel, Contents, Pixel};
 use crate::text::{self, NumberTable, NumberedLines, is_monotone};
 use crate::units::metres_per;
-use crate::{Ambiguity, Format, Layout, Limits, Need, ReadError, ReadOptions};
+use crate::{Ambiguity, Format, Layout, Need, ReadError, ReadOptions};
 
 const FORMAT: Format = Format::Text;
 
-pub(crate) fn sniff(bytes: &[u8]) -> bool {
-    text::is_text(bytes)
-}
-
-pub(crate) fn parse<'a>(bytes: &'a [u8], limits: &Limits) -> Result<Contents<'a>, ReadError> {
-    parse_as(bytes, &ReadOptions { limits: *limits, ..ReadOptions::default() })
+pub(crate) fn parse(b: Bytes<'_>) -> Result<Contents<'_>, ReadError> {
+    parse_as(b.data, &ReadOptions { limits: b.limits, ..ReadOptions::default() })
 }
 
 /// Reads in the layout asked for, or in the one that header and columns say.

@@ -49,7 +49,7 @@ pub(crate) fn filters(file: &File<'_>, at: usize) -> Result<Vec<Filter>, ReadErr
         let setting = if settings > 0 { b.u32(first)? as usize } else { 0 };
         place = first + 4 * settings + if version == 1 { settings % 2 * 4 } else { 0 };
         if !matches!(id, 1..=3) {
-            return Err(b.format.unsupported(format!(
+            return Err(b.unsupported(format!(
                 "filter {id} (deflate, shuffle and Fletcher-32 are; {WAY_OUT})"
             )));
         }
@@ -71,7 +71,7 @@ impl Chunked {
             return Err(file.b.field("chunks", "of no points"));
         }
         let points = usize::try_from(points).unwrap_or(usize::MAX);
-        file.limits.check_points(file.b.format, [points, 1])?;
+        file.b.check_points([points, 1])?;
         Ok(Self { sides, filters, index })
     }
 
@@ -91,8 +91,7 @@ impl Chunked {
             .try_fold(1u64, |n, (&axis, &side)| n.checked_mul(axis.div_ceil(side)));
         let needed = needed.unwrap_or(u64::MAX);
         let work = needed.saturating_mul(chunk) / 4; // chunks stick out beyond the edges
-        file.limits
-            .check_points(file.b.format, [usize::try_from(work).unwrap_or(usize::MAX), 1])?;
+        file.b.check_points([usize::try_from(work).unwrap_or(usize::MAX), 1])?;
         let mut chunks = 0;
         let mut values = vec![f64::NAN; points];
         let mut nodes = match self.index {
@@ -107,7 +106,7 @@ impl Chunked {
         let mut read = 0;
         while let Some(node) = nodes.pop() {
             read += 1;
-            file.limits.check_items(file.b.format, read)?;
+            file.b.check_items(read)?;
             if file.b.slice(node, 4)? != b"TREE" || file.b.u8(node + 4)? != 1 {
                 return Err(file.b.fault(node, "a B-tree of chunks is expected here"));
             }
@@ -120,7 +119,7 @@ impl Chunked {
                 };
                 if level > 0 {
                     nodes.push(child);
-                    file.limits.check_items(file.b.format, nodes.len() as u64)?;
+                    file.b.check_items(nodes.len() as u64)?;
                 } else {
                     chunks += 1;
                     if chunks > needed {
