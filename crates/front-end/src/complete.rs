@@ -73,7 +73,7 @@ pub fn complete(
     if ny < 2 || nx < 2 {
         return Err(Incomplete::Line([ny, nx]));
     }
-    let (format, crop) = (measurement.format().name().to_owned(), measurement.cropped());
+    let (format, crop) = (measurement.format.name().to_owned(), measurement.cropped);
     // Neither a removed form nor filled points take the steps away; only smoothing does.
     let kept = cleaning.s_filter.is_none();
     let height_step = kept.then(|| height_step(measurement.heights())).flatten();

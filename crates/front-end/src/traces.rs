@@ -39,8 +39,8 @@ impl Traces {
         cleaning: Cleaning,
         fill: Fill,
     ) -> Result<Self, Incomplete> {
-        let format = measurements.first().map_or("", |m| m.format().name()).to_owned();
-        let crop = measurements.first().and_then(Measurement::cropped);
+        let format = measurements.first().map_or("", |m| m.format.name()).to_owned();
+        let crop = measurements.first().and_then(|m| m.cropped);
         // λs and λc act on the profile after its form is off, with their own ends.
         let before = Cleaning { s_filter: None, l_filter: None, ..cleaning };
         let (mut traces, mut missing, mut first) = (Vec::new(), 0, None);

@@ -131,24 +131,24 @@ impl ReadingOptions {
             let kept = "which is kept; --override-height-unit U would overrule it";
             tell_of(path, &format!("the file gives its heights in {unit}, {kept}"));
         }
-        if let Some(what) = measurement.metadata().get("left out") {
+        if let Some(what) = measurement.metadata.get("left out") {
             tell_of(path, &format!("{what} are left out"));
         }
         let readable =
             |c: &&surface_io::ChannelInfo| c.is_height && c.fault.is_none() && !c.is_trace;
-        let heights = measurement.channels().iter().filter(readable).count();
+        let heights = measurement.channels.iter().filter(readable).count();
         if self.channel.is_none() && heights > 1 {
             let what = format!(
                 "{:?} is read, one of {heights} channels in units of length; \
                  `info` lists them, --channel NAME reads another",
-                measurement.channel()
+                measurement.channel
             );
             tell_of(path, &what);
         }
         let Some(crop) = self.crop else { return Ok(all) };
         let cut = |m: Measurement| m.crop(crop).map_err(|e| needs::unread(path, &e));
         let all: Vec<Measurement> = all.into_iter().map(cut).collect::<Result<_, _>>()?;
-        if let (Some(part), false) = (all[0].cropped(), matches!(crop, Cut::Rectangle(_))) {
+        if let (Some(part), false) = (all[0].cropped, matches!(crop, Cut::Rectangle(_))) {
             tell_of(path, &format!("--crop {crop} is --crop {}", Cut::Rectangle(part)));
         }
         Ok(all)
@@ -175,7 +175,7 @@ impl ReadingOptions {
     /// A complete surface, or the traces of one: read, cropped, cleaned, filled.
     pub(crate) fn measured(&self, path: &Path, cleaning: Cleaning) -> Result<MapOrTraces, Failure> {
         let mut all = self.measurements(path)?;
-        if let Some(reading) = all[0].ambiguity() {
+        if let Some(reading) = all[0].ambiguity {
             tell_of(path, &needs::reading(reading));
         }
         if all[0].is_profile() {

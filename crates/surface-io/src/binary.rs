@@ -113,7 +113,6 @@ impl Raster<'_> {
 
 macro_rules! getter {
     ($($name:ident -> $t:ty),*) => {$(
-        #[allow(dead_code, reason = "one accessor per type, whichever formats are compiled in")]
         pub(crate) fn $name(&self, at: usize) -> Result<$t, ReadError> {
             let raw = self.slice(at, size_of::<$t>())?;
             let raw = raw.try_into().expect("slice has this length");
@@ -135,8 +134,7 @@ impl<'a> Bytes<'a> {
         Bytes { data, format: self.format, order: self.order, limits: self.limits }
     }
 
-    getter!(u8 -> u8, i16 -> i16, u16 -> u16, i32 -> i32, u32 -> u32, i64 -> i64, u64 -> u64,
-            f32 -> f32, f64 -> f64);
+    getter!(u8 -> u8, i16 -> i16, u16 -> u16, i32 -> i32, u32 -> u32, u64 -> u64, f32 -> f32, f64 -> f64);
 
     /// `length` bytes from `at`.
     pub(crate) fn slice(&self, at: usize, length: usize) -> Result<&'a [u8], ReadError> {
@@ -146,7 +144,6 @@ impl<'a> Bytes<'a> {
         })
     }
 
-    #[allow(dead_code, reason = "whichever formats are compiled in")]
     /// Text of at most `length` bytes from `at`: up to the first NUL, UTF-8 or else Latin-1.
     pub(crate) fn text(&self, at: usize, length: usize) -> Result<String, ReadError> {
         Ok(text(self.slice(at, length)?))
@@ -215,7 +212,6 @@ impl<'a> Bytes<'a> {
     }
 
     /// The rest from byte `at`, as a file of its own.
-    #[allow(dead_code, reason = "whichever formats are compiled in")]
     pub(crate) fn from(&self, at: usize) -> Result<Self, ReadError> {
         let data = self.data.get(at..).ok_or_else(|| self.fault(at, "the file ends before"))?;
         Ok(self.with(data))
@@ -252,7 +248,6 @@ impl<'a> Bytes<'a> {
 }
 
 /// Text up to the first NUL, trimmed: UTF-8, or Latin-1 where that fails.
-#[allow(dead_code, reason = "whichever formats are compiled in")]
 pub(crate) fn text(raw: &[u8]) -> String {
     let end = raw.iter().position(|&b| b == 0).unwrap_or(raw.len());
     let raw = &raw[..end];
@@ -262,7 +257,6 @@ pub(crate) fn text(raw: &[u8]) -> String {
     }
 }
 
-#[allow(dead_code, reason = "whichever formats are compiled in")]
 /// Position of `needle` in `hay`.
 pub(crate) fn find(hay: &[u8], needle: &[u8]) -> Option<usize> {
     hay.windows(needle.len()).position(|w| w == needle)

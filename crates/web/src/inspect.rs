@@ -39,7 +39,7 @@ pub(crate) fn answer(request: &Request, file: &[u8]) -> Result<Value, Trouble> {
 fn read(request: &Request, file: &[u8], measured: Measurement) -> Result<Value, Trouble> {
     let facts = facts(&measured);
     let channels: Vec<Value> = measured
-        .channels()
+        .channels
         .iter()
         .map(|c| {
             let label = match (&c.unit, &c.fault) {
@@ -48,14 +48,14 @@ fn read(request: &Request, file: &[u8], measured: Measurement) -> Result<Value, 
                 (None, None) => c.name.clone(),
             };
             json!({
-                "name": c.name, "label": label, "chosen": c.name == measured.channel(),
+                "name": c.name, "label": label, "chosen": c.name == measured.channel,
                 "readable": c.is_height && c.fault.is_none() && c.shape[0] > 1,
             })
         })
         .collect();
     let parts = parts(&measured, request.reading.part()?);
-    let about = format!("{} · {} · {}", request.name, measured.format().name(), bytes(file.len()));
-    let ambiguity = measured.ambiguity().map(|a| a.to_string());
+    let about = format!("{} · {} · {}", request.name, measured.format.name(), bytes(file.len()));
+    let ambiguity = measured.ambiguity.map(|a| a.to_string());
     let [ly, lx] = measured.grid().size();
     let spikes = defects::spikes(&measured)?;
     let mut pictures = before(&measured, &spikes.indices)?;
@@ -130,11 +130,11 @@ fn facts(measured: &Measurement) -> Vec<[String; 2]> {
     let [ny, nx] = measured.grid().shape();
     let [dy, dx] = measured.grid().pixel();
     let said = |given: bool| if given { "from the file" } else { "as you said" };
-    let own: Vec<_> = measured.channels().iter().filter(|c| c.name == measured.channel()).collect();
+    let own: Vec<_> = measured.channels.iter().filter(|c| c.name == measured.channel).collect();
     let pixel_in_file = own.first().is_some_and(|c| c.pixel.is_some());
     let unit_in_file = own.first().is_some_and(|c| c.unit.is_some());
     let part = measured
-        .cropped()
+        .cropped
         .map_or_else(String::new, |[y0, x0, ..]| format!(", cut out from row {y0}, column {x0}"));
     let mut facts = vec![
         ["Points".to_owned(), format!("{ny} rows × {nx} columns{part}")],
@@ -151,7 +151,7 @@ fn facts(measured: &Measurement) -> Vec<[String; 2]> {
         }
     };
     facts.push(["Missing points".to_owned(), missing]);
-    for (name, value) in measured.metadata().iter().take(6) {
+    for (name, value) in measured.metadata.iter().take(6) {
         facts.push([short(name, 40), short(value, 80)]);
     }
     facts
@@ -234,7 +234,7 @@ fn ask(request: &Request, file: &[u8]) -> Result<Value, Trouble> {
     let about = format!(
         "{} · {} · {ny} × {nx} numbers, {low:e} to {high:e}",
         request.name,
-        raw.format().name()
+        raw.format.name()
     );
     let asked = |need: &Need| match need {
         Need::PixelSize => ("pixel", "pixel size"),

@@ -102,10 +102,7 @@ fn channel<'a>(
     let (ny, nx) = (side("yres")?, side("xres")?);
     b.check_points([ny, nx])?;
     let size = [number("yreal")? / ny as f64, number("xreal")? / nx as f64];
-    let pixel = match metres_per(&unit("si_unit_xy")) {
-        Some(scale) => Pixel::Metres(size.map(|side| side * scale)),
-        None => Pixel::Steps(size),
-    };
+    let pixel = Pixel::scaled(size, [metres_per(&unit("si_unit_xy")); 2]);
     let Some(&Component::Doubles(data)) = field.get("data") else {
         return Err(b.field("data", "is missing in a data field"));
     };

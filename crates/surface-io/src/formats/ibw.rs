@@ -75,9 +75,7 @@ pub(crate) fn parse(mut b: Bytes<'_>) -> Result<Contents<'_>, ReadError> {
         72 => Sample::U8,
         80 => Sample::U16,
         96 => Sample::U32,
-        kind => {
-            return Err(b.unsupported(format!("data of type {kind}")));
-        }
+        kind => return Err(b.unsupported(format!("data of type {kind}"))),
     };
     let layer_size = b.map_length(DATA, [ny, nx], sample)?;
     let behind = b.map_length(DATA, [layers, layer_size], Sample::U8)?;

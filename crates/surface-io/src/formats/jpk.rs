@@ -70,9 +70,7 @@ fn channel<'a>(
     let [factor, offset] = match kind.as_str() {
         "LinearScaling" => [page.number(0x80A4 + first)?, page.number(0x80A5 + first)?],
         "NullScaling" => [1.0, 0.0],
-        _ => {
-            return Err(b.unsupported(format!("scaling of kind {kind:?}")));
-        }
+        _ => return Err(b.unsupported(format!("scaling of kind {kind:?}"))),
     };
     // Numbers without a unit are those of the converter, no heights.
     let unit = page.text(0x80A2 + first).unwrap_or_else(|| "counts".into());

@@ -53,9 +53,7 @@ pub(crate) fn parse(b: Bytes<'_>) -> Result<Contents<'_>, ReadError> {
     let (sample, full) = match entries.get("data").unwrap_or_default() {
         "BINARY" | "" => (Sample::I16, 32768.0),
         "BINARY_32" => (Sample::I32, 2147483648.0),
-        other => {
-            return Err(b.unsupported(format!("data written as {other}")));
-        }
+        other => return Err(b.unsupported(format!("data written as {other}"))),
     };
     let (nx, ny) = (entries.number("xPixels")?, entries.number("yPixels")?);
     if !(1.0..=1e9).contains(&nx) || !(1.0..=1e9).contains(&ny) {

@@ -1,5 +1,5 @@
-//! One file per format. Each opens with the layout and where it is known from, and defines
-//! `sniff` (is this the format?) and `parse` (what is in the file?).
+//! One file per format. Each opens with the layout and where it is known from, and defines `parse`
+//! (what is in the file?), and `sniff` (is this the format?) unless its first bytes tell.
 
 pub(crate) mod al3d;
 #[cfg(feature = "zip")]

@@ -274,21 +274,17 @@ mod tests {
 
     #[test]
     fn scales_with_and_without_soft_part() {
-        let soft: HeaderSection = [
-            ("@sens. zsens".into(), "V 33.15306 nm/V".into()),
-            ("@sens. phase".into(), "V 1.000000 ".into()),
-        ]
-        .into();
-        let scale = |text: &str| height_scale(text, &soft).unwrap();
-        let (range, unit) = scale("V [Sens. Zsens] (0.005035400 V/LSB) 2.0 V");
-        assert!((range - 66.30612).abs() < 1e-12 && unit == "nm");
-        let (range, _) = scale("V [Sens. Zsens] (0.06103516 mV/LSB) 2000 mV");
-        assert!((range - 66.30612).abs() < 1e-12);
-        assert_eq!(scale("V [Sens. Phase] (0.0055 \u{ba}/LSB) 360 \u{ba}").1, "\u{ba}");
-        assert_eq!(scale("V (0.1 nm/LSB) 123 nm"), (123.0, "nm".to_owned()));
-        let [sx, sy] = scan_size("10 5 ~m").unwrap();
-        assert!((sx - 1e-5).abs() < 1e-20 && (sy - 5e-6).abs() < 1e-20);
-        assert_eq!(scan_size("10 V"), None);
+        let soft = [("@sens. zsens", "V 33.15306 nm/V"), ("@sens. phase", "V 1.000000 ")];
+        let soft = soft.map(|(key, text)| (key.into(), text.into())).into();
+        for (text, range, unit) in [
+            ("V [Sens. Zsens] (0.005035400 V/LSB) 2.0 V", 66.30612, "nm"),
+            ("V [Sens. Zsens] (0.06103516 mV/LSB) 2000 mV", 66.30612, "nm"),
+            ("V [Sens. Phase] (0.0055 \u{ba}/LSB) 360 \u{ba}", 360.0, "\u{ba}"),
+            ("V (0.1 nm/LSB) 123 nm", 123.0, "nm"),
+        ] {
+            let found = height_scale(text, &soft).unwrap();
+            assert!((found.0 - range).abs() < 1e-12 && found.1 == unit, "{text}: {found:?}");
+        }
     }
 
     /// An image of 8 x 4 points of 10 um along x in sections as a file has them.

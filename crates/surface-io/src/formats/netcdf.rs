@@ -124,18 +124,15 @@ pub(crate) fn parse(b: Bytes<'_>) -> Result<Contents<'_>, ReadError> {
         b.check_points(stored)?;
         b.map_length(variable.at, stored, sample)?;
         let is_x_slow = axes[0].0 == "x";
-        let turned = |[slow, fast]: [f64; 2]| if is_x_slow { [fast, slow] } else { [slow, fast] };
+        let [y, x] = if is_x_slow { [axes[1], axes[0]] } else { axes };
         let spacing = |axis: &(String, usize)| spacing(b, &variables, &axis.0, axis.1);
-        let pixel = match (spacing(axes[0])?, spacing(axes[1])?) {
-            (Some((slow, Some(slow_unit))), Some((fast, Some(fast_unit)))) => {
-                Pixel::Metres(turned([slow * slow_unit, fast * fast_unit]))
-            }
-            (Some((slow, _)), Some((fast, _))) => Pixel::Steps(turned([slow, fast])),
+        let pixel = match (spacing(y)?, spacing(x)?) {
+            (Some((dy, y)), Some((dx, x))) => Pixel::scaled([dy, dx], [y, x]),
             _ => Pixel::Unknown,
         };
         let along = variables.iter().find(|v| axes.iter().any(|(name, _)| v.name == *name));
         let unit = unit_of(variable, along);
-        let shape = if is_x_slow { [stored[1], stored[0]] } else { stored };
+        let shape = [y.1, x.1];
         let count = stored[0] * stored[1];
         let in_rows = move |v: Vec<f64>| if is_x_slow { transpose(&v, stored) } else { v };
         let values = variable.values(b, sample, count);

@@ -83,8 +83,8 @@ fn add<'a>(
 ) -> Result<(), ReadError> {
     let b = file.with(data);
     let parts = FileParts::of(b)?;
-    let properties = b.slice(parts.properties.start, parts.properties.len())?;
-    let Properties { channels, fields } = Properties::of(b.with(properties))?;
+    let xml = b.slice(parts.properties.start, parts.properties.len())?;
+    let (channels, fields) = properties(b.with(xml))?;
     let image = Entries::new(b, &fields, xml::ABSENT);
     let side = |key: &str| image.parsed::<usize>(key, "size");
     let shape = [side("imageInfo/height")?, side("imageInfo/width")?];
@@ -262,38 +262,32 @@ fn text(b: Bytes<'_>, at: usize, end: usize) -> Result<Range<usize>, ReadError> 
     Ok(start..start + length)
 }
 
-/// The XML of an image.
-struct Properties {
-    /// Id and fields, by their paths below the channel, of every channel.
-    channels: Vec<(String, BTreeMap<String, String>)>,
-    /// Fields outside the channels by their paths below the root.
-    fields: BTreeMap<String, String>,
-}
+/// Fields by their paths.
+type Fields = BTreeMap<String, String>;
 
-impl Properties {
-    fn of(b: Bytes<'_>) -> Result<Self, ReadError> {
-        const CHANNEL: [&str; 4] = ["imageInfo", "phase", "group", "channel"];
-        let (mut channels, mut fields) = (Vec::new(), BTreeMap::new());
-        let mut open = BTreeMap::new();
-        let raw = b.data;
-        let raw = &raw[..raw.iter().rposition(|&byte| byte != 0).map_or(0, |last| last + 1)];
-        xml::walk(b.with(raw), "image properties", |element| {
-            let [_root, path @ ..] = element.path else { return Ok(()) };
-            if path == CHANNEL {
-                let id = element.attribute("id").unwrap_or_default().to_owned();
-                channels.push((id, std::mem::take(&mut open)));
-                return b.check_items(channels.len() as u64);
-            }
-            let text = element.text.trim();
-            if !text.is_empty() {
-                let inside = path.len() > CHANNEL.len() && path[..CHANNEL.len()] == CHANNEL;
-                let (map, path) =
-                    if inside { (&mut open, &path[CHANNEL.len()..]) } else { (&mut fields, path) };
-                b.check_items(map.len() as u64 + 1)?;
-                map.entry(path.join("/")).or_insert_with(|| text.to_owned());
-            }
-            Ok(())
-        })?;
-        Ok(Self { channels, fields })
-    }
+/// The XML of an image: id and fields below it of every channel, and the fields outside the channels.
+fn properties(b: Bytes<'_>) -> Result<(Vec<(String, Fields)>, Fields), ReadError> {
+    const CHANNEL: [&str; 4] = ["imageInfo", "phase", "group", "channel"];
+    let (mut channels, mut fields) = (Vec::new(), BTreeMap::new());
+    let mut open = BTreeMap::new();
+    let raw = b.data;
+    let raw = &raw[..raw.iter().rposition(|&byte| byte != 0).map_or(0, |last| last + 1)];
+    xml::walk(b.with(raw), "image properties", |element| {
+        let [_root, path @ ..] = element.path else { return Ok(()) };
+        if path == CHANNEL {
+            let id = element.attribute("id").unwrap_or_default().to_owned();
+            channels.push((id, std::mem::take(&mut open)));
+            return b.check_items(channels.len() as u64);
+        }
+        let text = element.text.trim();
+        if !text.is_empty() {
+            let inside = path.len() > CHANNEL.len() && path[..CHANNEL.len()] == CHANNEL;
+            let (map, path) =
+                if inside { (&mut open, &path[CHANNEL.len()..]) } else { (&mut fields, path) };
+            b.check_items(map.len() as u64 + 1)?;
+            map.entry(path.join("/")).or_insert_with(|| text.to_owned());
+        }
+        Ok(())
+    })?;
+    Ok((channels, fields))
 }

@@ -38,42 +38,32 @@ pub(crate) fn parse(b: Bytes<'_>) -> Result<Contents<'_>, ReadError> {
     if b.data.starts_with(b"b") { binary(b) } else { ascii(b) }
 }
 
-/// How the numbers of a map become heights.
-#[derive(Clone, Copy)]
-struct Encoding {
-    sample: Sample,
-    /// The whole number that marks a missing point.
-    missing: Option<f64>,
-    /// Metres per stored unit.
+/// How a height is stored, and what makes it metres, NaN where the point is missing.
+fn encoding(
+    b: Bytes<'_>,
+    data_type: u8,
     scale: f64,
-}
-
-impl Encoding {
-    fn new(b: Bytes<'_>, data_type: u8, scale: f64) -> Result<Self, ReadError> {
-        let (sample, missing) = match data_type {
-            0 => (Sample::U8, None),
-            1 => (Sample::U16, Some(f64::from(u16::MAX))),
-            2 => (Sample::U32, Some(f64::from(u32::MAX))),
-            3 => (Sample::F32, None),
-            4 => (Sample::I8, Some(f64::from(i8::MIN))),
-            5 => (Sample::I16, Some(f64::from(i16::MIN))),
-            6 => (Sample::I32, Some(f64::from(i32::MIN))),
-            7 => (Sample::F64, None),
-            _ => return Err(b.field("DataType", data_type.to_string())),
-        };
-        if !(scale.is_finite() && scale > 0.0) {
-            let what = format!("{scale} must be finite and greater than 0");
-            return Err(b.field("Zscale", what));
-        }
-        Ok(Self { sample, missing, scale })
+) -> Result<(Sample, impl Fn(f64) -> f64 + Copy + use<>), ReadError> {
+    let (sample, missing) = match data_type {
+        0 => (Sample::U8, None),
+        1 => (Sample::U16, Some(f64::from(u16::MAX))),
+        2 => (Sample::U32, Some(f64::from(u32::MAX))),
+        3 => (Sample::F32, None),
+        4 => (Sample::I8, Some(f64::from(i8::MIN))),
+        5 => (Sample::I16, Some(f64::from(i16::MIN))),
+        6 => (Sample::I32, Some(f64::from(i32::MIN))),
+        7 => (Sample::F64, None),
+        _ => return Err(b.field("DataType", data_type.to_string())),
+    };
+    if !(scale.is_finite() && scale > 0.0) {
+        return Err(b.field("Zscale", format!("{scale} must be finite and greater than 0")));
     }
-
-    /// Height in metres; NaN where the point is missing.
-    fn height(self, raw: f64) -> f64 {
-        let end = if self.sample == Sample::F32 { f64::from(f32::MAX) } else { f64::MAX };
-        let is_mark = Some(raw.to_bits()) == self.missing.map(f64::to_bits);
-        if is_mark || raw.is_nan() || raw.abs() >= end { f64::NAN } else { raw * self.scale }
-    }
+    let end = if sample == Sample::F32 { f64::from(f32::MAX) } else { f64::MAX };
+    let height = move |raw: f64| {
+        let is_mark = Some(raw.to_bits()) == missing.map(f64::to_bits);
+        if is_mark || raw.is_nan() || raw.abs() >= end { f64::NAN } else { raw * scale }
+    };
+    Ok((sample, height))
 }
 
 fn binary(b: Bytes<'_>) -> Result<Contents<'_>, ReadError> {
@@ -84,9 +74,9 @@ fn binary(b: Bytes<'_>) -> Result<Contents<'_>, ReadError> {
         ([b.u16(44)?.into(), b.u16(42)?.into()], 46)
     };
     refuse_compression(b, b.u8(scales + 32)?.into())?;
-    let encoding = Encoding::new(b, b.u8(scales + 33)?, b.f64(scales + 16)?)?;
+    let (sample, height) = encoding(b, b.u8(scales + 33)?, b.f64(scales + 16)?)?;
     let pixel = Pixel::Metres([b.f64(scales + 8)?, b.f64(scales)?]);
-    let raster = b.raster(scales + 35, shape, encoding.sample)?;
+    let raster = b.raster(scales + 35, shape, sample)?;
     let trailer = &b.data[raster.end..];
     if trailer.len() > LONGEST_TRAILER && !text::is_text(trailer) {
         let [ny, nx] = shape;
@@ -96,8 +86,7 @@ fn binary(b: Bytes<'_>) -> Result<Contents<'_>, ReadError> {
         );
         return Err(b.fault(raster.end, what));
     }
-    let convert = move |raw| encoding.height(raw);
-    let channel = Channel::raster("Z", "m", pixel, raster, convert);
+    let channel = Channel::raster("Z", "m", pixel, raster, height);
     let metadata = [
         ("ManufacID", b.text(8, 10)?),
         ("CreateDate", b.text(18, 12)?),
@@ -134,7 +123,7 @@ fn ascii(b: Bytes<'_>) -> Result<Contents<'_>, ReadError> {
     let shape = [whole("NumProfiles")?, whole("NumPoints")?];
     let pixel = Pixel::Metres([entries.number("Yscale")?, entries.number("Xscale")?]);
     b.check_points(shape)?;
-    let encoding = Encoding::new(b, data_type, entries.number("Zscale")?)?;
+    let (_, height) = encoding(b, data_type, entries.number("Zscale")?)?;
     let [ny, nx] = shape;
     let mut values = Vec::new(); // grows with the text, whatever the header claims
     'data: for (line, text) in lines {
@@ -146,12 +135,11 @@ fn ascii(b: Bytes<'_>) -> Result<Contents<'_>, ReadError> {
                 Ok(raw) => raw,
                 Err(_) if word.eq_ignore_ascii_case("BAD") => f64::NAN,
                 Err(_) => {
-                    let what =
-                        format!("{:?} is no number", word.chars().take(40).collect::<String>());
-                    return Err(b.format.line(line, what));
+                    let word: String = word.chars().take(40).collect();
+                    return Err(b.format.line(line, format!("{word:?} is no number")));
                 }
             };
-            values.push(encoding.height(raw));
+            values.push(height(raw));
         }
     }
     if values.len() != ny * nx {

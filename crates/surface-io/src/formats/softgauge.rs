@@ -42,11 +42,7 @@ pub(crate) fn parse(b: Bytes<'_>) -> Result<Contents<'_>, ReadError> {
     }
     let shape = [1, heights.len()];
     b.check_points(shape)?;
-    let spacing = entries.number("DATAFILE/SPACING")?;
-    let pixel = match metres_per(unit) {
-        Some(metres) => Pixel::Metres([spacing * metres; 2]),
-        None => Pixel::Steps([spacing; 2]),
-    };
+    let pixel = Pixel::scaled([entries.number("DATAFILE/SPACING")?; 2], [metres_per(unit); 2]);
     let mut contents = Contents::default();
     contents.channels.push(Channel::new("Profile", Some(unit), shape, pixel, || Ok(heights)));
     contents.metadata = fields;
@@ -68,7 +64,7 @@ mod tests {
         let options = ReadOptions::default();
         let found = read_bytes(file.as_bytes(), &options).unwrap();
         assert!(found.is_profile());
-        assert_eq!(found.metadata()["PART/PART_NAME"], "sine");
+        assert_eq!(found.metadata["PART/PART_NAME"], "sine");
         assert!((found.grid().pixel()[1] / 0.5e-6 - 1.0).abs() < 1e-12);
         for (i, right) in [(1, 7.9e-9), (2, -1e-10), (3, 2e-6)] {
             assert!((found.heights()[i] / right - 1.0).abs() < 1e-12);

@@ -43,9 +43,7 @@ pub(crate) fn parse(mut b: Bytes<'_>) -> Result<Contents<'_>, ReadError> {
     b.order = match kind.split_whitespace().collect::<Vec<_>>()[..] {
         ["FLOAT", "MSBFIRST"] => ByteOrder::Big,
         ["FLOAT", "LSBFIRST"] => ByteOrder::Little,
-        _ => {
-            return Err(b.unsupported(format!("data of type {kind:?}")));
-        }
+        _ => return Err(b.unsupported(format!("data of type {kind:?}"))),
     };
     let is_up = entries.text("SCAN_DIR")? != "down";
     let mut contents = Contents::default();

@@ -50,9 +50,7 @@ pub(crate) fn parse(b: Bytes<'_>) -> Result<Contents<'_>, ReadError> {
         "short" | "integer" => Sample::I16,
         "float" => Sample::F32,
         "double" => Sample::F64,
-        other => {
-            return Err(b.unsupported(format!("data of type {other:?}")));
-        }
+        other => return Err(b.unsupported(format!("data of type {other:?}"))),
     };
     let raster = b.raster(at, [ny, nx], sample)?;
     let ((lx, x_unit), (ly, y_unit)) =
