@@ -7,7 +7,7 @@ use surface_io::Measurement;
 pub fn info(m: &Measurement) -> Value {
     let summary = m.height_summary();
     let channels: Vec<Value> = m
-        .channels()
+        .channels
         .iter()
         .map(|c| {
             json!({
@@ -17,18 +17,18 @@ pub fn info(m: &Measurement) -> Value {
         })
         .collect();
     json!({
-        "format": m.format().name(),
+        "format": m.format.name(),
         "shape": m.grid().shape(),
         "pixel": m.grid().pixel(),
         "missing": m.missing(),
         "height_min": summary.map(|s| s.0),
         "height_max": summary.map(|s| s.1),
         "height_mean": summary.map(|s| s.2),
-        "channel": m.channel(),
+        "channel": m.channel,
         "channels": channels,
         "is_profile": m.is_profile(),
-        "uneven_steps": m.uneven(),
-        "ambiguity": m.ambiguity().map(|a| a.to_string()),
-        "metadata": m.metadata(),
+        "uneven_steps": m.uneven,
+        "ambiguity": m.ambiguity.map(|a| a.to_string()),
+        "metadata": m.metadata,
     })
 }

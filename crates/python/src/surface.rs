@@ -316,7 +316,7 @@ pub(crate) fn encode<'py>(
     let map = &surface.heights;
     let mut out = Cursor::new(Vec::new());
     match format {
-        "npy" => write::npy(&mut out, map),
+        "npy" => write::npy(&mut out, map.grid().shape(), map.heights()),
         "x3p" => write::x3p(&mut out, map, comment),
         "sdf" => write::sdf(&mut out, map),
         "txt" => write::text(&mut out, map),

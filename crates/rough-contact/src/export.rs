@@ -48,7 +48,7 @@ impl MapFormat {
         comment: &str,
     ) -> std::io::Result<()> {
         match self {
-            Self::Npy => write::npy(out, map),
+            Self::Npy => write::npy(out, map.grid().shape(), map.heights()),
             Self::X3p => write::x3p(out, map, comment),
             Self::Sdf => write::sdf(out, map),
             Self::Text => write::text(out, map),

@@ -150,7 +150,7 @@ impl FieldFolder {
             let values: Vec<_> = fields.iter().map(|&f| self.values(f, solution)).collect();
             let all = || fields.iter().zip(&values).map(|(f, v)| (f.named(), v.as_ref()));
             self.folder.write(&name, |out| match self.fields.map_format {
-                FieldFormat::Npy => write::npy_array(out, grid.shape(), &values[0]),
+                FieldFormat::Npy => write::npy(out, grid.shape(), &values[0]),
                 FieldFormat::Vti => {
                     write::vti(out, grid, &all().map(|((n, _), v)| (n, v)).collect::<Vec<_>>())
                 }

@@ -55,7 +55,7 @@ impl PerFile for Info {
         match self.reading.measurement(file) {
             Ok(measurement) => {
                 let mut json = front_end::info(&measurement);
-                json["ambiguity"] = json!(measurement.ambiguity().map(needs::reading));
+                json["ambiguity"] = json!(measurement.ambiguity.map(needs::reading));
                 Ok(Reply::new(describe(&measurement), json))
             }
             Err(failure) => {
@@ -74,7 +74,7 @@ impl PerFile for Info {
 fn raw(m: &Measurement, missing: &[Need]) -> Value {
     let heights = m.height_summary().filter(|_| missing.contains(&Need::HeightUnit));
     json!({
-        "format": m.format().name(),
+        "format": m.format.name(),
         "shape": m.grid().shape(),
         "missing": m.missing(),
         "raw_height_min": heights.map(|s| s.0),
@@ -86,7 +86,7 @@ fn raw(m: &Measurement, missing: &[Need]) -> Value {
 fn raw_text(m: &Measurement, missing: &[Need]) -> String {
     let [ny, nx] = m.grid().shape();
     let mut table = TwoColumns::default();
-    table.row("format", m.format().name());
+    table.row("format", m.format.name());
     table.row("points", format!("{ny} rows × {nx} columns"));
     if m.missing() > 0 {
         table.row("missing points", m.missing().to_string());
@@ -110,7 +110,7 @@ fn describe(m: &Measurement) -> String {
     let [ly, lx] = m.grid().size();
     let points = (ny * nx) as f64;
     let mut table = TwoColumns::default();
-    table.row("format", m.format().name());
+    table.row("format", m.format.name());
     table.row("points", format!("{ny} rows × {nx} columns"));
     table.row("pixel", format!("{} × {} (dy × dx)", text::length(dy), text::length(dx)));
     table.row("size", format!("{} × {}", text::length(ly), text::length(lx)));
@@ -125,20 +125,20 @@ fn describe(m: &Measurement) -> String {
     }
     if m.is_profile() {
         table.row("note", "a single line of points: a profile, not a surface");
-        let traces = m.channels().iter().filter(|c| c.is_trace).count();
+        let traces = m.channels.iter().filter(|c| c.is_trace).count();
         if traces > 1 {
             table.row("note", format!("{traces} traces of one surface, which are taken together"));
         }
     }
-    if let Some(uneven) = m.uneven() {
+    if let Some(uneven) = m.uneven {
         table.row("note", format!("points not evenly spaced: up to {uneven:.2} steps off"));
     }
-    if let Some(reading) = m.ambiguity() {
+    if let Some(reading) = m.ambiguity {
         table.row("note", needs::reading(reading));
     }
-    for channel in m.channels() {
+    for channel in &m.channels {
         let unit = channel.unit.as_deref().unwrap_or("no unit");
-        let used = if channel.name == m.channel() { ", read here" } else { "" };
+        let used = if channel.name == m.channel { ", read here" } else { "" };
         let kind = if channel.is_height { "height" } else { "not a height" };
         let about = match &channel.fault {
             Some(fault) => format!("{}: {fault}", channel.name),
@@ -146,7 +146,7 @@ fn describe(m: &Measurement) -> String {
         };
         table.row("channel", about);
     }
-    for (key, value) in m.metadata() {
+    for (key, value) in &m.metadata {
         table.row(key, value.trim());
     }
     table.to_string()

@@ -47,7 +47,7 @@ fn reading(criterion: &mut Criterion) {
     let mut group = criterion.benchmark_group("read");
     group.throughput(Throughput::Elements((N * N) as u64)).sample_size(10);
     let mut npy = Vec::new();
-    write::npy(&mut npy, &map).unwrap();
+    write::npy(&mut npy, map.grid().shape(), map.heights()).unwrap();
     let mut sdf = Vec::new();
     write::sdf(&mut sdf, &map).unwrap();
     let mut x3p = Cursor::new(Vec::new());

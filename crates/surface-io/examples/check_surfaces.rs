@@ -89,7 +89,7 @@ fn check(dir: &Path, name: &str, entry: &Value) -> Result<String, String> {
     let expected = match &entry["expected"] {
         Value::String(_) => {
             return match first {
-                Ok(m) => Err(format!("read as {} although it must be refused", m.format())),
+                Ok(m) => Err(format!("read as {} although it must be refused", m.format)),
                 Err(e) => Ok(format!("refused: {e}")),
             };
         }
@@ -177,7 +177,7 @@ fn point_by_point(m: &Measurement, truth: &Path, expected: &Value) -> Result<(),
 /// Compares everything the expected values hold; the first difference is the error.
 fn compare(m: &Measurement, expected: &Value, note: &str) -> Result<String, String> {
     let number = |key: &str| expected.get(key).and_then(Value::as_f64);
-    let mut note = format!("{}: {note}", m.format());
+    let mut note = format!("{}: {note}", m.format);
     let [ny, nx] = m.grid().shape();
     let [dy, dx] = m.grid().pixel();
     let (min, max, mean) = m.height_summary().unwrap_or((f64::NAN, f64::NAN, f64::NAN));
@@ -196,7 +196,7 @@ fn compare(m: &Measurement, expected: &Value, note: &str) -> Result<String, Stri
     // f64 rounding of the sums, on top of 1e-9 of the relief; f32 files say so in their note.
     let rounding = 8.0 * f64::EPSILON * max.abs().max(min.abs());
     // The scale of SUR is an f32.
-    let scale = if m.format() == Format::Sur { f64::from(f32::EPSILON) / 2.0 } else { TOLERANCE };
+    let scale = if m.format == Format::Sur { f64::from(f32::EPSILON) / 2.0 } else { TOLERANCE };
     let tolerance = (scale * range).max(half_quantum(m)) + rounding;
     let mut worst: f64 = 0.0;
     for (key, value) in
@@ -234,7 +234,7 @@ fn compare(m: &Measurement, expected: &Value, note: &str) -> Result<String, Stri
             }
         }
     }
-    if let Some(uneven) = m.uneven() {
+    if let Some(uneven) = m.uneven {
         let _ = write!(note, "uneven by {uneven:.2} steps; ");
     }
     let missing = m.missing();
@@ -246,7 +246,7 @@ const TOLERANCE: f64 = 1e-9;
 
 /// Half the smallest step between printed heights: text is rounded. 0 for binary formats.
 fn half_quantum(m: &Measurement) -> f64 {
-    if m.format() != Format::Text {
+    if m.format != Format::Text {
         return 0.0;
     }
     let mut heights: Vec<f64> = m.heights().iter().copied().filter(|h| !h.is_nan()).collect();

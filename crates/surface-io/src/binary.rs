@@ -1,7 +1,7 @@
 //! Checked access to bytes: every read either lies inside the file or is an error with its offset.
 
 use crate::encoding::latin1;
-use crate::{Format, Place, ReadError};
+use crate::{Format, Limits, Place, ReadError};
 use std::borrow::Cow;
 
 /// Byte order of numbers.
@@ -84,17 +84,35 @@ impl Sample {
     }
 }
 
-/// A file in memory with its format (for messages) and byte order.
+/// A file in memory: its format (for messages), the order of its numbers, and what it may cost.
 #[derive(Debug, Clone, Copy)]
 pub(crate) struct Bytes<'a> {
     pub(crate) data: &'a [u8],
     pub(crate) format: Format,
     pub(crate) order: ByteOrder,
+    pub(crate) limits: Limits,
+}
+
+/// A map of stored numbers in rows, all of which are in the file.
+#[derive(Clone, Copy)]
+pub(crate) struct Raster<'a> {
+    data: &'a [u8],
+    order: ByteOrder,
+    pub(crate) sample: Sample,
+    /// `[ny, nx]`
+    pub(crate) shape: [usize; 2],
+    /// The byte behind it.
+    pub(crate) end: usize,
+}
+
+impl Raster<'_> {
+    pub(crate) fn values(self) -> Vec<f64> {
+        self.sample.decode(self.data, self.order)
+    }
 }
 
 macro_rules! getter {
     ($($name:ident -> $t:ty),*) => {$(
-        #[allow(dead_code, reason = "one accessor per type, whichever formats are compiled in")]
         pub(crate) fn $name(&self, at: usize) -> Result<$t, ReadError> {
             let raw = self.slice(at, size_of::<$t>())?;
             let raw = raw.try_into().expect("slice has this length");
@@ -107,17 +125,16 @@ macro_rules! getter {
 }
 
 impl<'a> Bytes<'a> {
-    pub(crate) fn little(data: &'a [u8], format: Format) -> Self {
-        Self { data, format, order: ByteOrder::Little }
+    pub(crate) fn little(data: &'a [u8], format: Format, limits: Limits) -> Self {
+        Self { data, format, order: ByteOrder::Little, limits }
     }
 
-    #[allow(dead_code, reason = "whichever formats are compiled in")]
-    pub(crate) fn big(data: &'a [u8], format: Format) -> Self {
-        Self { data, format, order: ByteOrder::Big }
+    /// Other bytes of the same file: unpacked, or a part.
+    pub(crate) fn with<'b>(&self, data: &'b [u8]) -> Bytes<'b> {
+        Bytes { data, format: self.format, order: self.order, limits: self.limits }
     }
 
-    getter!(u8 -> u8, i16 -> i16, u16 -> u16, i32 -> i32, u32 -> u32, i64 -> i64, u64 -> u64,
-            f32 -> f32, f64 -> f64);
+    getter!(u8 -> u8, i16 -> i16, u16 -> u16, i32 -> i32, u32 -> u32, u64 -> u64, f32 -> f32, f64 -> f64);
 
     /// `length` bytes from `at`.
     pub(crate) fn slice(&self, at: usize, length: usize) -> Result<&'a [u8], ReadError> {
@@ -127,7 +144,6 @@ impl<'a> Bytes<'a> {
         })
     }
 
-    #[allow(dead_code, reason = "whichever formats are compiled in")]
     /// Text of at most `length` bytes from `at`: up to the first NUL, UTF-8 or else Latin-1.
     pub(crate) fn text(&self, at: usize, length: usize) -> Result<String, ReadError> {
         Ok(text(self.slice(at, length)?))
@@ -161,6 +177,19 @@ impl<'a> Bytes<'a> {
         Ok(values)
     }
 
+    /// The map of `shape` points from `at`.
+    pub(crate) fn raster(
+        &self,
+        at: usize,
+        shape: [usize; 2],
+        sample: Sample,
+    ) -> Result<Raster<'a>, ReadError> {
+        self.check_points(shape)?;
+        let length = self.map_length(at, shape, sample)?;
+        let data = self.slice(at, length)?;
+        Ok(Raster { data, order: self.order, sample, shape, end: at + length })
+    }
+
     /// Bytes of a map of `shape` points, after checking that they lie inside the file.
     pub(crate) fn map_length(
         &self,
@@ -183,10 +212,19 @@ impl<'a> Bytes<'a> {
     }
 
     /// The rest from byte `at`, as a file of its own.
-    #[allow(dead_code, reason = "whichever formats are compiled in")]
     pub(crate) fn from(&self, at: usize) -> Result<Self, ReadError> {
         let data = self.data.get(at..).ok_or_else(|| self.fault(at, "the file ends before"))?;
-        Ok(Self { data, ..*self })
+        Ok(self.with(data))
+    }
+
+    /// Refuses a map of more points than the limit.
+    pub(crate) fn check_points(&self, shape: [usize; 2]) -> Result<(), ReadError> {
+        self.limits.check_points(self.format, shape)
+    }
+
+    /// Refuses a list of more items than the limit.
+    pub(crate) fn check_items(&self, count: u64) -> Result<(), ReadError> {
+        self.limits.check_items(self.format, count)
     }
 
     /// A `Malformed` error at byte `at`.
@@ -202,10 +240,14 @@ impl<'a> Bytes<'a> {
     ) -> ReadError {
         self.format.field(name, what)
     }
+
+    /// The file holds something that is not read.
+    pub(crate) fn unsupported(&self, feature: impl Into<Cow<'static, str>>) -> ReadError {
+        self.format.unsupported(feature)
+    }
 }
 
 /// Text up to the first NUL, trimmed: UTF-8, or Latin-1 where that fails.
-#[allow(dead_code, reason = "whichever formats are compiled in")]
 pub(crate) fn text(raw: &[u8]) -> String {
     let end = raw.iter().position(|&b| b == 0).unwrap_or(raw.len());
     let raw = &raw[..end];
@@ -215,7 +257,6 @@ pub(crate) fn text(raw: &[u8]) -> String {
     }
 }
 
-#[allow(dead_code, reason = "whichever formats are compiled in")]
 /// Position of `needle` in `hay`.
 pub(crate) fn find(hay: &[u8], needle: &[u8]) -> Option<usize> {
     hay.windows(needle.len()).position(|w| w == needle)

@@ -1,23 +1,25 @@
 //! How each format is recognised and read.
 
+use crate::binary::Bytes;
 use crate::error::ReadError;
 use crate::finish::{finish, finish_traces};
 use crate::format::{Format, every_format};
-use crate::formats;
-use crate::limits::Limits;
 use crate::measurement::{Contents, Measurement};
+#[cfg(feature = "zip")]
+use crate::ole;
 use crate::options::ReadOptions;
+use crate::{formats, text, tiff};
 use std::borrow::Cow;
 
 macro_rules! rows {
-    ($($(#[$cfg:meta])? $variant:ident, $module:ident, $name:literal, [$($extension:literal),*], $about:literal;)*) => {
+    ($($(#[$cfg:meta])? $variant:ident, $module:ident, $sniff:expr, $name:literal, [$($extension:literal),*], $about:literal;)*) => {
         /// Every format this build knows, in the order in which they are tried.
         pub const FORMATS: &[FormatSpec] = &[
             $($(#[$cfg])? FormatSpec {
                 format: Format::$variant,
                 extensions: &[$($extension),*],
                 about: $about,
-                sniff: formats::$module::sniff,
+                sniff: $sniff,
                 parse: formats::$module::parse,
             },)*
         ];
@@ -26,7 +28,7 @@ macro_rules! rows {
 
 every_format!(rows);
 
-type Parse = for<'a> fn(&'a [u8], &Limits) -> Result<Contents<'a>, ReadError>;
+type Parse = for<'a> fn(Bytes<'a>) -> Result<Contents<'a>, ReadError>;
 
 /// One row of [`FORMATS`].
 #[derive(Debug, Clone, Copy)]
@@ -68,7 +70,7 @@ impl FormatSpec {
     ) -> Result<Contents<'a>, ReadError> {
         match options.layout {
             _ if self.format == Format::Text => formats::table::parse_as(bytes, options),
-            None => (self.parse)(bytes, &options.limits),
+            None => (self.parse)(Bytes::little(bytes, self.format, options.limits)),
             Some(layout) => Err(ReadError::BadLayout {
                 format: self.format,
                 layout,

@@ -1,6 +1,9 @@
 //! One cell of a table: separators, decimal marks, missing values, printed digits.
 
-use crate::need::DecimalMark;
+use crate::error::ReadError;
+use crate::format::Format;
+use crate::need::{DecimalMark, Need};
+use crate::options::ReadOptions;
 use crate::units::metres_per;
 
 /// What stands between two numbers.
@@ -38,15 +41,8 @@ impl Separator {
     }
 }
 
-/// What a caller says of how the cells are written.
-#[derive(Debug, Clone, Copy, Default)]
-pub(crate) struct Written<'o> {
-    pub(crate) decimal: Option<DecimalMark>,
-    /// Marks of missing points, beside those that everyone uses.
-    pub(crate) missing: &'o [String],
-}
-
-impl Written<'_> {
+/// How cells are written, as far as the caller says.
+impl ReadOptions {
     /// Marks that are no numbers: a number is a mark among heights only, not among coordinates.
     fn words(&self) -> impl Iterator<Item = &str> {
         self.missing.iter().map(String::as_str).filter(|mark| mark_value(mark).is_none())
@@ -114,20 +110,20 @@ pub(crate) enum Cell<'t> {
 }
 
 /// Reads one cell.
-pub(crate) fn cell<'t>(text: &'t str, separator: Separator, written: Written<'_>) -> Cell<'t> {
+pub(crate) fn cell<'t>(text: &'t str, separator: Separator, options: &ReadOptions) -> Cell<'t> {
     let inner = text.strip_prefix('"').and_then(|t| t.strip_suffix('"'));
     // Between commas a blank may part two numbers as well as thousands.
     let blanks = inner.is_some() || !matches!(separator, Separator::Comma | Separator::Blank);
     let text = inner.map_or(text, str::trim);
-    match number(text, written.decimal, blanks) {
+    match number(text, options.decimal, blanks) {
         Some(value) if value.is_nan() => return Cell::Missing,
         Some(value) => return Cell::Number(value),
-        None if written.is_missing(text) => return Cell::Missing,
+        None if options.is_missing(text) => return Cell::Missing,
         None => {}
     }
     let digits = text.rfind(|c: char| c.is_ascii_digit()).map_or(0, |at| at + 1);
     let (value, unit) = text.split_at(digits);
-    match number(value, written.decimal, blanks) {
+    match number(value, options.decimal, blanks) {
         Some(value) if metres_per(unit).is_some() => Cell::Length(value, unit.trim()),
         _ => Cell::Other,
     }
@@ -271,16 +267,28 @@ impl Marks {
     ///
     /// Whole numbers below 1000 beside others of the same column that all have three digits behind a mark are a
     /// pattern of thousands: of decimals some would have fewer digits.
-    pub(crate) fn decide(&self) -> Result<Option<(DecimalMark, bool)>, Doubt> {
+    pub(crate) fn decide(&self) -> Result<Option<(DecimalMark, bool)>, ReadError> {
         let either = [0, 1].map(|mark| self.columns.iter().any(|column| column.either[mark]));
         let [point, comma] = [0, 1].map(|mark| self.decimal[mark] || self.thousands[1 - mark]);
-        let example = || self.example.clone().unwrap_or_default();
+        let either_way = || {
+            let (line, text) = self.example.clone().unwrap_or_default();
+            let digits: String = text.chars().filter(|c| !matches!(c, '.' | ',' | '"')).collect();
+            let decimal = text.trim_matches('"').replace(',', ".");
+            let what = format!(
+                "line {line}: {text} can be {decimal}, or {digits} with a mark of thousands"
+            );
+            let needs = vec![Need::DecimalMark];
+            ReadError::Ambiguous { format: Format::Text, what, needs }
+        };
         let mark = match (point, comma, either) {
-            (true, true, _) => return Err(Doubt::Both),
+            (true, true, _) => {
+                let what = "both decimal points and decimal commas occur: which of them is the decimal mark?";
+                return Err(Format::Text.field("numbers", what));
+            }
             (true, false, _) => 0,
             (false, true, _) => 1,
             (false, false, [false, false]) => return Ok(None),
-            (false, false, [true, true]) => return Err(Doubt::Either(example())),
+            (false, false, [true, true]) => return Err(either_way()),
             (false, false, [_, comma]) => {
                 let mark = usize::from(comma);
                 let mixed = || self.columns.iter().filter(|column| column.either[mark]);
@@ -291,7 +299,7 @@ impl Marks {
                 match (bare.len() > 2, mixed().any(|column| column.is_large)) {
                     (true, false) => 1 - mark,
                     (false, _) if mark == 0 => 0,
-                    _ => return Err(Doubt::Either(example())),
+                    _ => return Err(either_way()),
                 }
             }
         };
@@ -306,15 +314,6 @@ impl Marks {
             |from: usize| self.columns.iter().skip(from).step_by(2).any(|c| c.is_fraction);
         !uses_point && has_fraction(1) && !has_fraction(0)
     }
-}
-
-/// Why the decimal mark is not known.
-#[derive(Debug)]
-pub(crate) enum Doubt {
-    /// Both marks are decimal marks somewhere.
-    Both,
-    /// This number, in this line, can be read in two ways.
-    Either((usize, String)),
 }
 
 /// How precisely a column is printed.

@@ -148,11 +148,4 @@ mod tests {
             assert!(bad.parse::<Cut>().unwrap_err().contains("Y0,X0,NY,NX"), "{bad}");
         }
     }
-
-    #[test]
-    fn the_middle_is_half_of_each_side() {
-        let of = |shape| Cut::Middle.of(shape, &[]).unwrap();
-        assert_eq!(of([8, 12]), [2, 3, 4, 6]);
-        assert_eq!(of([7, 1]), [1, 0, 4, 1]);
-    }
 }

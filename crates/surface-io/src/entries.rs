@@ -1,9 +1,9 @@
 //! What a header says, key by key.
 
+use crate::binary::Bytes;
 use crate::encoding::lines;
 use crate::error::ReadError;
 use crate::format::Format;
-use crate::limits::Limits;
 use std::collections::BTreeMap;
 use std::str::FromStr;
 
@@ -18,11 +18,11 @@ pub(crate) struct Entries<'e> {
 
 impl<'e> Entries<'e> {
     pub(crate) fn new(
-        format: Format,
+        b: Bytes<'_>,
         map: &'e BTreeMap<String, String>,
         absent: &'static str,
     ) -> Self {
-        Self { format, map, absent }
+        Self { format: b.format, map, absent }
     }
 
     pub(crate) fn get(self, key: &str) -> Option<&'e str> {
@@ -51,15 +51,14 @@ impl<'e> Entries<'e> {
 
 /// The entries of a header in sections: `[section]` and `key BETWEEN value`, each on a line.
 pub(crate) fn sections(
+    b: Bytes<'_>,
     header: &str,
     between: &str,
-    format: Format,
-    limits: &Limits,
 ) -> Result<BTreeMap<String, BTreeMap<String, String>>, ReadError> {
     let mut sections = BTreeMap::<String, BTreeMap<String, String>>::new();
     let mut name = "";
     for (number, line) in lines(header) {
-        limits.check_items(format, number as u64)?;
+        b.check_items(number as u64)?;
         let line = line.trim();
         if let Some(section) = line.strip_prefix('[').and_then(|line| line.strip_suffix(']')) {
             name = section;

@@ -22,28 +22,23 @@ const MAX_ITERATIONS: usize = 200;
 
 /// Replaces every NaN. At least one height must be valid.
 pub(crate) fn fill(grid: Grid, heights: &mut [f64]) -> Result<(), FillError> {
-    let [ny, nx] = grid.shape();
     let holes: Vec<u32> =
         (0..heights.len()).filter(|&i| heights[i].is_nan()).map(|i| i as u32).collect();
     let (finest, right) = GridLevel::finest(grid, heights, &holes);
+    let [low, high] = right.rim;
+    if low > high {
+        return Ok(()); // nothing is missing
+    }
     // Heights are counted from the middle of the rim, so that a common offset costs no digits.
-    let rim = rim(&right.values);
-    let Some((low, high)) = rim else { return Ok(()) };
     let origin = 0.5 * (low + high);
     let b: Vec<f64> = right.sums.iter().zip(&right.bonds).map(|(s, w)| s - w * origin).collect();
-    let mut solver = Multigrid::new(finest, [ny, nx], grid.pixel(), &holes);
-    let x = solver.solve(b)?;
+    let mut levels = levels(finest, grid.shape(), grid.pixel(), &holes);
+    let x = solve(&mut levels, b)?;
     for (&i, x) in holes.iter().zip(x) {
         // The maximum principle holds for the exact solution; rounding must not break it.
         heights[i as usize] = (origin + x).clamp(low, high);
     }
     Ok(())
-}
-
-fn rim(values: &[f64]) -> Option<(f64, f64)> {
-    let low = values.iter().copied().fold(f64::INFINITY, f64::min);
-    let high = values.iter().copied().fold(f64::NEG_INFINITY, f64::max);
-    (low <= high).then_some((low, high))
 }
 
 /// What the valid points contribute to the equations.
@@ -52,8 +47,8 @@ struct Right {
     sums: Vec<f64>,
     /// Sum of bonds per unknown.
     bonds: Vec<f64>,
-    /// Heights on the rim.
-    values: Vec<f64>,
+    /// Lowest and highest of these heights.
+    rim: [f64; 2],
 }
 
 /// One grid: every unknown with its bonds to the west, east, north and south.
@@ -89,7 +84,8 @@ impl GridLevel {
         let n = holes.len();
         let mut neighbours = vec![[NONE; 4]; n];
         let (mut bonds, mut pins) = (vec![[0.0; 4]; n], vec![[0.0; 2]; n]);
-        let mut right = Right { sums: vec![0.0; n], bonds: vec![0.0; n], values: Vec::new() };
+        let rim = [f64::INFINITY, f64::NEG_INFINITY];
+        let mut right = Right { sums: vec![0.0; n], bonds: vec![0.0; n], rim };
         for (k, &i) in holes.iter().enumerate() {
             let i = i as usize;
             let (iy, ix) = (i / nx, i % nx);
@@ -106,7 +102,7 @@ impl GridLevel {
                     pins[k][side / 2] += w;
                     right.sums[k] += w * heights[j];
                     right.bonds[k] += w;
-                    right.values.push(heights[j]);
+                    right.rim = [right.rim[0].min(heights[j]), right.rim[1].max(heights[j])];
                 } else {
                     neighbours[k][side] = number[j];
                     bonds[k][side] = w;
@@ -193,114 +189,111 @@ fn fluxes([dy, dx]: [f64; 2]) -> [f64; 2] {
     [dy / dx, dx / dy]
 }
 
-struct Multigrid {
-    levels: Vec<GridLevel>,
+/// The finest level and all coarser ones.
+fn levels(
+    finest: GridLevel,
+    mut shape: [usize; 2],
+    pixel: [f64; 2],
+    holes: &[u32],
+) -> Vec<GridLevel> {
+    let mut levels = vec![finest];
+    let mut cells = holes.to_vec();
+    let [mut wx, mut wy] = fluxes(pixel);
+    while levels[levels.len() - 1].b.len() > 32 {
+        // Join along the stronger bonds until both directions are alike.
+        let block = [if wx > 3.0 * wy { 1 } else { 2 }, if wy > 3.0 * wx { 1 } else { 2 }];
+        let block =
+            [if shape[0] == 1 { 1 } else { block[0] }, if shape[1] == 1 { 1 } else { block[1] }];
+        if block == [1, 1] {
+            break;
+        }
+        let last = levels.len() - 1;
+        let (level, coarse_cells, coarse_shape) = levels[last].coarser(&cells, shape, block);
+        (cells, shape) = (coarse_cells, coarse_shape);
+        if block[0] == 1 {
+            (wx, wy) = (wx / 2.0, wy * 2.0);
+        } else if block[1] == 1 {
+            (wx, wy) = (wx * 2.0, wy / 2.0);
+        }
+        levels.push(level);
+    }
+    levels
 }
 
-impl Multigrid {
-    fn new(finest: GridLevel, mut shape: [usize; 2], pixel: [f64; 2], holes: &[u32]) -> Self {
-        let mut levels = vec![finest];
-        let mut cells = holes.to_vec();
-        let [mut wx, mut wy] = fluxes(pixel);
-        while levels[levels.len() - 1].b.len() > 32 {
-            // Join along the stronger bonds until both directions are alike.
-            let block = [if wx > 3.0 * wy { 1 } else { 2 }, if wy > 3.0 * wx { 1 } else { 2 }];
-            let block = [
-                if shape[0] == 1 { 1 } else { block[0] },
-                if shape[1] == 1 { 1 } else { block[1] },
-            ];
-            if block == [1, 1] {
-                break;
-            }
-            let last = levels.len() - 1;
-            let (level, coarse_cells, coarse_shape) = levels[last].coarser(&cells, shape, block);
-            (cells, shape) = (coarse_cells, coarse_shape);
-            if block[0] == 1 {
-                (wx, wy) = (wx / 2.0, wy * 2.0);
-            } else if block[1] == 1 {
-                (wx, wy) = (wx * 2.0, wy / 2.0);
-            }
-            levels.push(level);
+/// One W-cycle on level `l`: `x = B b`, symmetric.
+fn cycle(levels: &mut [GridLevel]) {
+    let [level, coarser @ ..] = levels else { return };
+    level.x.fill(0.0);
+    if coarser.is_empty() {
+        for _ in 0..8 {
+            level.sweep(true);
+            level.sweep(false);
         }
-        Self { levels }
+        return;
     }
-
-    /// One W-cycle on level `l`: `x = B b`, symmetric.
-    fn cycle(levels: &mut [GridLevel]) {
-        let [level, coarser @ ..] = levels else { return };
-        level.x.fill(0.0);
-        if coarser.is_empty() {
-            for _ in 0..8 {
-                level.sweep(true);
-                level.sweep(false);
-            }
-            return;
+    level.sweep(true);
+    for turn in 0..2 {
+        coarser[0].b.fill(0.0);
+        for k in 0..level.b.len() {
+            let residual = level.b[k] - level.diagonal[k] * level.x[k] + level.pull(&level.x, k);
+            coarser[0].b[level.parent[k] as usize] += residual;
         }
-        level.sweep(true);
-        for turn in 0..2 {
-            coarser[0].b.fill(0.0);
-            for k in 0..level.b.len() {
-                let residual =
-                    level.b[k] - level.diagonal[k] * level.x[k] + level.pull(&level.x, k);
-                coarser[0].b[level.parent[k] as usize] += residual;
-            }
-            Self::cycle(coarser);
-            for (x, &parent) in level.x.iter_mut().zip(&level.parent) {
-                *x += coarser[0].x[parent as usize];
-            }
-            if turn == 0 {
-                level.sweep(false);
-                level.sweep(true);
-            }
+        cycle(coarser);
+        for (x, &parent) in level.x.iter_mut().zip(&level.parent) {
+            *x += coarser[0].x[parent as usize];
         }
-        level.sweep(false);
+        if turn == 0 {
+            level.sweep(false);
+            level.sweep(true);
+        }
     }
+    level.sweep(false);
+}
 
-    /// `z = B r`.
-    fn precondition(&mut self, r: &[f64], z: &mut Vec<f64>) {
-        self.levels[0].b.copy_from_slice(r);
-        Self::cycle(&mut self.levels);
-        z.clone_from(&self.levels[0].x);
+/// `z = B r`.
+fn precondition(levels: &mut [GridLevel], r: &[f64], z: &mut Vec<f64>) {
+    levels[0].b.copy_from_slice(r);
+    cycle(levels);
+    z.clone_from(&levels[0].x);
+}
+
+/// Conjugate gradients on the finest level.
+fn solve(levels: &mut [GridLevel], b: Vec<f64>) -> Result<Vec<f64>, FillError> {
+    let dot = |a: &[f64], b: &[f64]| a.iter().zip(b).map(|(a, b)| a * b).sum::<f64>();
+    let n = b.len();
+    let size = dot(&b, &b).sqrt();
+    let (mut x, mut r) = (vec![0.0; n], b);
+    if size == 0.0 {
+        return Ok(x);
     }
-
-    /// Conjugate gradients on the finest level.
-    fn solve(&mut self, b: Vec<f64>) -> Result<Vec<f64>, FillError> {
-        let dot = |a: &[f64], b: &[f64]| a.iter().zip(b).map(|(a, b)| a * b).sum::<f64>();
-        let n = b.len();
-        let size = dot(&b, &b).sqrt();
-        let (mut x, mut r) = (vec![0.0; n], b);
-        if size == 0.0 {
+    let (mut z, mut product) = (Vec::new(), vec![0.0; n]);
+    precondition(levels, &r, &mut z);
+    let mut p = z.clone();
+    let mut rho = dot(&r, &z);
+    let mut residual = 1.0;
+    for _ in 0..MAX_ITERATIONS {
+        levels[0].apply(&p, &mut product);
+        let alpha = rho / dot(&p, &product);
+        for k in 0..n {
+            x[k] += alpha * p[k];
+            r[k] -= alpha * product[k];
+        }
+        residual = dot(&r, &r).sqrt() / size;
+        if residual <= TOLERANCE {
             return Ok(x);
         }
-        let (mut z, mut product) = (Vec::new(), vec![0.0; n]);
-        self.precondition(&r, &mut z);
-        let mut p = z.clone();
-        let mut rho = dot(&r, &z);
-        let mut residual = 1.0;
-        for _ in 0..MAX_ITERATIONS {
-            self.levels[0].apply(&p, &mut product);
-            let alpha = rho / dot(&p, &product);
-            for k in 0..n {
-                x[k] += alpha * p[k];
-                r[k] -= alpha * product[k];
-            }
-            residual = dot(&r, &r).sqrt() / size;
-            if residual <= TOLERANCE {
-                return Ok(x);
-            }
-            self.precondition(&r, &mut z);
-            let next = dot(&r, &z);
-            let beta = next / rho;
-            rho = next;
-            for k in 0..n {
-                p[k] = z[k] + beta * p[k];
-            }
+        precondition(levels, &r, &mut z);
+        let next = dot(&r, &z);
+        let beta = next / rho;
+        rho = next;
+        for k in 0..n {
+            p[k] = z[k] + beta * p[k];
         }
-        if residual <= ACCEPTED {
-            return Ok(x);
-        }
-        Err(FillError::NotConverged { residual, iterations: MAX_ITERATIONS })
     }
+    if residual <= ACCEPTED {
+        return Ok(x);
+    }
+    Err(FillError::NotConverged { residual, iterations: MAX_ITERATIONS })
 }
 
 #[cfg(test)]

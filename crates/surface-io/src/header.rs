@@ -320,14 +320,14 @@ mod tests {
                 format!("# {channel} Topo\n# {width} 8.0 µm\n# {height} 3.0 µm\n# {unit} nm\n");
             let text = format!("{head}{ROWS}");
             assert_eq!(picometres(&text), [1_500_000, 2_000_000, 8_000], "{head}");
-            assert_eq!(read(&text).unwrap().channel(), "Topo");
+            assert_eq!(read(&text).unwrap().channel, "Topo");
         }
         for key in ["Lateral units:", "Laterale Einheiten:", "Unités latérales :"] {
             let text = format!(
                 "# Channel: Topo\n# {key} um\n# Value units: nm\n0 0 1\n2 0 2\n0 3 3\n2 3 4\n"
             );
             assert_eq!(picometres(&text), [3_000_000, 2_000_000, 4_000], "{key}");
-            assert!(read(&text).unwrap().ambiguity().is_none());
+            assert!(read(&text).unwrap().ambiguity.is_none());
         }
     }
 
@@ -341,7 +341,7 @@ mod tests {
             ("# Bit2nm = 0.5\n", [250_000, 500_000, 4_000]),
             ("# z-unit = um\n", [250_000, 500_000, 8_000_000]),
             ("# z-unit = um\n# Bit2nm = 0.5\n", [250_000, 500_000, 8_000_000]),
-            ("# x-unit = um\n# y-unit = um\n# z-unit = nm\n", [250_000_000, 500_000_000, 8_000]),
+            ("# x-unit = um\n# y-unit = nm\n# z-unit = nm\n", [250_000, 500_000_000, 8_000]),
         ] {
             assert_eq!(
                 picometres(&format!("{spip}{more}# Start of Data:\n{ROWS}")),
@@ -369,7 +369,7 @@ mod tests {
                        \"Horizontal\",\"4\"\n\"Unit\",\"um\"\n\"Reference data name\",\"\"\n\n\
                        \"Height\"\n\"1\",\"2\",\"3\",\"4.5\"\n\"5\",\"6\",\"7\",\"8.25\"\n";
         assert_eq!(picometres(english), [277_500, 277_500, 8_250_000]);
-        assert_eq!(read(english).unwrap().channel(), "Height");
+        assert_eq!(read(english).unwrap().channel, "Height");
         let german = "\"Data type\";\"ImageDataCsv\"\n\"XY-Kalibrierung\";\"277,5\";\"nm\"\n\
                       \"Einheit\";\"um\"\n\"1\";\"2\";\"3\";\"4,5\"\n\"5\";\"6\";\"7\";\"8,25\"\n";
         assert_eq!(picometres(german), [277_500, 277_500, 8_250_000]);
@@ -387,8 +387,8 @@ mod tests {
         assert!(error.contains("Width = 8"), "{error}");
         let text = format!("# pixel size: 1 um\n# z unit: nm\n# z calibration: 2.5\n{ROWS}");
         let found = read(&text).unwrap();
-        assert_eq!(found.metadata()[crate::meaning::UNUSED], "z calibration = 2.5");
+        assert_eq!(found.metadata[crate::meaning::UNUSED], "z calibration = 2.5");
         let found = read(&text.replace("2.5", "none")).unwrap();
-        assert!(!found.metadata().contains_key(crate::meaning::UNUSED));
+        assert!(!found.metadata.contains_key(crate::meaning::UNUSED));
     }
 }

@@ -1,6 +1,6 @@
 //! What a file contains, before and after a channel is chosen.
 
-use crate::binary::{Bytes, Sample};
+use crate::binary::Raster;
 use crate::cut::Cut;
 use crate::error::ReadError;
 use crate::format::Format;
@@ -43,6 +43,14 @@ pub(crate) enum Pixel {
 }
 
 impl Pixel {
+    /// `[dy, dx]` in units of so many metres; steps unless both are known.
+    pub(crate) fn scaled(steps: [f64; 2], metres: [Option<f64>; 2]) -> Self {
+        match metres {
+            [Some(y), Some(x)] => Self::Metres([steps[0] * y, steps[1] * x]),
+            _ => Self::Steps(steps),
+        }
+    }
+
     /// `[dy, dx]` in these units; unknown unless both are lengths.
     pub(crate) fn in_units([dy, dx]: [f64; 2], [y, x]: [&str; 2]) -> Self {
         match (metres_per(y), metres_per(x)) {
@@ -114,19 +122,17 @@ impl<'a> Channel<'a> {
         }
     }
 
-    /// A map of stored numbers, in rows; `convert` brings one to `unit`, or to NaN
-    /// if it marks a missing point.
+    /// A map of stored numbers; `convert` brings one to `unit`, or to NaN if it marks a missing
+    /// point.
     pub(crate) fn raster(
         name: impl Into<String>,
-        unit: Option<&str>,
+        unit: &str,
         pixel: Pixel,
         raster: Raster<'a>,
         convert: impl Fn(f64) -> f64 + 'a,
-    ) -> Result<Self, ReadError> {
-        let Raster { bytes, at, shape, sample } = raster;
-        bytes.map_length(at, shape, sample)?;
-        let decode = move || bytes.samples(at, shape[0] * shape[1], sample);
-        Ok(Self::new(name, unit, shape, pixel, decode).converted(convert))
+    ) -> Self {
+        let decode = move || Ok(raster.values());
+        Self::new(name, Some(unit), raster.shape, pixel, decode).converted(convert)
     }
 
     /// Changes the heights once they are decoded.
@@ -198,16 +204,6 @@ impl<'a> Channel<'a> {
     }
 }
 
-/// Where a map of stored numbers is.
-#[derive(Clone, Copy)]
-pub(crate) struct Raster<'a> {
-    pub(crate) bytes: Bytes<'a>,
-    pub(crate) at: usize,
-    /// `[ny, nx]`
-    pub(crate) shape: [usize; 2],
-    pub(crate) sample: Sample,
-}
-
 /// Everything a reader finds in a file.
 #[derive(Default)]
 pub(crate) struct Contents<'a> {
@@ -255,18 +251,28 @@ impl<'a> Contents<'a> {
 
 /// A measured surface: heights in metres, some of which may be missing.
 #[derive(Debug, Clone, PartialEq)]
+#[non_exhaustive]
 pub struct Measurement {
     pub(crate) grid: Grid,
     pub(crate) heights: Vec<f64>,
     pub(crate) missing: usize,
-    pub(crate) format: Format,
-    pub(crate) channel: String,
-    pub(crate) channels: Vec<ChannelInfo>,
-    pub(crate) metadata: BTreeMap<String, String>,
-    pub(crate) uneven: Option<f64>,
-    pub(crate) positions: Option<Vec<f64>>,
-    pub(crate) ambiguity: Option<Ambiguity>,
-    pub(crate) cropped: Option<[usize; 4]>,
+    /// The format it was read from.
+    pub format: Format,
+    /// Name of the channel.
+    pub channel: String,
+    /// All channels of the file.
+    pub channels: Vec<ChannelInfo>,
+    /// What the file says of instrument, date and settings.
+    pub metadata: BTreeMap<String, String>,
+    /// Largest deviation of a profile's points from even spacing, in steps; `None` if they are
+    /// evenly spaced as far as the digits of the file can tell.
+    pub uneven: Option<f64>,
+    /// Distances from the first point (m), rising, of a profile whose points are not evenly spaced.
+    pub positions: Option<Vec<f64>>,
+    /// How the file was read, where its numbers could as well mean something else.
+    pub ambiguity: Option<Ambiguity>,
+    /// `[y0, x0, ny, nx]` of what was cut out of the map of the file; `None` for all of it.
+    pub cropped: Option<[usize; 4]>,
 }
 
 impl Measurement {
@@ -313,57 +319,16 @@ impl Measurement {
         self.missing
     }
 
-    /// The format it was read from.
-    pub fn format(&self) -> Format {
-        self.format
-    }
-
-    /// Name of the channel.
-    pub fn channel(&self) -> &str {
-        &self.channel
-    }
-
-    /// All channels of the file.
-    pub fn channels(&self) -> &[ChannelInfo] {
-        &self.channels
-    }
-
-    /// What the file says of instrument, date and settings.
-    pub fn metadata(&self) -> &BTreeMap<String, String> {
-        &self.metadata
-    }
-
     /// The unit that the file gives and that was kept although another one was given for a file
     /// that gives none.
     pub fn kept_unit(&self) -> Option<&str> {
         self.metadata.get(KEPT_UNIT).map(String::as_str)
     }
 
-    /// `[y0, x0, ny, nx]` of what was cut out of the map of the file; `None` for all of it.
-    pub fn cropped(&self) -> Option<[usize; 4]> {
-        self.cropped
-    }
-
     /// True for a single line of points, which is not a surface.
     pub fn is_profile(&self) -> bool {
         let [ny, nx] = self.grid.shape();
         ny == 1 && nx > 1
-    }
-
-    /// Largest deviation of a profile's points from even spacing, in steps; `None` if they are
-    /// evenly spaced as far as the digits of the file can tell.
-    pub fn uneven(&self) -> Option<f64> {
-        self.uneven
-    }
-
-    /// Distances from the first point (m), rising, of a profile whose points are not evenly spaced.
-    pub fn positions(&self) -> Option<&[f64]> {
-        self.positions.as_deref()
-    }
-
-    /// How the file was read, where its numbers could as well mean something else.
-    pub fn ambiguity(&self) -> Option<Ambiguity> {
-        self.ambiguity
     }
 
     /// Lowest, highest and mean height of the points that are there, in metres; `None` if none is.
@@ -417,22 +382,23 @@ impl Measurement {
             .flat_map(|iy| &self.heights[iy * shape[1] + x0..iy * shape[1] + x0 + nx])
             .copied()
             .collect();
-        let mut metadata = self.metadata.clone();
         let [above, before, ..] = self.cropped.unwrap_or_default();
         let cropped = [above + y0, before + x0, ny, nx];
-        metadata.insert("crop".into(), Cut::Rectangle(cropped).to_string());
-        Ok(Self {
-            channel: self.channel.clone(),
-            channels: self.channels.clone(),
-            metadata,
-            uneven: self.uneven,
+        let mut found = Self {
+            grid,
+            missing: heights.iter().filter(|h| h.is_nan()).count(),
+            heights,
             positions: self.positions.as_ref().map(|x| {
                 let part = &x[x0..x0 + nx];
                 part.iter().map(|position| position - part[0]).collect()
             }),
-            ambiguity: self.ambiguity,
             cropped: Some(cropped),
-            ..Self::bare(grid, heights, self.format)
-        })
+            channel: self.channel.clone(),
+            channels: self.channels.clone(),
+            metadata: self.metadata.clone(),
+            ..*self
+        };
+        found.metadata.insert("crop".into(), Cut::Rectangle(cropped).to_string());
+        Ok(found)
     }
 }

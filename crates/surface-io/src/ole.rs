@@ -26,9 +26,9 @@
 //!
 //! Source: Microsoft, *\[MS-CFB\]: Compound File Binary File Format*.
 
+use crate::ReadError;
 use crate::binary::Bytes;
 use crate::encoding::utf16;
-use crate::{Format, ReadError};
 
 pub(crate) const MAGIC: &[u8] = b"\xd0\xcf\x11\xe0\xa1\xb1\x1a\xe1";
 
@@ -56,8 +56,7 @@ pub(crate) struct Document<'a> {
 
 impl<'a> Document<'a> {
     /// Reads table and directory.
-    pub(crate) fn open(data: &'a [u8], format: Format) -> Result<Self, ReadError> {
-        let file = Bytes::little(data, format);
+    pub(crate) fn open(file: Bytes<'a>) -> Result<Self, ReadError> {
         let (sector, small) = (file.u16(30)?, file.u16(32)?);
         if !matches!(sector, 9 | 12) || small != 6 {
             return Err(file.fault(30, format!("sectors of 2^{sector} and 2^{small} bytes")));
@@ -84,7 +83,7 @@ impl<'a> Document<'a> {
         let root = self.entries.iter().find(|entry| entry.kind == 5);
         let root = root.ok_or_else(|| self.file.field("root entry", "is missing"))?;
         let pool = self.read(root)?;
-        let pool = Bytes { data: &pool, ..self.file };
+        let pool = self.file.with(&pool);
         let table = self.small_table(entry)?;
         let piece = |at: u32, length| pool.slice((at as usize).saturating_mul(self.small), length);
         let next = |at: u32| table.get(at as usize).copied().ok_or_else(|| self.broken(entry));
@@ -139,7 +138,7 @@ impl<'a> Document<'a> {
             self.file.field("sector table", format!("does not reach to sector {number}"))
         })?;
         let raw = self.sector(*held, self.sector)?;
-        Bytes { data: raw, ..self.file }.u32(4 * (number as usize % per_sector))
+        self.file.with(raw).u32(4 * (number as usize % per_sector))
     }
 
     fn read_table(&mut self) -> Result<(), ReadError> {
@@ -169,7 +168,7 @@ impl<'a> Document<'a> {
                 return Ok(());
             }
             for raw in self.sector(at, self.sector)?.chunks_exact(ENTRY) {
-                let entry = Bytes { data: raw, ..self.file };
+                let entry = self.file.with(raw);
                 let kind = entry.u8(66)?;
                 if !matches!(kind, 2 | 5) {
                     continue;

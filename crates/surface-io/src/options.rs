@@ -24,17 +24,6 @@ impl HeightUnit {
 }
 
 /// What the file does not say, and which part of it is wanted.
-///
-/// ```
-/// use surface_io::{HeightUnit, ReadOptions};
-///
-/// let options = ReadOptions {
-///     pixel: Some([1e-6, 1e-6]),
-///     height_unit: Some(HeightUnit::IfSilent(1e-9)),
-///     ..ReadOptions::default()
-/// };
-/// assert!(options.channel.is_none());
-/// ```
 #[derive(Debug, Clone, PartialEq, Default)]
 pub struct ReadOptions {
     /// Channel by name, or `#2` for the second; default is the first one that is a topography.

@@ -75,8 +75,8 @@ mod tests {
     #[test]
     fn points_lie_on_the_lines_between_their_neighbours() {
         let profile = read("x [um];z [nm]\n5.00;0\n6.00;1\n9.00;7\n10.00;9\n11.00;11\n");
-        assert!(profile.uneven().is_some());
-        assert_eq!(profile.positions().unwrap().len(), 5);
+        assert!(profile.uneven.is_some());
+        assert_eq!(profile.positions.as_ref().unwrap().len(), 5);
         let (even, how) = profile.evenly_spaced().unwrap();
         let how = how.unwrap();
         assert!((how.spacing - 1.5e-6).abs() < 1e-18 && (how.steps[1] - 3e-6).abs() < 1e-18);

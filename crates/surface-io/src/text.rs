@@ -1,10 +1,10 @@
 //! Text files: encodings, line ends, separators, decimal marks, and the one table of numbers in
 //! them.
 
-use crate::cells::{Cell, Digits, Doubt, Marks, Separator, Written, cell};
+use crate::cells::{Cell, Digits, Marks, Separator, cell};
 pub(crate) use crate::encoding::{decode, is_text, latin1, lines};
 use crate::units::metres_per;
-use crate::{Format, Need, ReadError};
+use crate::{Format, ReadError, ReadOptions};
 
 /// The numbers of a text file and the lines before them.
 #[derive(Debug)]
@@ -57,11 +57,11 @@ impl<'a> NumberTable<'a> {
     /// which may be without rows.
     pub(crate) fn all(
         text: &'a str,
-        written: Written<'_>,
+        options: &ReadOptions,
         begins: &dyn Fn(&NumberedLines<'a>) -> bool,
     ) -> Result<Vec<Self>, ReadError> {
-        let (mut tables, marks) = scan(text, written, begins)?;
-        if written.decimal.is_none() {
+        let (mut tables, marks) = scan(text, options, begins)?;
+        if options.decimal.is_none() {
             let is_in_pairs =
                 |t: &Self| t.separator == Separator::Comma && t.columns.is_multiple_of(2);
             if marks.are_torn() && tables.iter().all(is_in_pairs) {
@@ -71,25 +71,13 @@ impl<'a> NumberTable<'a> {
                      semicolons between the cells, or with decimal points",
                 ));
             }
-            let decided = marks.decide().map_err(|doubt| match doubt {
-                Doubt::Both => FORMAT.field(
-                    "numbers",
-                    "both decimal points and decimal commas occur: which of them is the decimal mark?",
-                ),
-                Doubt::Either((line, text)) => {
-                    let digits: String = text.chars().filter(|c| !matches!(c, '.' | ',' | '"')).collect();
-                    let decimal = text.trim_matches('"').replace(',', ".");
-                    let what = format!("line {line}: {text} can be {decimal}, or {digits} with a mark of thousands");
-                    ReadError::Ambiguous { format: FORMAT, what, needs: vec![Need::DecimalMark] }
-                }
-            })?;
-            if let Some((decimal, true)) = decided {
-                let written = Written { decimal: Some(decimal), ..written };
-                tables = scan(text, written, begins)?.0;
+            if let Some((decimal, true)) = marks.decide()? {
+                let known = ReadOptions { decimal: Some(decimal), ..options.clone() };
+                tables = scan(text, &known, begins)?.0;
             }
         }
         for table in &mut tables {
-            table.mind_rows_in_header(written)?;
+            table.mind_rows_in_header(options)?;
             table.drop_trailing_separator();
         }
         Ok(tables)
@@ -98,14 +86,14 @@ impl<'a> NumberTable<'a> {
     /// A row with a bad character before the first two sound rows looks like a line of the header:
     /// it, and the rows before it, would vanish without a word. A row of coordinates behind a word in the corner
     /// is the first row.
-    fn mind_rows_in_header(&mut self, written: Written<'_>) -> Result<(), ReadError> {
+    fn mind_rows_in_header(&mut self, options: &ReadOptions) -> Result<(), ReadError> {
         let (columns, separator) = (self.columns, self.separator);
         let last = self.header.last().map(|(number, _)| *number);
         let mut whole = None;
-        for &(number, line) in self.header.iter().filter(|(_, line)| !is_comment(line, written)) {
-            let line = written.joined(line);
+        for &(number, line) in self.header.iter().filter(|(_, line)| !is_comment(line, options)) {
+            let line = options.joined(line);
             let cells: Vec<&str> = separator.cells(&line).collect();
-            let read = |text| cell(text, separator, written);
+            let read = |text| cell(text, separator, options);
             let numbers: Vec<f64> = cells
                 .iter()
                 .filter_map(|text| match read(text) {
@@ -155,7 +143,7 @@ impl<'a> NumberTable<'a> {
     }
 
     /// The first cell that is no number in a text without any row, if some of its lines look like rows.
-    pub(crate) fn obstacle(&self, written: Written<'_>) -> Option<ReadError> {
+    pub(crate) fn obstacle(&self, options: &ReadOptions) -> Option<ReadError> {
         let starts_a_number = |text: &&&str| {
             let text = text.trim_matches('"').trim_start_matches(['+', '-', '.', ',']);
             text.starts_with(|c: char| c.is_ascii_digit())
@@ -165,7 +153,7 @@ impl<'a> NumberTable<'a> {
             let cells: Vec<&str> = separator.cells(line).collect();
             let alike = cells.iter().filter(starts_a_number).count();
             let bad =
-                cells.iter().position(|text| cell(text, separator, written) == Cell::Other)?;
+                cells.iter().position(|text| cell(text, separator, options) == Cell::Other)?;
             (2 * alike >= cells.len()).then(|| (cells.len(), not_a_number(number, bad, cells[bad])))
         });
         // Two lines in a row: one may be a date.
@@ -183,36 +171,15 @@ impl<'a> NumberTable<'a> {
     fn push(
         &mut self,
         (number, line): (usize, &str),
-        written: Written<'_>,
+        options: &ReadOptions,
         marks: &mut Marks,
     ) -> Result<(), ReadError> {
-        let line = written.joined(line);
-        match self.separator {
-            Separator::Blank => {
-                self.push_cells(number, line.split_ascii_whitespace(), written, marks)
-            }
-            separator if line.contains('"') => {
-                self.push_cells(number, separator.cells(&line), written, marks)
-            }
-            separator => {
-                let cells = line.split(separator.char()).map(str::trim);
-                self.push_cells(number, cells, written, marks)
-            }
-        }
-    }
-
-    fn push_cells<'l>(
-        &mut self,
-        number: usize,
-        cells: impl Iterator<Item = &'l str>,
-        written: Written<'_>,
-        marks: &mut Marks,
-    ) -> Result<(), ReadError> {
+        let line = options.joined(line);
         let (before, is_first) = (self.values.len(), self.values.is_empty());
-        for (column, text) in cells.enumerate() {
-            let cell = cell(text, self.separator, written);
+        for (column, text) in self.separator.cells(&line).enumerate() {
+            let cell = cell(text, self.separator, options);
             if let Cell::Number(_) | Cell::Length(..) = cell {
-                if written.decimal.is_none() {
+                if options.decimal.is_none() {
                     marks.see(column, number, text);
                 }
                 if let Some(digits) = self.digits.get_mut(column) {
@@ -283,7 +250,7 @@ const MOST_COUNTS: usize = 16;
 /// Finds the tables of a text, and what their numbers show of their marks.
 fn scan<'a>(
     text: &'a str,
-    written: Written<'_>,
+    options: &ReadOptions,
     begins: &dyn Fn(&NumberedLines<'a>) -> bool,
 ) -> Result<(Vec<NumberTable<'a>>, Marks), ReadError> {
     let (mut tables, mut marks) = (Vec::new(), Marks::default());
@@ -299,7 +266,7 @@ fn scan<'a>(
     for (number, line) in lines(text) {
         let line = line.trim_end_matches(['\u{1a}', '\0']);
         let is_blank = line.trim().is_empty() && !line.contains('\t');
-        if is_blank || is_comment(line, written) {
+        if is_blank || is_comment(line, options) {
             is_parted = started;
             match (started, is_blank) {
                 (true, false) => between.push((number, line)),
@@ -315,7 +282,7 @@ fn scan<'a>(
         if started
             && table.columns == 1
             && table.rows() <= MOST_COUNTS
-            && let Some((_, 2..)) = row_shape(line, written)
+            && let Some((_, 2..)) = row_shape(line, options)
         {
             let mut header = std::mem::take(&mut table.header);
             header.append(&mut counts);
@@ -323,7 +290,7 @@ fn scan<'a>(
         }
         if started
             && (!between.is_empty() || trouble.is_some())
-            && row_shape(line, written).is_some()
+            && row_shape(line, options).is_some()
         {
             if begins(&between) {
                 tables.push(std::mem::replace(
@@ -342,7 +309,7 @@ fn scan<'a>(
                 counts.push((number, line));
             }
             let length = table.values.len();
-            match table.push((number, line), written, &mut marks) {
+            match table.push((number, line), options, &mut marks) {
                 Ok(()) if is_parted => table.parted.push(length / table.columns),
                 Ok(()) => {}
                 Err(error @ ReadError::NotANumber { .. }) => {
@@ -356,15 +323,15 @@ fn scan<'a>(
             is_parted = false;
             continue;
         }
-        let shape = row_shape(line, written);
+        let shape = row_shape(line, options);
         match (held.take(), shape) {
             (Some((n, first, separator, columns)), Some((s, c)))
                 if s == separator && c == columns =>
             {
                 (table.separator, table.columns, started) = (separator, columns, true);
                 counts = vec![(n, first), (number, line)];
-                table.push((n, first), written, &mut marks)?;
-                table.push((number, line), written, &mut marks)?;
+                table.push((n, first), options, &mut marks)?;
+                table.push((number, line), options, &mut marks)?;
             }
             (previous, Some((separator, columns))) => {
                 table.header.extend(previous.map(|(n, l, _, _)| (n, l)));
@@ -381,7 +348,7 @@ fn scan<'a>(
     }
     if let Some((n, line, separator, columns)) = held {
         (table.separator, table.columns) = (separator, columns);
-        table.push((n, line), written, &mut marks)?;
+        table.push((n, line), options, &mut marks)?;
     }
     if tables.is_empty() || table.rows() > 0 {
         tables.push(table);
@@ -389,13 +356,13 @@ fn scan<'a>(
     Ok((tables, marks))
 }
 
-fn is_comment(line: &str, written: Written<'_>) -> bool {
+fn is_comment(line: &str, options: &ReadOptions) -> bool {
     let line = line.trim_start();
     if line.starts_with("//") {
         return true;
     }
     let mut words = line.split([' ', '\t', ',', ';']);
-    line.starts_with(['#', '%', '!']) && !words.next().is_some_and(|word| written.is_missing(word))
+    line.starts_with(['#', '%', '!']) && !words.next().is_some_and(|word| options.is_missing(word))
 }
 
 /// The separators that a line can have, the likeliest first.
@@ -412,27 +379,16 @@ fn separators(line: &str) -> &'static [Separator] {
 }
 
 /// Separator and number of cells of a line that is a row of numbers or missing cells.
-fn row_shape(line: &str, written: Written<'_>) -> Option<(Separator, usize)> {
+fn row_shape(line: &str, options: &ReadOptions) -> Option<(Separator, usize)> {
     separators(line).iter().copied().find_map(|separator| {
-        let line = if separator == Separator::Blank { written.joined(line) } else { line.into() };
+        let line = if separator == Separator::Blank { options.joined(line) } else { line.into() };
         let mut cells = 0;
         for text in separator.cells(&line) {
             cells += 1;
-            if cell(text, separator, written) == Cell::Other {
+            if cell(text, separator, options) == Cell::Other {
                 return None;
             }
         }
         (cells > 0).then_some((separator, cells))
     })
 }
-
-#[cfg(test)]
-impl<'a> NumberTable<'a> {
-    /// The first table of a text.
-    pub(crate) fn parse(text: &'a str) -> Result<Self, ReadError> {
-        Self::all(text, Written::default(), &|_| false).map(|mut all| all.swap_remove(0))
-    }
-}
-
-#[cfg(test)]
-mod tests;

@@ -33,7 +33,7 @@ pub(crate) fn is_tiff(bytes: &[u8]) -> bool {
 /// The first directory, if these bytes are a TIFF file.
 pub(crate) fn first_page(bytes: &[u8]) -> Option<Page<'_>> {
     let few = Limits { items: 1 << 12, ..Limits::default() };
-    let pages = is_tiff(bytes).then(|| pages(bytes, Format::Tiff, &few, 1));
+    let pages = is_tiff(bytes).then(|| pages(Bytes::little(bytes, Format::Tiff, few), 1));
     pages?.ok()?.pop()
 }
 
@@ -52,18 +52,12 @@ struct Entry {
 }
 
 /// The directories of a file, at most `most` of them.
-pub(crate) fn pages<'a>(
-    data: &'a [u8],
-    format: Format,
-    limits: &Limits,
-    most: usize,
-) -> Result<Vec<Page<'a>>, ReadError> {
-    let mut b = Bytes::little(data, format);
-    if data.starts_with(b"MM") {
+pub(crate) fn pages(mut b: Bytes<'_>, most: usize) -> Result<Vec<Page<'_>>, ReadError> {
+    if b.data.starts_with(b"MM") {
         b.order = ByteOrder::Big;
     }
     if b.u16(2)? != 42 {
-        return Err(format.unsupported("BigTIFF (save it as TIFF)"));
+        return Err(b.unsupported("BigTIFF (save it as TIFF)"));
     }
     let (mut pages, mut at) = (Vec::new(), b.u32(4)? as usize);
     let mut entries_read = 0;
@@ -71,7 +65,7 @@ pub(crate) fn pages<'a>(
         let count = b.u16(at)?;
         // Directories that point at each other end at this limit.
         entries_read += u64::from(count) + 1;
-        limits.check_items(format, entries_read)?;
+        b.check_items(entries_read)?;
         pages.push(Page::at(b, at)?);
         at = b.u32(at + 2 + 12 * usize::from(count))? as usize;
     }
@@ -160,11 +154,11 @@ impl<'a> Page<'a> {
     }
 
     /// The picture of this directory.
-    pub(crate) fn image(&self, limits: &Limits) -> Result<Image<'a>, ReadError> {
+    pub(crate) fn image(&self) -> Result<Image<'a>, ReadError> {
         let b = self.bytes;
-        let unsupported = |feature: String| Err(b.format.unsupported(feature));
+        let unsupported = |feature: String| Err(b.unsupported(feature));
         let shape = [self.number(257)? as usize, self.number(256)? as usize];
-        limits.check_points(b.format, shape)?;
+        b.check_points(shape)?;
         let [ny, nx] = shape;
         if ny == 0 || nx == 0 {
             return Err(b.field("tags 256, 257", format!("{ny} x {nx} points")));

@@ -6,20 +6,12 @@ use std::io::{self, Write};
 pub use crate::hdf5::hdf5;
 pub use crate::vtk::vti;
 
-/// Writes NPY: heights in metres, f64, shape `[ny, nx]`. The format has no place for the pixel
-/// size and the unit: reading it back needs the pixel size and the height unit (m).
-///
-/// # Errors
-/// Whatever `out` reports.
-pub fn npy(out: &mut impl Write, map: &HeightMap) -> io::Result<()> {
-    npy_array(out, map.grid().shape(), map.heights())
-}
-
-/// Writes any array of `shape = [ny, nx]` numbers as NPY, f64, little endian.
+/// Writes an array of `shape = [ny, nx]` numbers as NPY, f64, little endian. The format has no place for the
+/// pixel size and the unit: reading heights back needs both.
 ///
 /// # Errors
 /// Whatever `out` reports; `InvalidInput` if the number of values is not `ny nx`.
-pub fn npy_array(out: &mut impl Write, [ny, nx]: [usize; 2], values: &[f64]) -> io::Result<()> {
+pub fn npy(out: &mut impl Write, [ny, nx]: [usize; 2], values: &[f64]) -> io::Result<()> {
     if ny.checked_mul(nx) != Some(values.len()) {
         return Err(invalid(format!("{} values for {ny} x {nx} points", values.len())));
     }

@@ -4,8 +4,6 @@
 
 use crate::binary::Bytes;
 use crate::error::ReadError;
-use crate::format::Format;
-use crate::limits::Limits;
 use quick_xml::Reader;
 use quick_xml::escape::resolve_predefined_entity;
 use quick_xml::events::{BytesStart, Event};
@@ -37,18 +35,17 @@ impl Element<'_> {
 
 /// Calls `visit` at the end of every element of `xml`; `name` is what messages call the document.
 pub(crate) fn walk(
-    xml: &[u8],
-    format: Format,
+    xml: Bytes<'_>,
     name: &str,
     mut visit: impl FnMut(&Element<'_>) -> Result<(), ReadError>,
 ) -> Result<(), ReadError> {
-    let text = crate::text::decode(xml);
+    let text = crate::text::decode(xml.data);
     let mut reader = Reader::from_str(&text);
     let (mut path, mut value) = (Vec::<String>::new(), String::new());
     let mut attributes = Vec::<Vec<(String, String)>>::new();
     loop {
         let at = usize::try_from(reader.buffer_position()).unwrap_or(usize::MAX);
-        let broken = |what: String| Bytes::little(xml, format).fault(at, format!("{name}{what}"));
+        let broken = |what: String| xml.fault(at, format!("{name}{what}"));
         match reader.read_event().map_err(|e| broken(format!(": {e}")))? {
             Event::Start(tag) => {
                 if path.len() > DEEPEST {
@@ -89,18 +86,13 @@ pub(crate) fn walk(
 }
 
 /// The text of every element that has some, by its path below the root; of equal paths the first.
-pub(crate) fn fields(
-    xml: &[u8],
-    format: Format,
-    name: &str,
-    limits: &Limits,
-) -> Result<BTreeMap<String, String>, ReadError> {
+pub(crate) fn fields(xml: Bytes<'_>, name: &str) -> Result<BTreeMap<String, String>, ReadError> {
     let mut fields = BTreeMap::new();
-    walk(xml, format, name, |element| {
+    walk(xml, name, |element| {
         let [_root, path @ ..] = element.path else { return Ok(()) };
         let text = element.text.trim();
         if !text.is_empty() {
-            limits.check_items(format, fields.len() as u64 + 1)?;
+            xml.check_items(fields.len() as u64 + 1)?;
             fields.entry(path.join("/")).or_insert_with(|| text.to_owned());
         }
         Ok(())

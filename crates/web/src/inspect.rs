@@ -51,8 +51,8 @@ fn read(request: &Request, file: &[u8], measured: Measurement) -> Result<Value, 
     };
     let channels: Vec<Value> = measured.channels().iter().map(channel).collect();
     let parts = parts(&measured, request.reading.part()?);
-    let about = format!("{} · {} · {}", request.name, measured.format().name(), bytes(file.len()));
-    let ambiguity = measured.ambiguity().map(|a| a.to_string());
+    let about = format!("{} · {} · {}", request.name, measured.format.name(), bytes(file.len()));
+    let ambiguity = measured.ambiguity.map(|a| a.to_string());
     let [ly, lx] = measured.grid().size();
     let spikes = defects::spikes(&measured)?;
     let mut pictures = before(&measured, &spikes.indices)?;
@@ -142,7 +142,7 @@ fn facts(measured: &Measurement) -> Vec<[String; 2]> {
         }
     };
     facts.push(["Missing points".to_owned(), missing]);
-    for (name, value) in measured.metadata().iter().take(6) {
+    for (name, value) in measured.metadata.iter().take(6) {
         facts.push([short(name, 40), short(value, 80)]);
     }
     facts
@@ -217,7 +217,7 @@ fn ask(request: &Request, file: &[u8]) -> Result<Value, Trouble> {
     let about = format!(
         "{} · {} · {ny} × {nx} numbers, {low:e} to {high:e}",
         request.name,
-        raw.format().name()
+        raw.format.name()
     );
     let asked = |need: &Need| match need {
         Need::PixelSize => ("pixel", "pixel size"),

@@ -28,7 +28,7 @@ fn files() -> [Vec<u8>; 2] {
     let map = recipe.make().expect("a map").heights;
     let (mut x3p, mut npy) = (Cursor::new(Vec::new()), Vec::new());
     write::x3p(&mut x3p, &map, "").expect("memory takes it");
-    write::npy(&mut npy, &map).expect("memory takes it");
+    write::npy(&mut npy, map.grid().shape(), map.heights()).expect("memory takes it");
     [x3p.into_inner(), npy]
 }
 

@@ -100,9 +100,9 @@ fn a_contact_is_written_whole() {
         assert_eq!(written.map(|e| e.unwrap().file_name()).collect::<Vec<_>>(), [name]);
     }
     let kept = surface_io::read(at.join("h5/contact-000.h5"), &ReadOptions::default()).unwrap();
-    assert_eq!(kept.channel(), "heights", "the pressure is no height");
+    assert_eq!(kept.channel, "heights", "the pressure is no height");
     assert_eq!(kept.grid().pixel().map(f64::to_bits), [1.25e-6f64, 1e-6].map(f64::to_bits));
-    assert_eq!(kept.channels().len(), 3);
+    assert_eq!(kept.channels.len(), 3);
     assert_eq!(at.read("only/spots-000.csv"), table);
     at.refuses(&format!("{} --maps left", SOLVE.replace("map.sdf", "none.sdf")), &["none.sdf"]);
     assert!(!at.join("left").exists(), "nothing was written, so there is no folder");

@@ -147,7 +147,8 @@ fn transforms(map: &HeightMap) -> Case {
 
 fn files(map: &HeightMap) -> [Case; 2] {
     let (mut npy, mut x3p) = (Vec::new(), Cursor::new(Vec::new()));
-    surface_io::write::npy(&mut npy, map).expect("memory takes everything");
+    surface_io::write::npy(&mut npy, map.grid().shape(), map.heights())
+        .expect("memory takes everything");
     surface_io::write::x3p(&mut x3p, map, "").expect("memory takes everything");
     let height_unit = Some(HeightUnit::IfSilent(1.0));
     let options =

@@ -18,22 +18,13 @@
 //!
 //! Source: Alicona, *Description of the AL3D file format*; the files.
 
-use crate::binary::{Bytes, Sample, text};
-use crate::entries::Entries;
-use crate::measurement::{Channel, Contents, Pixel};
-use crate::{Format, Limits, ReadError};
-use std::collections::BTreeMap;
+use super::prelude::*;
+use crate::binary::text;
 
-const FORMAT: Format = Format::Al3d;
-const MAGIC: &[u8] = b"AliconaImaging\0\r\n";
+pub(crate) const MAGIC: &[u8] = b"AliconaImaging\0\r\n";
 const TAG: usize = 52;
 
-pub(crate) fn sniff(bytes: &[u8]) -> bool {
-    bytes.starts_with(MAGIC)
-}
-
-pub(crate) fn parse<'a>(bytes: &'a [u8], limits: &Limits) -> Result<Contents<'a>, ReadError> {
-    let b = Bytes::little(bytes, FORMAT);
+pub(crate) fn parse(b: Bytes<'_>) -> Result<Contents<'_>, ReadError> {
     let tag = |index: usize| {
         let raw = b.slice(MAGIC.len() + TAG * index, TAG)?;
         if &raw[50..] != b"\r\n" {
@@ -46,10 +37,10 @@ pub(crate) fn parse<'a>(bytes: &'a [u8], limits: &Limits) -> Result<Contents<'a>
         Ok(count) if key == "TagCount" => count,
         _ => return Err(b.field("TagCount", format!("{count:?} is no whole number"))),
     };
-    limits.check_items(FORMAT, count as u64)?;
+    b.check_items(count as u64)?;
     let metadata: BTreeMap<String, String> =
         (2..2 + count).map(tag).collect::<Result<_, ReadError>>()?;
-    let tags = Entries::new(FORMAT, &metadata, "the tag is missing");
+    let tags = Entries::new(b, &metadata, "the tag is missing");
     let whole = |key: &'static str| {
         let value = tags.number(key)?;
         if (0.0..1e15).contains(&value) && value.fract() == 0.0 {
@@ -58,11 +49,11 @@ pub(crate) fn parse<'a>(bytes: &'a [u8], limits: &Limits) -> Result<Contents<'a>
         Err(b.field(key, format!("{value} is no whole number")))
     };
     let (ny, nx, at) = (whole("Rows")?, whole("Cols")?, whole("DepthImageOffset")?);
-    limits.check_points(FORMAT, [ny, nx])?;
+    b.check_points([ny, nx])?;
     b.map_length(at, [ny, nx], Sample::F32)?;
     let end = whole("TextureImageOffset").ok().filter(|&texture| texture > at);
-    let space = end.unwrap_or(bytes.len()).saturating_sub(at);
-    // Packed, padded to 8 bytes, or padded to 8 points: what fills the space exactly.
+    let space = end.unwrap_or(b.data.len()).saturating_sub(at);
+    // Packed, padded to 8 b.data, or padded to 8 points: what fills the space exactly.
     let paddings = [4 * nx, (4 * nx).next_multiple_of(8), (4 * nx).next_multiple_of(32)];
     let fitting = paddings.into_iter().find(|stride| stride.checked_mul(ny) == Some(space));
     let stride = fitting.unwrap_or(paddings[1]);

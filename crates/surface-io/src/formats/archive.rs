@@ -2,6 +2,7 @@
 //!
 //! Nothing is unpacked beyond [`Limits::unpacked_bytes`], whatever the archive claims.
 
+use crate::binary::Bytes;
 use crate::{Format, Limits, ReadError};
 use std::borrow::Cow;
 use std::io::{Cursor, Read};
@@ -11,46 +12,44 @@ pub(crate) const MAGIC: &[u8] = b"PK\x03\x04";
 
 /// An archive in memory.
 pub(crate) struct Archive<'a> {
-    bytes: &'a [u8],
+    b: Bytes<'a>,
     zip: ZipArchive<Cursor<&'a [u8]>>,
-    format: Format,
+    /// Bytes unpacked so far.
+    total: u64,
     /// Names of all members that are files, in the order of the directory.
     pub(crate) names: Vec<String>,
 }
 
 impl<'a> Archive<'a> {
-    pub(crate) fn open(
-        bytes: &'a [u8],
-        format: Format,
-        limits: &Limits,
-    ) -> Result<Self, ReadError> {
-        let zip = ZipArchive::new(Cursor::new(bytes))
-            .map_err(|e| format.field("archive", e.to_string()))?;
-        limits.check_items(format, zip.len() as u64)?;
+    pub(crate) fn open(b: Bytes<'a>) -> Result<Self, ReadError> {
+        let zip =
+            ZipArchive::new(Cursor::new(b.data)).map_err(|e| b.field("archive", e.to_string()))?;
+        b.check_items(zip.len() as u64)?;
         let names = zip
             .file_names()
             .filter_map(Result::ok)
             .filter(|n| !n.ends_with('/') && !is_by_the_way(n))
             .map(Cow::into_owned)
             .collect();
-        Ok(Self { bytes, zip, format, names })
+        Ok(Self { b, zip, total: 0, names })
     }
 
-    /// Unpacks a member.
-    pub(crate) fn unpack(&mut self, name: &str, limits: &Limits) -> Result<Vec<u8>, ReadError> {
-        let (format, bytes) = (self.format, self.bytes);
+    /// Unpacks a member; all together may not have more bytes than the limit.
+    pub(crate) fn unpack(&mut self, name: &str) -> Result<Vec<u8>, ReadError> {
+        let Bytes { data, format, limits, .. } = self.b;
         let member = self.zip.by_name(name);
         let member = member.map_err(|e| format.field("archive", e.to_string()))?;
         limits.check_unpacked(format, member.size())?;
         // The size in the directory is a claim: read no more than the limit, and reserve no more
         // than deflate can make of the packed bytes (1032 : 1).
         let likely = member.size().min(member.compressed_size().saturating_mul(1032));
-        let mut unpacked = Vec::with_capacity(likely.min(bytes.len() as u64 * 1032) as usize);
+        let mut unpacked = Vec::with_capacity(likely.min(data.len() as u64 * 1032) as usize);
         member
             .take(limits.unpacked_bytes.saturating_add(1))
             .read_to_end(&mut unpacked)
             .map_err(|e| format.field(name.to_owned(), e.to_string()))?;
-        limits.check_unpacked(format, unpacked.len() as u64)?;
+        self.total += unpacked.len() as u64;
+        limits.check_unpacked(format, self.total)?;
         Ok(unpacked)
     }
 }
@@ -67,7 +66,7 @@ pub(crate) fn unwrap_single<'a>(
     if !bytes.starts_with(MAGIC) {
         return Ok(Cow::Borrowed(bytes));
     }
-    let Ok(mut archive) = Archive::open(bytes, Format::Zip, limits) else {
+    let Ok(mut archive) = Archive::open(Bytes::little(bytes, Format::Zip, *limits)) else {
         return Ok(Cow::Borrowed(bytes)); // the reader of the inner format names the fault
     };
     let is_ours = |name: &String| {
@@ -82,7 +81,7 @@ pub(crate) fn unwrap_single<'a>(
     match &archive.names[..] {
         [name] => {
             let name = name.clone();
-            archive.unpack(&name, limits).map(Cow::Owned)
+            archive.unpack(&name).map(Cow::Owned)
         }
         names => {
             let shown: Vec<&str> = names.iter().take(4).map(String::as_str).collect();

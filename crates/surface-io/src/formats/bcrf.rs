@@ -16,15 +16,10 @@
 //!
 //! Source: Image Metrology, *BCR-STM and BCRF file formats* (SPIP reference guide).
 
-use crate::binary::{ByteOrder, Bytes, Sample};
+use super::prelude::*;
 use crate::encoding::{latin1, utf16};
-use crate::entries::Entries;
-use crate::measurement::{Channel, Contents, Pixel, Raster};
 use crate::text;
-use crate::{Format, Limits, ReadError, metres_per};
-use std::collections::BTreeMap;
 
-const FORMAT: Format = Format::Bcrf;
 const START: &str = "fileformat = bcr";
 const ABSENT: &str = "is missing in the header";
 
@@ -42,24 +37,23 @@ pub(crate) fn sniff(bytes: &[u8]) -> bool {
     start.trim_start_matches('\u{feff}').to_lowercase().starts_with(START)
 }
 
-pub(crate) fn parse<'a>(bytes: &'a [u8], limits: &Limits) -> Result<Contents<'a>, ReadError> {
-    let mut b = Bytes::little(bytes, FORMAT);
-    let width = if is_wide(bytes) { 2 } else { 1 };
-    let first = characters(&bytes[..bytes.len().min(width * 65536)]);
+pub(crate) fn parse(mut b: Bytes<'_>) -> Result<Contents<'_>, ReadError> {
+    let width = if is_wide(b.data) { 2 } else { 1 };
+    let first = characters(&b.data[..b.data.len().min(width * 65536)]);
     let is_size = |(key, _): &(String, String)| key == "headersize";
     let size = text::lines(&first).find_map(|(_, line)| entry(line).filter(is_size));
     let size = size.into_iter().collect();
-    let start = Entries::new(FORMAT, &size, ABSENT)
+    let start = Entries::new(b, &size, ABSENT)
         .parsed::<usize>("headersize", "whole number")?
         .checked_mul(width)
-        .filter(|&start| start <= bytes.len())
+        .filter(|&start| start <= b.data.len())
         .ok_or_else(|| b.field("headersize", "is behind the end of the file"))?;
     let mut metadata = BTreeMap::new();
-    for (_, line) in text::lines(characters(&bytes[..start]).trim_start_matches('\u{feff}')) {
-        limits.check_items(FORMAT, metadata.len() as u64)?;
+    for (_, line) in text::lines(characters(&b.data[..start]).trim_start_matches('\u{feff}')) {
+        b.check_items(metadata.len() as u64)?;
         metadata.extend(entry(line));
     }
-    let entries = Entries::new(FORMAT, &metadata, ABSENT);
+    let entries = Entries::new(b, &metadata, ABSENT);
 
     let is_float = entries.get("fileformat").is_some_and(|f| f.to_lowercase().starts_with("bcrf"));
     if entries.get("intelmode") == Some("0") {
@@ -67,7 +61,6 @@ pub(crate) fn parse<'a>(bytes: &'a [u8], limits: &Limits) -> Result<Contents<'a>
     }
     let side = |key: &str| entries.parsed::<usize>(key, "whole number");
     let shape = [side("ypixels")?, side("xpixels")?];
-    limits.check_points(FORMAT, shape)?;
     let size = |length: &str, unit: &str| {
         let unit = entries.get(unit).unwrap_or("nm");
         let scale = metres_per(unit).ok_or_else(|| b.field("unit", format!("{unit:?}")))?;
@@ -87,8 +80,8 @@ pub(crate) fn parse<'a>(bytes: &'a [u8], limits: &Limits) -> Result<Contents<'a>
         if is_void { f64::NAN } else { raw * step }
     };
     let unit = entries.get("zunit").unwrap_or("nm");
-    let raster = Raster { bytes: b, at: start, shape, sample };
-    let channel = Channel::raster("Height", Some(unit), pixel, raster, convert)?;
+    let raster = b.raster(start, shape, sample)?;
+    let channel = Channel::raster("Height", unit, pixel, raster, convert);
     Ok(Contents { channels: vec![channel], metadata })
 }
 

@@ -16,24 +16,15 @@
 //!
 //! Source: the block list of several free readers, checked against files.
 
-use crate::binary::{Bytes, Sample};
-use crate::measurement::{Channel, Contents, Pixel, Raster};
-use crate::{Format, Limits, ReadError};
+use super::prelude::*;
 
-const FORMAT: Format = Format::Frt;
-
-pub(crate) fn sniff(bytes: &[u8]) -> bool {
-    bytes.starts_with(b"FRTM_GLIDERV")
-}
-
-pub(crate) fn parse<'a>(bytes: &'a [u8], limits: &Limits) -> Result<Contents<'a>, ReadError> {
-    let b = Bytes::little(bytes, FORMAT);
+pub(crate) fn parse(b: Bytes<'_>) -> Result<Contents<'_>, ReadError> {
     let mut contents = Contents::default();
     let (mut grid, mut size, mut step, mut data) = (None, None, None, None);
     let is_wide = b.slice(12, 4)? == b"1.01";
     let mut at = 18;
     for _ in 0..b.u16(16)? {
-        if at == bytes.len() {
+        if at == b.data.len() {
             break;
         }
         let tag = b.u16(at)?;
@@ -65,11 +56,10 @@ pub(crate) fn parse<'a>(bytes: &'a [u8], limits: &Limits) -> Result<Contents<'a>
         32 => Sample::I32,
         _ => return Err(b.field("0x66 (points)", format!("{bits} bits per point, not 16 or 32"))),
     };
-    limits.check_points(FORMAT, [ny, nx])?;
     let pixel = Pixel::Metres([ly / ny as f64, lx / nx as f64]);
-    let raster = Raster { bytes: b, at: data, shape: [ny, nx], sample };
+    let raster = b.raster(data, [ny, nx], sample)?;
     let convert =
         move |raw: f64| if raw.to_bits() == 1f64.to_bits() { f64::NAN } else { raw * step };
-    contents.channels.push(Channel::raster("Height", Some("m"), pixel, raster, convert)?);
+    contents.channels.push(Channel::raster("Height", "m", pixel, raster, convert));
     Ok(contents)
 }

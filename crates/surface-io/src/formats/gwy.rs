@@ -15,16 +15,8 @@
 //!
 //! Source: <https://gwyddion.net/documentation/user-guide-en/gwyfile-format.html>.
 
-use crate::binary::{Bytes, Sample, text};
-use crate::measurement::{Channel, Contents, Pixel};
-use crate::{Format, Limits, ReadError, metres_per};
-use std::collections::BTreeMap;
-
-const FORMAT: Format = Format::Gwy;
-
-pub(crate) fn sniff(bytes: &[u8]) -> bool {
-    bytes.starts_with(b"GWYP")
-}
+use super::prelude::*;
+use crate::binary::text;
 
 /// A value in a container; arrays of numbers stay where they are in the file.
 enum Component<'a> {
@@ -37,9 +29,8 @@ enum Component<'a> {
     Other,
 }
 
-pub(crate) fn parse<'a>(bytes: &'a [u8], limits: &Limits) -> Result<Contents<'a>, ReadError> {
-    let b = Bytes::little(bytes, FORMAT);
-    let mut reader = ObjectReader { b, at: 4, end: bytes.len(), count: 0, limits };
+pub(crate) fn parse(b: Bytes<'_>) -> Result<Contents<'_>, ReadError> {
+    let mut reader = ObjectReader { b, at: 4, end: b.data.len(), count: 0 };
     let Component::Object(name, items) = reader.object(0)? else {
         return Err(b.fault(4, "there is no container"));
     };
@@ -66,7 +57,7 @@ pub(crate) fn parse<'a>(bytes: &'a [u8], limits: &Limits) -> Result<Contents<'a>
             Some(Component::Object(_, mask)) => mask.get("data"),
             _ => None,
         };
-        let mut channel = channel(b, title, field, limits)?;
+        let mut channel = channel(b, title, field)?;
         if let Some(&Component::Doubles(mask)) = mask {
             let marks = move || Sample::F64.decode(mask.data, mask.order);
             let marked = marks().iter().filter(|mark| **mark > 0.0).count();
@@ -92,7 +83,6 @@ fn channel<'a>(
     b: Bytes<'a>,
     title: String,
     field: &BTreeMap<String, Component<'a>>,
-    limits: &Limits,
 ) -> Result<Channel<'a>, ReadError> {
     let number = |key: &'static str| match field.get(key) {
         Some(Component::Number(value)) => Ok(*value),
@@ -110,12 +100,9 @@ fn channel<'a>(
         _ => String::new(),
     };
     let (ny, nx) = (side("yres")?, side("xres")?);
-    limits.check_points(FORMAT, [ny, nx])?;
+    b.check_points([ny, nx])?;
     let size = [number("yreal")? / ny as f64, number("xreal")? / nx as f64];
-    let pixel = match metres_per(&unit("si_unit_xy")) {
-        Some(scale) => Pixel::Metres(size.map(|side| side * scale)),
-        None => Pixel::Steps(size),
-    };
+    let pixel = Pixel::scaled(size, [metres_per(&unit("si_unit_xy")); 2]);
     let Some(&Component::Doubles(data)) = field.get("data") else {
         return Err(b.field("data", "is missing in a data field"));
     };
@@ -128,15 +115,14 @@ fn channel<'a>(
 }
 
 /// Walks through the items, never outside the object they are in.
-struct ObjectReader<'a, 'l> {
+struct ObjectReader<'a> {
     b: Bytes<'a>,
     at: usize,
     end: usize,
     count: u64,
-    limits: &'l Limits,
 }
 
-impl<'a> ObjectReader<'a, '_> {
+impl<'a> ObjectReader<'a> {
     /// The next `length` bytes of the object.
     fn take(&mut self, length: usize) -> Result<&'a [u8], ReadError> {
         if length > self.end.saturating_sub(self.at) {
@@ -180,7 +166,7 @@ impl<'a> ObjectReader<'a, '_> {
         let mut items = BTreeMap::new();
         while self.at < self.end {
             self.count += 1;
-            self.limits.check_items(FORMAT, self.count)?;
+            self.b.check_items(self.count)?;
             let key = self.text()?;
             let value = self.value(depth)?;
             items.insert(key, value);
@@ -207,16 +193,12 @@ impl<'a> ObjectReader<'a, '_> {
                 };
                 let length = self.length()?.saturating_mul(size);
                 let data = self.take(length)?;
-                if kind == b'D' {
-                    Component::Doubles(Bytes { data, ..self.b })
-                } else {
-                    Component::Other
-                }
+                if kind == b'D' { Component::Doubles(self.b.with(data)) } else { Component::Other }
             }
             b'S' | b'O' => {
                 for _ in 0..self.length()? {
                     self.count += 1;
-                    self.limits.check_items(FORMAT, self.count)?;
+                    self.b.check_items(self.count)?;
                     if kind == b'S' {
                         self.text()?;
                     } else {

@@ -17,13 +17,12 @@
 //! open readers). DATX was not checked against a real file.
 
 use super::npy::transpose;
+use super::prelude::*;
 use super::scattered::Line;
 use crate::binary::find;
 use crate::cells::Digits;
 use crate::hdf5::{self, AttributeValue, Dataset};
-use crate::measurement::{Channel, Contents, Pixel};
 use crate::packed::Packing;
-use crate::{Format, Limits, ReadError};
 
 /// Attributes that are understood, and have a number or a unit.
 const USED: [&str; 8] =
@@ -35,22 +34,13 @@ pub(crate) fn sniff(bytes: &[u8]) -> bool {
         .any(|&at| bytes.get(at..).is_some_and(|rest| rest.starts_with(hdf5::MAGIC)))
 }
 
-pub(crate) fn parse<'a>(bytes: &'a [u8], limits: &Limits) -> Result<Contents<'a>, ReadError> {
-    parse_as(bytes, Format::Hdf5, limits)
-}
-
 /// DATX is HDF5 whose data sets say how to convert their axes.
 pub(crate) fn is_datx(bytes: &[u8]) -> bool {
     sniff(bytes) && find(bytes, b"X Converter").is_some()
 }
 
-/// The data sets under the name of one of the formats.
-pub(crate) fn parse_as<'a>(
-    bytes: &'a [u8],
-    format: Format,
-    limits: &Limits,
-) -> Result<Contents<'a>, ReadError> {
-    let file = hdf5::File::open(bytes, format, limits)?;
+pub(crate) fn parse(b: Bytes<'_>) -> Result<Contents<'_>, ReadError> {
+    let file = hdf5::File::open(b)?;
     let listing = hdf5::datasets(&file)?;
     let mut contents = Contents::default();
     let mut lines = Vec::new();
@@ -69,7 +59,7 @@ pub(crate) fn parse_as<'a>(
                         };
                         contents.not_used(&format!("{path}/{name}"), &shown);
                     }
-                    contents.channels.push(channel(path, dataset, format, limits)?);
+                    contents.channels.push(channel(b, path, dataset)?);
                 }
                 [_] => lines.push((path, dataset)),
                 // A single number beside the maps, as MATLAB saves a variable.
@@ -85,7 +75,7 @@ pub(crate) fn parse_as<'a>(
         }
     }
     if contents.channels.is_empty() {
-        contents.channels = profiles(lines, format, limits)?;
+        contents.channels = profiles(b, lines)?;
     }
     match listing.fault {
         Some(fault) if contents.channels.is_empty() => Err(fault),
@@ -93,15 +83,10 @@ pub(crate) fn parse_as<'a>(
     }
 }
 
-fn channel<'a>(
-    path: String,
-    dataset: Dataset<'a>,
-    format: Format,
-    limits: &Limits,
-) -> Result<Channel<'a>, ReadError> {
+fn channel<'a>(b: Bytes<'_>, path: String, dataset: Dataset<'a>) -> Result<Channel<'a>, ReadError> {
     let sides = sides(&dataset);
     let stored = [sides[0], sides[1]];
-    limits.check_points(format, stored)?;
+    b.check_points(stored)?;
     let is_by_columns = dataset.attribute(&["MATLAB_class"]).is_some();
     let shape = if is_by_columns { [stored[1], stored[0]] } else { stored };
     let pixel = match (pixel(&dataset, "Y Converter"), pixel(&dataset, "X Converter")) {
@@ -109,6 +94,7 @@ fn channel<'a>(
         _ => written_pixel(&dataset).map_or(Pixel::Unknown, Pixel::Metres),
     };
     let unit = unit(&dataset).map(str::to_owned);
+    let format = b.format;
     Ok(Channel::new(path, unit.as_deref(), shape, pixel, move || {
         let values = values(&dataset)?;
         if values.len() != shape[0] * shape[1] {
@@ -141,9 +127,8 @@ fn values(dataset: &Dataset<'_>) -> Result<Vec<f64>, ReadError> {
 
 /// Data sets of one axis, and their positions if a data set `x` of as many points is beside them.
 fn profiles<'a>(
+    b: Bytes<'_>,
     lines: Vec<(String, Dataset<'a>)>,
-    format: Format,
-    limits: &Limits,
 ) -> Result<Vec<Channel<'a>>, ReadError> {
     let folder = |path: &str| path.rsplit_once('/').map_or(String::new(), |(f, _)| f.to_owned());
     let is_x = |path: &str| path == "x" || path.ends_with("/x");
@@ -151,14 +136,14 @@ fn profiles<'a>(
     let mut found = Vec::new();
     for (path, dataset) in lines {
         let count = sides(&dataset)[0];
-        limits.check_points(format, [1, count])?;
+        b.check_points([1, count])?;
         let beside = |(other, x): &&(String, Dataset<'a>)| {
             folder(other) == folder(&path) && sides(x) == [count]
         };
         let line = match positions.iter().find(beside) {
             None => None,
             Some((name, x)) => {
-                let fault = |what| format.field(name.clone(), what);
+                let fault = |what| b.field(name.clone(), what);
                 Some((Line::new(&values(x)?, Digits::NONE).map_err(fault)?, self::unit(x)))
             }
         };

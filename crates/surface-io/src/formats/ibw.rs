@@ -22,12 +22,9 @@
 //!
 //! Source: WaveMetrics, *Technical note 003, Igor binary format* (PTN003).
 
-use crate::binary::{ByteOrder, Bytes, Sample};
-use crate::measurement::{Channel, Contents, Pixel, Raster};
+use super::prelude::*;
 use crate::text;
-use crate::{Format, Limits, ReadError, metres_per};
 
-const FORMAT: Format = Format::Ibw;
 const DATA: usize = 384;
 
 /// Version and byte order.
@@ -48,15 +45,15 @@ pub(crate) fn sniff(bytes: &[u8]) -> bool {
     })
 }
 
-pub(crate) fn parse<'a>(bytes: &'a [u8], limits: &Limits) -> Result<Contents<'a>, ReadError> {
-    let (version, order) = version(bytes).unwrap_or((5, ByteOrder::Little));
+pub(crate) fn parse(mut b: Bytes<'_>) -> Result<Contents<'_>, ReadError> {
+    let (version, order) = version(b.data).unwrap_or((5, ByteOrder::Little));
     if version != 5 {
-        return Err(FORMAT.unsupported(format!(
+        return Err(b.unsupported(format!(
             "a wave of version {version} (load it in Igor Pro and save a copy, which is version 5, \
              or save it as text)"
         )));
     }
-    let b = Bytes { data: bytes, format: FORMAT, order };
+    b.order = order;
     let size = |at: usize| {
         let n = b.i32(at)?;
         usize::try_from(n).map_err(|_| b.fault(at, format!("a size of {n}")))
@@ -65,10 +62,10 @@ pub(crate) fn parse<'a>(bytes: &'a [u8], limits: &Limits) -> Result<Contents<'a>
     // Dimensions that are not used have 0 points.
     let (ny, layers) = (ny.max(1), layers.max(1));
     if nx == 0 || more > 1 {
-        return Err(FORMAT.unsupported("a wave without points or with four dimensions"));
+        return Err(b.unsupported("a wave without points or with four dimensions"));
     }
-    limits.check_points(FORMAT, [ny, nx])?;
-    limits.check_items(FORMAT, layers as u64)?;
+    b.check_points([ny, nx])?;
+    b.check_items(layers as u64)?;
     let sample = match b.i16(80)? {
         2 => Sample::F32,
         4 => Sample::F64,
@@ -78,9 +75,7 @@ pub(crate) fn parse<'a>(bytes: &'a [u8], limits: &Limits) -> Result<Contents<'a>
         72 => Sample::U8,
         80 => Sample::U16,
         96 => Sample::U32,
-        kind => {
-            return Err(FORMAT.unsupported(format!("data of type {kind}")));
-        }
+        kind => return Err(b.unsupported(format!("data of type {kind}"))),
     };
     let layer_size = b.map_length(DATA, [ny, nx], sample)?;
     let behind = b.map_length(DATA, [layers, layer_size], Sample::U8)?;
@@ -122,9 +117,9 @@ pub(crate) fn parse<'a>(bytes: &'a [u8], limits: &Limits) -> Result<Contents<'a>
         let label = labels.get(32 * (layer + 1)..32 * (layer + 2)).map(crate::binary::text);
         let name =
             label.filter(|l| !l.is_empty()).unwrap_or_else(|| format!("layer {}", layer + 1));
-        let raster = Raster { bytes: b, at: DATA + layer * layer_size, shape: [ny, nx], sample };
+        let raster = b.raster(DATA + layer * layer_size, [ny, nx], sample)?;
         let unit = layer_unit(&name, &unit);
-        contents.channels.push(Channel::raster(name, Some(unit), pixel, raster, |raw| raw)?);
+        contents.channels.push(Channel::raster(name, unit, pixel, raster, |raw| raw));
     }
     contents.metadata.insert("wave".into(), wave);
     for (_, line) in text::lines(&note).take(1024) {

@@ -18,12 +18,10 @@
 //! Sources: JPK, *Image file format*, as read by SurfaceTopography and AFMReader (both open); a
 //! `.jpk` of version 6 and a `.jpk-qi-image` of version 8.
 
-use crate::measurement::{Channel, Contents, Pixel};
+use super::prelude::*;
 use crate::tiff::{self, Page};
-use crate::{Format, Limits, ReadError};
 
-const FORMAT: Format = Format::Jpk;
-const GRID_WIDTH: u16 = 0x8042;
+pub(crate) const GRID_WIDTH: u16 = 0x8042;
 const GRID_HEIGHT: u16 = 0x8043;
 const CHANNEL: u16 = 0x8050;
 const RETRACE: u16 = 0x8051;
@@ -31,12 +29,8 @@ const TITLE: u16 = 0x8052;
 const SLOTS: u16 = 0x8080;
 const DEFAULT_SLOT: u16 = 0x8081;
 
-pub(crate) fn sniff(bytes: &[u8]) -> bool {
-    tiff::first_page(bytes).is_some_and(|page| page.has(GRID_WIDTH))
-}
-
-pub(crate) fn parse<'a>(bytes: &'a [u8], limits: &Limits) -> Result<Contents<'a>, ReadError> {
-    let pages = tiff::pages(bytes, FORMAT, limits, usize::MAX)?;
+pub(crate) fn parse(b: Bytes<'_>) -> Result<Contents<'_>, ReadError> {
+    let pages = tiff::pages(b, usize::MAX)?;
     let Some((global, pages)) = pages.split_first() else {
         return Ok(Contents::default());
     };
@@ -47,7 +41,7 @@ pub(crate) fn parse<'a>(bytes: &'a [u8], limits: &Limits) -> Result<Contents<'a>
         let title = title.unwrap_or_else(|| format!("Image {}", number + 1));
         let is_retrace = page.number(RETRACE).is_ok_and(|flag| flag > 0.0);
         let name = format!("{title} ({})", if is_retrace { "retrace" } else { "trace" });
-        contents.add(&name, channel(&name, page, size, limits));
+        contents.add(&name, channel(b, &name, page, size));
     }
     for (key, tag) in [("date", 0x8003), ("name", 0x8004), ("comment", 0x8005)] {
         contents.note(key, global.text(tag).filter(|text| text != "<empty>"));
@@ -56,29 +50,27 @@ pub(crate) fn parse<'a>(bytes: &'a [u8], limits: &Limits) -> Result<Contents<'a>
 }
 
 fn channel<'a>(
+    b: Bytes<'_>,
     name: &str,
     page: &Page<'a>,
     size: [f64; 2],
-    limits: &Limits,
 ) -> Result<Channel<'a>, ReadError> {
-    let image = page.image(limits)?;
+    let image = page.image()?;
     let [ny, nx] = image.shape;
     let pixel = Pixel::Metres([size[0] / ny as f64, size[1] / nx as f64]);
     let wanted = page.text(DEFAULT_SLOT);
-    let wanted = wanted.ok_or_else(|| FORMAT.field("slots", "none is the default"))?;
+    let wanted = wanted.ok_or_else(|| b.field("slots", "none is the default"))?;
     let count = page.number(SLOTS)?;
     let first = (0..64u16)
         .take_while(|slot| f64::from(*slot) < count)
         .map(|slot| 0x30 * slot)
         .find(|shift| page.text(0x8090 + shift).is_some_and(|slot| slot == wanted))
-        .ok_or_else(|| FORMAT.field("slots", format!("none is called {wanted:?}, the default")))?;
+        .ok_or_else(|| b.field("slots", format!("none is called {wanted:?}, the default")))?;
     let kind = page.text(0x80A3 + first).unwrap_or_default();
     let [factor, offset] = match kind.as_str() {
         "LinearScaling" => [page.number(0x80A4 + first)?, page.number(0x80A5 + first)?],
         "NullScaling" => [1.0, 0.0],
-        _ => {
-            return Err(FORMAT.unsupported(format!("scaling of kind {kind:?}")));
-        }
+        _ => return Err(b.unsupported(format!("scaling of kind {kind:?}"))),
     };
     // Numbers without a unit are those of the converter, no heights.
     let unit = page.text(0x80A2 + first).unwrap_or_else(|| "counts".into());

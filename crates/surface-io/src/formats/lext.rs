@@ -13,13 +13,10 @@
 //!
 //! Sources: SurfaceTopography, surfalize (both open readers). Not checked against a real file.
 
-use crate::binary::Bytes;
-use crate::measurement::{Channel, Contents, Pixel};
+use super::prelude::*;
 use crate::tiff::{self, IMAGE_DESCRIPTION, Page};
-use crate::{Format, Limits, ReadError, xml};
-use std::collections::BTreeMap;
+use crate::xml;
 
-const FORMAT: Format = Format::Lext;
 const EXIF: u16 = 34665;
 const DEVICE: u16 = 41995;
 
@@ -28,15 +25,14 @@ pub(crate) fn sniff(bytes: &[u8]) -> bool {
     about.is_some_and(|text| text.contains("<TiffTagDescData"))
 }
 
-pub(crate) fn parse<'a>(bytes: &'a [u8], limits: &Limits) -> Result<Contents<'a>, ReadError> {
-    let b = Bytes::little(bytes, FORMAT);
-    let pages = tiff::pages(bytes, FORMAT, limits, usize::MAX)?;
+pub(crate) fn parse(b: Bytes<'_>) -> Result<Contents<'_>, ReadError> {
+    let pages = tiff::pages(b, usize::MAX)?;
     let first = pages.first().ok_or_else(|| b.fault(4, "there is no directory"))?;
-    let fields = document(first, IMAGE_DESCRIPTION, limits)?;
+    let fields = document(b, first, IMAGE_DESCRIPTION)?;
     // Calibration that is there and cannot be read is no reason to go without it.
     let exif = if first.has(EXIF) { Some(first.sub_page(EXIF)?) } else { None };
     let device = match exif {
-        Some(exif) if exif.has(DEVICE) => document(&exif, DEVICE, limits)?,
+        Some(exif) if exif.has(DEVICE) => document(b, &exif, DEVICE)?,
         _ => BTreeMap::new(),
     };
     let number = |fields: &BTreeMap<String, String>, key: String| {
@@ -58,7 +54,7 @@ pub(crate) fn parse<'a>(bytes: &'a [u8], limits: &Limits) -> Result<Contents<'a>
         let name = title.unwrap_or_else(|| format!("Picture {}", i + 1));
         let is_height = name.eq_ignore_ascii_case("height");
         let (unit, factor) = if is_height { ("m", step) } else { ("counts", 1.0) };
-        let channel = page.image(limits).map(|image| {
+        let channel = page.image().map(|image| {
             let shape = image.shape;
             Channel::new(name.as_str(), Some(unit), shape, pixel, move || image.decode())
                 .converted(move |raw| raw * factor)
@@ -73,11 +69,11 @@ pub(crate) fn parse<'a>(bytes: &'a [u8], limits: &Limits) -> Result<Contents<'a>
 
 /// The fields of the XML in an entry.
 fn document(
+    b: Bytes<'_>,
     page: &Page<'_>,
     tag: u16,
-    limits: &Limits,
 ) -> Result<BTreeMap<String, String>, ReadError> {
     let (_, raw) = page.raw(tag)?;
     let end = raw.iter().position(|&byte| byte == 0).unwrap_or(raw.len());
-    xml::fields(&raw[..end], FORMAT, "XML", limits)
+    xml::fields(b.with(&raw[..end]), "XML")
 }

@@ -27,20 +27,11 @@
 //! Sources: NT-MDT's description as read by several open readers; a file of general maps of a current
 //! (no height among them). Scans were not checked against a real file.
 
-use crate::binary::{Bytes, Sample};
-use crate::measurement::{Channel, Contents, Pixel, Raster};
-use crate::{Format, Limits, ReadError};
+use super::prelude::*;
 
-const FORMAT: Format = Format::Mdt;
-
-pub(crate) fn sniff(bytes: &[u8]) -> bool {
-    bytes.starts_with(b"\x01\xb0\x93\xff")
-}
-
-pub(crate) fn parse<'a>(bytes: &'a [u8], limits: &Limits) -> Result<Contents<'a>, ReadError> {
-    let b = Bytes::little(bytes, FORMAT);
+pub(crate) fn parse(b: Bytes<'_>) -> Result<Contents<'_>, ReadError> {
     let frames = u64::from(b.u16(12)?) + 1;
-    limits.check_items(FORMAT, frames)?;
+    b.check_items(frames)?;
     let mut contents = Contents::default();
     let mut at = 33;
     for number in 1..=frames {
@@ -48,11 +39,11 @@ pub(crate) fn parse<'a>(bytes: &'a [u8], limits: &Limits) -> Result<Contents<'a>
         if size < 22 {
             return Err(b.fault(at, format!("a frame of {size} bytes; its header has 22")));
         }
-        let frame = StoredFrame { b, at, own: Bytes::little(b.slice(at, size)?, FORMAT), number };
+        let frame = StoredFrame { b, at, own: b.with(b.slice(at, size)?), number };
         at += size;
         let channel = match frame.own.u16(4)? {
-            0 => frame.scan(limits),
-            106 => frame.map(limits),
+            0 => frame.scan(),
+            106 => frame.map(),
             _ => continue,
         };
         contents.add(&format!("Frame {number}"), channel);
@@ -69,15 +60,15 @@ struct StoredFrame<'a> {
 }
 
 impl<'a> StoredFrame<'a> {
-    fn scan(&self, limits: &Limits) -> Result<Channel<'a>, ReadError> {
+    fn scan(&self) -> Result<Channel<'a>, ReadError> {
         let f = self.own;
         let axis = |at: usize| Ok::<_, ReadError>((f.f32(at)?, f.f32(at + 4)?, f.i16(at + 8)?));
         let (x, y, z) = (axis(22)?, axis(32)?, axis(42)?);
         let mode = 22 + usize::from(f.u16(20)?);
         let shape = [f.u16(mode + 4)?.into(), f.u16(mode + 2)?.into()];
-        limits.check_points(FORMAT, shape)?;
+        f.check_points(shape)?;
         if f.u16(mode + 6)? > 0 {
-            return Err(FORMAT.unsupported("a scan with spectra at single points"));
+            return Err(f.unsupported("a scan with spectra at single points"));
         }
         let steps = [y.1.abs(), x.1.abs()].map(f64::from);
         let pixel = Pixel::in_units(steps, [unit(y.2), unit(x.2)]);
@@ -88,12 +79,12 @@ impl<'a> StoredFrame<'a> {
         let title = title.ok().filter(|title| !title.is_empty());
         let kind = if f.u8(52)? == 0 { "Height" } else { "Scan" };
         let name = format!("{} (frame {})", title.as_deref().unwrap_or(kind), self.number);
-        let raster = Raster { bytes: self.b, at: self.at + data, shape, sample: Sample::I16 };
+        let raster = self.b.raster(self.at + data, shape, Sample::I16)?;
         let convert = move |raw: f64| offset + raw * step;
-        Ok(Channel::raster(name, Some(unit(z.2)), pixel, raster, convert)?.flipped())
+        Ok(Channel::raster(name, unit(z.2), pixel, raster, convert).flipped())
     }
 
-    fn map(&self, limits: &Limits) -> Result<Channel<'a>, ReadError> {
+    fn map(&self) -> Result<Channel<'a>, ReadError> {
         let f = self.own;
         let mut texts = 0usize;
         for i in 0..5 {
@@ -106,7 +97,7 @@ impl<'a> StoredFrame<'a> {
         let counts = [f.u32(head + 4 + 12)?, f.u32(head + 4 + 16)?];
         let [2, 1] = counts else {
             let [dimensions, quantities] = counts;
-            return Err(FORMAT.unsupported(format!(
+            return Err(f.unsupported(format!(
                 "{quantities} quantities over {dimensions} dimensions (one over two is)"
             )));
         };
@@ -115,7 +106,6 @@ impl<'a> StoredFrame<'a> {
         let y = Calibration::at(f, &mut at)?;
         let z = Calibration::at(f, &mut at)?;
         let shape = [y.count, x.count];
-        limits.check_points(FORMAT, shape)?;
         let sample = match z.kind {
             -5892 => Some(Sample::F32),
             -13320 => Some(Sample::F64),
@@ -124,9 +114,9 @@ impl<'a> StoredFrame<'a> {
         let sample = sample.ok_or_else(|| f.fault(at, format!("numbers of type {}", z.kind)))?;
         let pixel = Pixel::in_units([y.scale.abs(), x.scale.abs()], [&y.unit, &x.unit]);
         let name = format!("{name} (frame {})", self.number);
-        let raster = Raster { bytes: self.b, at: data, shape, sample };
+        let raster = self.b.raster(data, shape, sample)?;
         let convert = move |raw: f64| z.bias + raw * z.scale;
-        Ok(Channel::raster(name, Some(&z.unit), pixel, raster, convert)?.flipped())
+        Ok(Channel::raster(name, &z.unit, pixel, raster, convert).flipped())
     }
 }
 

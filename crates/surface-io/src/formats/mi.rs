@@ -14,26 +14,18 @@
 //!
 //! Source: Molecular Imaging, *MI file format*, as implemented by several free readers.
 
-use crate::binary::{Bytes, Sample, find};
-use crate::entries::Entries;
-use crate::measurement::{Channel, Contents, Pixel, Raster};
+use super::prelude::*;
+use crate::binary::find;
 use crate::text;
-use crate::{Format, Limits, ReadError};
 
-const FORMAT: Format = Format::Mi;
 const KEY: usize = 14;
 
-pub(crate) fn sniff(bytes: &[u8]) -> bool {
-    bytes.starts_with(b"fileType      ")
-}
-
-pub(crate) fn parse<'a>(bytes: &'a [u8], limits: &Limits) -> Result<Contents<'a>, ReadError> {
-    let b = Bytes::little(bytes, FORMAT);
-    let last = find(bytes, b"\ndata ").ok_or_else(|| b.field("data", "the line is missing"))? + 1;
-    let rest = &bytes[last..];
+pub(crate) fn parse(b: Bytes<'_>) -> Result<Contents<'_>, ReadError> {
+    let last = find(b.data, b"\ndata ").ok_or_else(|| b.field("data", "the line is missing"))? + 1;
+    let rest = &b.data[last..];
     let end = rest.iter().position(|&byte| byte == b'\n');
     let end = last + end.ok_or_else(|| b.fault(last, "the header has no end"))? + 1;
-    let header = text::decode(&bytes[..end]);
+    let header = text::decode(&b.data[..end]);
 
     let mut contents = Contents::default();
     let mut buffers: Vec<[String; 3]> = Vec::new(); // label, unit, range
@@ -42,35 +34,32 @@ pub(crate) fn parse<'a>(bytes: &'a [u8], limits: &Limits) -> Result<Contents<'a>
         let (key, value) = (key.trim(), value.trim().to_owned());
         match (key, buffers.last_mut()) {
             ("bufferLabel", _) => {
-                limits.check_items(FORMAT, buffers.len() as u64)?;
+                b.check_items(buffers.len() as u64)?;
                 buffers.push([value, String::new(), String::new()]);
             }
             ("bufferUnit", Some(buffer)) => buffer[1] = value,
             ("bufferRange", Some(buffer)) => buffer[2] = value,
             ("", _) => {}
             _ => {
-                limits.check_items(FORMAT, contents.metadata.len() as u64)?;
+                b.check_items(contents.metadata.len() as u64)?;
                 contents.metadata.insert(key.to_owned(), value);
             }
         }
     }
-    let entries = Entries::new(FORMAT, &contents.metadata, "is missing");
+    let entries = Entries::new(b, &contents.metadata, "is missing");
     if let Some(kind) = entries.get("fileType").filter(|kind| *kind != "Image") {
-        return Err(FORMAT.unsupported(format!("a file of type {kind}")));
+        return Err(b.unsupported(format!("a file of type {kind}")));
     }
     let (sample, full) = match entries.get("data").unwrap_or_default() {
         "BINARY" | "" => (Sample::I16, 32768.0),
         "BINARY_32" => (Sample::I32, 2147483648.0),
-        other => {
-            return Err(FORMAT.unsupported(format!("data written as {other}")));
-        }
+        other => return Err(b.unsupported(format!("data written as {other}"))),
     };
     let (nx, ny) = (entries.number("xPixels")?, entries.number("yPixels")?);
     if !(1.0..=1e9).contains(&nx) || !(1.0..=1e9).contains(&ny) {
         return Err(b.field("xPixels, yPixels", format!("{nx} x {ny}")));
     }
     let shape = [ny as usize, nx as usize];
-    limits.check_points(FORMAT, shape)?;
     // Some writers leave the size out: the pixel is then to be given.
     let pixel = if entries.get("xLength").and(entries.get("yLength")).is_some() {
         Pixel::Metres([entries.number("yLength")? / ny, entries.number("xLength")? / nx])
@@ -80,11 +69,11 @@ pub(crate) fn parse<'a>(bytes: &'a [u8], limits: &Limits) -> Result<Contents<'a>
     let mut at = end;
     for [label, unit, range] in buffers {
         let range: f64 = range.parse().map_err(|_| b.field("bufferRange", format!("{range:?}")))?;
-        let raster = Raster { bytes: b, at, shape, sample };
+        let raster = b.raster(at, shape, sample)?;
+        at = raster.end;
         let convert = move |raw: f64| raw * (range / full);
-        let channel = Channel::raster(label, Some(&unit), pixel, raster, convert)?;
+        let channel = Channel::raster(label, &unit, pixel, raster, convert);
         contents.channels.push(channel.flipped());
-        at += b.map_length(at, shape, sample)?;
     }
     Ok(contents)
 }

@@ -15,26 +15,23 @@
 //! project, none from an instrument.
 
 use super::archive::{Archive, MAGIC};
+use super::prelude::*;
 use super::scattered::Line;
 use crate::binary::find;
 use crate::cells::Digits;
-use crate::measurement::Contents;
 use crate::units::quantity;
-use crate::{Format, Limits, ReadError, metres_per, xml};
-use std::collections::BTreeMap;
-
-const FORMAT: Format = Format::Mitutoyo;
+use crate::xml;
 
 pub(crate) fn sniff(bytes: &[u8]) -> bool {
     bytes.starts_with(MAGIC) && find(bytes, b"xl/workbook.xml").is_some()
 }
 
-pub(crate) fn parse<'a>(bytes: &'a [u8], limits: &Limits) -> Result<Contents<'a>, ReadError> {
-    let mut book = Book::open(bytes, limits)?;
+pub(crate) fn parse(b: Bytes<'_>) -> Result<Contents<'_>, ReadError> {
+    let mut book = Book::open(b)?;
     let mut contents = Contents::default();
     let (mut x, mut z) = (BTreeMap::new(), BTreeMap::new());
     let mut height_unit = None;
-    book.sheet("DATA", limits, |row, column, value| {
+    book.sheet("DATA", |row, column, value| {
         match (column, value.parse::<f64>()) {
             ("E", Ok(number)) => drop(x.insert(row, number)),
             ("F", Ok(number)) => drop(z.insert(row, number)),
@@ -47,10 +44,10 @@ pub(crate) fn parse<'a>(bytes: &'a [u8], limits: &Limits) -> Result<Contents<'a>
             }
             _ => {}
         }
-        limits.check_points(FORMAT, [x.len().max(z.len()), 1])
+        b.check_points([x.len().max(z.len()), 1])
     })?;
     let mut x_unit = None;
-    book.sheet("Certificate", limits, |row, column, value| {
+    book.sheet("Certificate", |row, column, value| {
         match (column, row) {
             ("E", 48) => x_unit = quantity(value).and_then(|(_, unit)| length_unit(unit)),
             ("E", 2) => drop(contents.metadata.insert("date".into(), value.to_owned())),
@@ -60,14 +57,14 @@ pub(crate) fn parse<'a>(bytes: &'a [u8], limits: &Limits) -> Result<Contents<'a>
     })?;
     if x.len() != z.len() || x.is_empty() {
         let what = format!("{} positions in column E, {} heights in F", x.len(), z.len());
-        return Err(FORMAT.field("DATA", what));
+        return Err(b.field("DATA", what));
     }
     let mut digits = Digits::NONE;
     for x in x.values() {
         digits.add(&x.to_string());
     }
     let x: Vec<f64> = x.into_values().collect();
-    let line = Line::new(&x, digits).map_err(|what| FORMAT.field("DATA, column E", what))?;
+    let line = Line::new(&x, digits).map_err(|what| b.field("DATA, column E", what))?;
     let heights = move || Ok(z.into_values().collect());
     let (unit, x_unit) = (height_unit.as_deref(), x_unit.as_deref());
     contents.channels.push(line.profile("Profile", unit, x_unit, heights));
@@ -81,23 +78,24 @@ fn length_unit(text: &str) -> Option<String> {
 
 /// A workbook: its texts, and the members of its sheets.
 struct Book<'a> {
+    b: Bytes<'a>,
     archive: Archive<'a>,
     texts: Vec<String>,
     sheets: BTreeMap<String, String>,
 }
 
 impl<'a> Book<'a> {
-    fn open(bytes: &'a [u8], limits: &Limits) -> Result<Self, ReadError> {
-        let mut archive = Archive::open(bytes, FORMAT, limits)?;
+    fn open(b: Bytes<'a>) -> Result<Self, ReadError> {
+        let mut archive = Archive::open(b)?;
         let mut texts = vec![String::new()];
         if archive.names.iter().any(|name| name == "xl/sharedStrings.xml") {
-            let strings = archive.unpack("xl/sharedStrings.xml", limits)?;
+            let strings = archive.unpack("xl/sharedStrings.xml")?;
             // A text can be in pieces of different looks: <si><r><t>..</t></r>..</si>.
-            xml::walk(&strings, FORMAT, "sharedStrings.xml", |element| {
+            xml::walk(b.with(&strings), "sharedStrings.xml", |element| {
                 match element.path.last().map(String::as_str) {
                     Some("t") => texts.last_mut().expect("there is one").push_str(element.text),
                     Some("si") => {
-                        limits.check_points(FORMAT, [texts.len(), 1])?;
+                        b.check_points([texts.len(), 1])?;
                         texts.push(String::new());
                     }
                     _ => {}
@@ -106,19 +104,19 @@ impl<'a> Book<'a> {
             })?;
         }
         let mut targets = BTreeMap::new();
-        let relations = archive.unpack("xl/_rels/workbook.xml.rels", limits)?;
-        xml::walk(&relations, FORMAT, "workbook.xml.rels", |element| {
+        let relations = archive.unpack("xl/_rels/workbook.xml.rels")?;
+        xml::walk(b.with(&relations), "workbook.xml.rels", |element| {
             if let (Some(id), Some(target)) = (element.attribute("Id"), element.attribute("Target"))
             {
-                limits.check_items(FORMAT, targets.len() as u64 + 1)?;
+                b.check_items(targets.len() as u64 + 1)?;
                 let target = target.trim_start_matches("/xl/");
                 targets.insert(id.to_owned(), format!("xl/{target}"));
             }
             Ok(())
         })?;
         let mut sheets = BTreeMap::new();
-        let workbook = archive.unpack("xl/workbook.xml", limits)?;
-        xml::walk(&workbook, FORMAT, "workbook.xml", |element| {
+        let workbook = archive.unpack("xl/workbook.xml")?;
+        xml::walk(b.with(&workbook), "workbook.xml", |element| {
             if element.path.last().is_some_and(|name| name == "sheet")
                 && let (Some(name), Some(id)) = (element.attribute("name"), element.attribute("id"))
                 && let Some(member) = targets.get(id)
@@ -127,28 +125,28 @@ impl<'a> Book<'a> {
             }
             Ok(())
         })?;
-        Ok(Self { archive, texts, sheets })
+        Ok(Self { b, archive, texts, sheets })
     }
 
     /// Calls `visit` with row, column and text of every cell of a sheet that is not empty.
     fn sheet(
         &mut self,
         name: &str,
-        limits: &Limits,
         mut visit: impl FnMut(u32, &str, &str) -> Result<(), ReadError>,
     ) -> Result<(), ReadError> {
+        let b = self.b;
         let Some(member) = self.sheets.get(name) else {
             let names: Vec<&str> = self.sheets.keys().map(String::as_str).collect();
-            return Err(FORMAT.unsupported(format!(
+            return Err(b.unsupported(format!(
                 "a workbook without a sheet {name:?} (a Mitutoyo SurfTest file has one; this has \
                  {}; save a sheet of numbers as CSV)",
                 names.join(", ")
             )));
         };
-        let sheet = self.archive.unpack(member, limits)?;
+        let sheet = self.archive.unpack(member)?;
         let mut value = String::new();
         let texts = &self.texts;
-        xml::walk(&sheet, FORMAT, name, |element| {
+        xml::walk(b.with(&sheet), name, |element| {
             match element.path.last().map(String::as_str) {
                 Some("v" | "t") => element.text.clone_into(&mut value),
                 Some("c") => {

@@ -27,25 +27,18 @@
 //! MountainsMap 9 and 10 for the rest. That reader takes 0001.0006 for the scale of the heights, which in
 //! both files is 10 beside the size of a sheet of paper, and stored 0 for a missing point.
 
-use crate::binary::Bytes;
+use super::prelude::*;
 use crate::encoding::utf16;
-use crate::measurement::{Channel, Contents, Pixel};
-use crate::ole::{Document, MAGIC};
-use crate::{Format, Limits, ReadError, metres_per};
+use crate::ole::Document;
 use std::sync::Arc;
 
-const FORMAT: Format = Format::Mnt;
 const STREAM: &str = "ScopedContents";
 const DATA: u32 = 9012;
 const SURFACE: u32 = 9062;
 const BASE: u16 = 0xffff;
 
-pub(crate) fn sniff(bytes: &[u8]) -> bool {
-    bytes.starts_with(MAGIC)
-}
-
-pub(crate) fn parse<'a>(bytes: &'a [u8], limits: &Limits) -> Result<Contents<'a>, ReadError> {
-    contents(bytes, limits).map_err(with_way_out)
+pub(crate) fn parse(b: Bytes<'_>) -> Result<Contents<'_>, ReadError> {
+    contents(b).map_err(with_way_out)
 }
 
 /// Whatever is not as expected: the program that wrote the file knows better.
@@ -60,11 +53,11 @@ fn with_way_out(error: ReadError) -> ReadError {
 }
 
 fn unsupported(feature: &str) -> ReadError {
-    FORMAT.unsupported(format!("{feature} (save the surface as SUR in Mountains)"))
+    Format::Mnt.unsupported(format!("{feature} (save the surface as SUR in Mountains)"))
 }
 
-fn contents<'a>(bytes: &'a [u8], limits: &Limits) -> Result<Contents<'a>, ReadError> {
-    let document = Document::open(bytes, FORMAT)?;
+fn contents(file: Bytes<'_>) -> Result<Contents<'_>, ReadError> {
+    let document = Document::open(file)?;
     if !document.names().any(|name| name == STREAM) {
         let feature = if document.names().any(|name| matches!(name, "Workbook" | "Book")) {
             "a spreadsheet in the form of xls (save its sheet as CSV)".to_owned()
@@ -76,19 +69,19 @@ fn contents<'a>(bytes: &'a [u8], limits: &Limits) -> Result<Contents<'a>, ReadEr
                 names.join(", ")
             )
         };
-        return Err(FORMAT.unsupported(feature));
+        return Err(file.unsupported(feature));
     }
     let stream: Arc<[u8]> = document.stream(STREAM)?.into();
-    let b = Bytes::little(&stream, FORMAT);
+    let b = file.with(&stream);
     let whole = Part { bytes: b.from(8)?, at: 8 };
     let parts = whole.get(&[1, 0x02bd, 2, 1])?;
     let mut contents = Contents::default();
     let (mut at, mut count, mut classes) = (0, 0, Vec::new());
     while at < parts.bytes.data.len() {
         count += 1;
-        limits.check_items(FORMAT, count)?;
+        b.check_items(count)?;
         let length = usize::try_from(parts.bytes.u64(at)?).unwrap_or(usize::MAX);
-        let part = Part { bytes: Bytes { data: parts.bytes.slice(at + 8, length)?, ..b }, ..parts };
+        let part = Part { bytes: b.with(parts.bytes.slice(at + 8, length)?), ..parts };
         let part = Part { at: parts.at + at + 8, ..part };
         at += 8 + length;
         let (class, part) = part.get(&[1])?.object()?;
@@ -100,12 +93,12 @@ fn contents<'a>(bytes: &'a [u8], limits: &Limits) -> Result<Contents<'a>, ReadEr
         };
         let name = surface.get(&[BASE, BASE, BASE, BASE, 1]).and_then(Part::text);
         let name = name.unwrap_or_else(|_| format!("Surface {}", contents.channels.len() + 1));
-        let channel = StoredSurface::new(surface, limits).map(|found| {
+        let channel = StoredSurface::new(surface).map(|found| {
             let stream = Arc::clone(&stream);
             let unit = found.z.shown.clone();
             let pixel = Pixel::Metres(found.pixel);
             Channel::new(name.as_str(), Some(&unit), found.shape, pixel, move || {
-                found.heights(Bytes::little(&stream, FORMAT)).map_err(with_way_out)
+                found.heights(file.with(&stream)).map_err(with_way_out)
             })
         });
         contents.add(&name, channel.map_err(with_way_out));
@@ -136,7 +129,7 @@ impl Part<'_> {
             let length = usize::try_from(self.bytes.u64(at + 2)?).unwrap_or(usize::MAX);
             let data = self.bytes.slice(at + 10, length)?;
             if self.bytes.u16(at)? == tag {
-                return Ok(Self { bytes: Bytes { data, ..self.bytes }, at: self.at + at + 10 });
+                return Ok(Self { bytes: self.bytes.with(data), at: self.at + at + 10 });
             }
             at += 10 + length;
         }
@@ -232,16 +225,16 @@ struct StoredSurface {
 }
 
 impl StoredSurface {
-    fn new(part: Part<'_>, limits: &Limits) -> Result<Self, ReadError> {
+    fn new(part: Part<'_>) -> Result<Self, ReadError> {
         let part = part.record(BASE)?;
         let base = part.record(BASE)?;
         let ((nx, dx), (ny, dy)) =
             (StoredAxis::lateral(base.record(1)?)?, StoredAxis::lateral(base.record(2)?)?);
-        limits.check_points(FORMAT, [ny, nx])?;
+        part.bytes.check_points([ny, nx])?;
         let z = part.record(2)?;
         let range = [z.u32(1)?.cast_signed(), z.u32(2)?.cast_signed()];
         let numbers = part.record(1)?.object_of(9049, "heights")?;
-        let numbers = Blob::new(numbers.record(2)?, ny * nx, 4, limits)?;
+        let numbers = Blob::new(numbers.record(2)?, ny * nx, 4)?;
         let mask = base.record(3)?;
         let mask = if mask.object()?.0 == 0 {
             None
@@ -251,7 +244,7 @@ impl StoredSurface {
                 return Err(unsupported("a mask of another size than its map"));
             }
             let blob = mask.record(5)?.object_of(9048, "a mask")?;
-            Some(Blob::new(blob.record(2)?, (ny + 2) * (nx + 2), 1, limits)?)
+            Some(Blob::new(blob.record(2)?, (ny + 2) * (nx + 2), 1)?)
         };
         let z = StoredAxis::new(z.record(BASE)?)?;
         Ok(Self { shape: [ny, nx], pixel: [dy, dx], z, range, numbers, mask })
@@ -299,22 +292,17 @@ struct Blob {
 }
 
 impl Blob {
-    fn new(
-        part: Part<'_>,
-        points: usize,
-        width: usize,
-        limits: &Limits,
-    ) -> Result<Self, ReadError> {
+    fn new(part: Part<'_>, points: usize, width: usize) -> Result<Self, ReadError> {
         let b = part.bytes;
         let fault = |what: String| b.field(STREAM, format!("{what} at byte {}", part.at));
         let total = b.u64(0)?;
-        limits.check_unpacked(FORMAT, total)?;
+        b.limits.check_unpacked(b.format, total)?;
         if total != (points as u64).saturating_mul(width as u64) {
             return Err(fault(format!("{total} bytes for {points} points")));
         }
         let (mut at, mut blocks) = (8, Vec::new());
         while at < b.data.len() {
-            limits.check_items(FORMAT, blocks.len() as u64 + 1)?;
+            b.check_items(blocks.len() as u64 + 1)?;
             let first = usize::try_from(b.u64(at)?).unwrap_or(usize::MAX);
             let (count, packed) = (b.u32(at + 8)? as usize, b.u32(at + 12)? as usize);
             b.slice(at + 16, packed)?;

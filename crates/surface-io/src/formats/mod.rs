@@ -1,11 +1,10 @@
-//! One file per format. Each opens with the layout and where it is known from, and defines
-//! `sniff` (is this the format?) and `parse` (what is in the file?).
+//! One file per format. Each opens with the layout and where it is known from, and defines `parse`
+//! (what is in the file?), and `sniff` (is this the format?) unless its first bytes tell.
 
 pub(crate) mod al3d;
 #[cfg(feature = "zip")]
 pub(crate) mod archive;
 pub(crate) mod bcrf;
-pub(crate) mod datx;
 pub(crate) mod foreign;
 pub(crate) mod frt;
 pub(crate) mod gwy;
@@ -36,6 +35,7 @@ pub(crate) mod park;
 pub(crate) mod plu;
 #[cfg(feature = "zip")]
 pub(crate) mod plux;
+mod prelude;
 pub(crate) mod scattered;
 pub(crate) mod sdf;
 #[cfg(feature = "zip")]

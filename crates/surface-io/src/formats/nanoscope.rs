@@ -20,14 +20,8 @@
 //! Sources: Veeco, *Nanoscope software 5.12 file formats*; files of versions 4.3 to 9 and 10; for
 //! aspect ratio, slow axis and version 9.2 Gwyddion and SurfaceTopography (both open readers).
 
-use crate::binary::{Bytes, Sample};
-use crate::entries::Entries;
-use crate::measurement::{Channel, Contents, Pixel, Raster};
+use super::prelude::*;
 use crate::text;
-use crate::{Format, Limits, ReadError, metres_per};
-use std::collections::BTreeMap;
-
-const FORMAT: Format = Format::Nanoscope;
 
 /// What the scan list says of every image.
 const COMMON: &str =
@@ -45,16 +39,13 @@ pub(crate) fn sniff(bytes: &[u8]) -> bool {
 
 type HeaderSection = BTreeMap<String, String>;
 
-pub(crate) fn parse<'a>(bytes: &'a [u8], limits: &Limits) -> Result<Contents<'a>, ReadError> {
-    let b = Bytes::little(bytes, FORMAT);
-    if bytes.starts_with(b"?") {
-        return Err(
-            FORMAT.unsupported("data stored as text (save the image as binary, or export it)")
-        );
+pub(crate) fn parse(b: Bytes<'_>) -> Result<Contents<'_>, ReadError> {
+    if b.data.starts_with(b"?") {
+        return Err(b.unsupported("data stored as text (save the image as binary, or export it)"));
     }
-    let (sections, ended) = sections(bytes, limits)?;
+    let (sections, ended) = sections(b)?;
     if !ended {
-        return Err(b.fault(bytes.len(), "the header has no end"));
+        return Err(b.fault(b.data.len(), "the header has no end"));
     }
     let mut contents = Contents::default();
     // What the sections that are no images say of all of them.
@@ -76,14 +67,14 @@ pub(crate) fn parse<'a>(bytes: &'a [u8], limits: &Limits) -> Result<Contents<'a>
     }
     let says = |key: &str| common.get(key).map_or("", |value| value.trim());
     if says("operating mode") == "Force" || says("start context") == "FOL" {
-        return Err(FORMAT.unsupported("a force curve (an image is)"));
+        return Err(b.unsupported("a force curve (an image is)"));
     }
     if says("start context").ends_with("VAR") && says("operating mode") != "Force Volume" {
-        return Err(FORMAT.unsupported("a set of lines of different length (deep trench mode)"));
+        return Err(b.unsupported("a set of lines of different length (deep trench mode)"));
     }
     for (_, section) in sections.iter().filter(|(name, _)| is_image(name)) {
-        limits.check_items(FORMAT, contents.channels.len() as u64 + 1)?;
-        contents.add(&channel_name(section), channel(b, section, &common, limits));
+        b.check_items(contents.channels.len() as u64 + 1)?;
+        contents.add(&channel_name(section), channel(b, section, &common));
     }
     Ok(contents)
 }
@@ -94,17 +85,15 @@ fn is_image(section: &str) -> bool {
 }
 
 /// The sections of the header in order, keys in lower case; and whether its end was found.
-fn sections(
-    bytes: &[u8],
-    limits: &Limits,
-) -> Result<(Vec<(String, HeaderSection)>, bool), ReadError> {
+fn sections(b: Bytes<'_>) -> Result<(Vec<(String, HeaderSection)>, bool), ReadError> {
+    let bytes = b.data;
     let end = bytes.iter().position(|&byte| byte == 0x1a);
     let list_end = crate::binary::find(bytes, b"File list end");
     let header = &bytes[..end.into_iter().chain(list_end).min().unwrap_or(bytes.len())];
     let header = text::latin1(header);
     let mut sections: Vec<(String, HeaderSection)> = Vec::new();
     for (number, line) in text::lines(&header) {
-        limits.check_items(FORMAT, number as u64)?;
+        b.check_items(number as u64)?;
         let Some(line) = line.trim().strip_prefix(['\\', '?']) else { continue };
         if let Some(name) = line.strip_prefix('*') {
             sections.push((name.trim().to_lowercase(), HeaderSection::new()));
@@ -121,15 +110,14 @@ fn channel<'a>(
     b: Bytes<'a>,
     section: &HeaderSection,
     common: &HeaderSection,
-    limits: &Limits,
 ) -> Result<Channel<'a>, ReadError> {
-    let entries = Entries::new(FORMAT, section, "is missing in an image list");
+    let entries = Entries::new(b, section, "is missing in an image list");
     let whole = |key: &'static str| {
         let text = entries.text(key)?;
         whole(text).ok_or_else(|| b.field(key, format!("{text:?} is no whole number")))
     };
     let stated = [whole("number of lines")?, whole("samps/line")?];
-    limits.check_points(FORMAT, stated)?;
+    b.check_points(stated)?;
     let (stored, levels) = match whole("bytes/pixel")? {
         2 => (Sample::I16, 65536.0),
         4 => (Sample::I32, 65536.0 * 65536.0),
@@ -152,9 +140,9 @@ fn channel<'a>(
     let (step, unit) = height_scale(scale, common)
         .ok_or_else(|| b.field("@2:z scale", format!("{scale:?} cannot be read")))?;
     let step = step / levels;
-    let raster = Raster { bytes: b, at: whole("data offset")?, shape, sample };
+    let raster = b.raster(whole("data offset")?, shape, sample)?;
     let pixel = Pixel::Metres(pixel);
-    let channel = Channel::raster(name, Some(&unit), pixel, raster, move |raw| raw * step)?;
+    let channel = Channel::raster(name, &unit, pixel, raster, move |raw| raw * step);
     Ok(channel.flipped())
 }
 
@@ -286,21 +274,17 @@ mod tests {
 
     #[test]
     fn scales_with_and_without_soft_part() {
-        let soft: HeaderSection = [
-            ("@sens. zsens".into(), "V 33.15306 nm/V".into()),
-            ("@sens. phase".into(), "V 1.000000 ".into()),
-        ]
-        .into();
-        let scale = |text: &str| height_scale(text, &soft).unwrap();
-        let (range, unit) = scale("V [Sens. Zsens] (0.005035400 V/LSB) 2.0 V");
-        assert!((range - 66.30612).abs() < 1e-12 && unit == "nm");
-        let (range, _) = scale("V [Sens. Zsens] (0.06103516 mV/LSB) 2000 mV");
-        assert!((range - 66.30612).abs() < 1e-12);
-        assert_eq!(scale("V [Sens. Phase] (0.0055 \u{ba}/LSB) 360 \u{ba}").1, "\u{ba}");
-        assert_eq!(scale("V (0.1 nm/LSB) 123 nm"), (123.0, "nm".to_owned()));
-        let [sx, sy] = scan_size("10 5 ~m").unwrap();
-        assert!((sx - 1e-5).abs() < 1e-20 && (sy - 5e-6).abs() < 1e-20);
-        assert_eq!(scan_size("10 V"), None);
+        let soft = [("@sens. zsens", "V 33.15306 nm/V"), ("@sens. phase", "V 1.000000 ")];
+        let soft = soft.map(|(key, text)| (key.into(), text.into())).into();
+        for (text, range, unit) in [
+            ("V [Sens. Zsens] (0.005035400 V/LSB) 2.0 V", 66.30612, "nm"),
+            ("V [Sens. Zsens] (0.06103516 mV/LSB) 2000 mV", 66.30612, "nm"),
+            ("V [Sens. Phase] (0.0055 \u{ba}/LSB) 360 \u{ba}", 360.0, "\u{ba}"),
+            ("V (0.1 nm/LSB) 123 nm", 123.0, "nm"),
+        ] {
+            let found = height_scale(text, &soft).unwrap();
+            assert!((found.0 - range).abs() < 1e-12 && found.1 == unit, "{text}: {found:?}");
+        }
     }
 
     /// An image of 8 x 4 points of 10 um along x in sections as a file has them.

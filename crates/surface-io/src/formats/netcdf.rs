@@ -25,19 +25,11 @@
 //! SurfaceTopography (an open reader and writer). NetCDF-4 files are HDF5.
 
 use super::npy::transpose;
+use super::prelude::*;
 use super::scattered::Line;
-use crate::binary::{Bytes, Sample, text};
+use crate::binary::text;
 use crate::cells::Digits;
-use crate::measurement::{Channel, Contents, Pixel};
 use crate::packed::Packing;
-use crate::{Format, Limits, ReadError, metres_per};
-use std::collections::BTreeMap;
-
-const FORMAT: Format = Format::NetCdf;
-
-pub(crate) fn sniff(bytes: &[u8]) -> bool {
-    matches!(bytes, [b'C', b'D', b'F', 1 | 2 | 5, ..])
-}
 
 /// An attribute as text and, if it is numeric, its first numbers.
 struct Attribute {
@@ -87,9 +79,9 @@ impl Variable {
     }
 }
 
-pub(crate) fn parse<'a>(bytes: &'a [u8], limits: &Limits) -> Result<Contents<'a>, ReadError> {
-    let b = Bytes::big(bytes, FORMAT);
-    let mut header = HeaderCursor { b, at: 4, version: b.u8(3)?, limits };
+pub(crate) fn parse(b: Bytes<'_>) -> Result<Contents<'_>, ReadError> {
+    let b = Bytes { order: ByteOrder::Big, ..b };
+    let mut header = HeaderCursor { b, at: 4, version: b.u8(3)? };
     header.count()?; // number of records
     let mut dimensions = Vec::new();
     for _ in 0..header.list(10)? {
@@ -100,7 +92,7 @@ pub(crate) fn parse<'a>(bytes: &'a [u8], limits: &Limits) -> Result<Contents<'a>
     for _ in 0..header.list(11)? {
         let name = header.name()?;
         let rank = header.count()?;
-        limits.check_items(FORMAT, rank as u64)?;
+        b.check_items(rank as u64)?;
         let of = (0..rank).map(|_| header.count()).collect::<Result<Vec<_>, _>>()?;
         if let Some(bad) = of.iter().find(|&&d| d >= dimensions.len()) {
             return Err(b.fault(header.at, format!("dimension {bad} of {}", dimensions.len())));
@@ -129,21 +121,18 @@ pub(crate) fn parse<'a>(bytes: &'a [u8], limits: &Limits) -> Result<Contents<'a>
         if stored[0] == 0 {
             continue; // records are interleaved with those of other variables
         }
-        limits.check_points(FORMAT, stored)?;
+        b.check_points(stored)?;
         b.map_length(variable.at, stored, sample)?;
         let is_x_slow = axes[0].0 == "x";
-        let turned = |[slow, fast]: [f64; 2]| if is_x_slow { [fast, slow] } else { [slow, fast] };
+        let [y, x] = if is_x_slow { [axes[1], axes[0]] } else { axes };
         let spacing = |axis: &(String, usize)| spacing(b, &variables, &axis.0, axis.1);
-        let pixel = match (spacing(axes[0])?, spacing(axes[1])?) {
-            (Some((slow, Some(slow_unit))), Some((fast, Some(fast_unit)))) => {
-                Pixel::Metres(turned([slow * slow_unit, fast * fast_unit]))
-            }
-            (Some((slow, _)), Some((fast, _))) => Pixel::Steps(turned([slow, fast])),
+        let pixel = match (spacing(y)?, spacing(x)?) {
+            (Some((dy, y)), Some((dx, x))) => Pixel::scaled([dy, dx], [y, x]),
             _ => Pixel::Unknown,
         };
         let along = variables.iter().find(|v| axes.iter().any(|(name, _)| v.name == *name));
         let unit = unit_of(variable, along);
-        let shape = if is_x_slow { [stored[1], stored[0]] } else { stored };
+        let shape = [y.1, x.1];
         let count = stored[0] * stored[1];
         let in_rows = move |v: Vec<f64>| if is_x_slow { transpose(&v, stored) } else { v };
         let values = variable.values(b, sample, count);
@@ -156,7 +145,7 @@ pub(crate) fn parse<'a>(bytes: &'a [u8], limits: &Limits) -> Result<Contents<'a>
         contents.channels.push(channel);
     }
     if contents.channels.is_empty() {
-        contents.channels = profiles(b, &dimensions, &variables, limits)?;
+        contents.channels = profiles(b, &dimensions, &variables)?;
     }
     Ok(contents)
 }
@@ -172,7 +161,6 @@ fn profiles<'a>(
     b: Bytes<'a>,
     dimensions: &[(String, usize)],
     variables: &[Variable],
-    limits: &Limits,
 ) -> Result<Vec<Channel<'a>>, ReadError> {
     let mut found = Vec::new();
     let is_position = |v: &Variable, name: &str| v.name == name || v.name == "x";
@@ -184,7 +172,7 @@ fn profiles<'a>(
         if *count < 2 || is_position(variable, name) {
             continue;
         }
-        limits.check_points(FORMAT, [1, *count])?;
+        b.check_points([1, *count])?;
         b.map_length(variable.at, [1, *count], sample)?;
         let x = variables.iter().find(|v| v.dimensions == [dimension] && is_position(v, name));
         let line = match x.and_then(|x| Some((x, x.sample?))) {
@@ -235,14 +223,13 @@ fn sample(code: u32) -> Option<Sample> {
 }
 
 /// Walks through the header.
-struct HeaderCursor<'a, 'l> {
+struct HeaderCursor<'a> {
     b: Bytes<'a>,
     at: usize,
     version: u8,
-    limits: &'l Limits,
 }
 
-impl HeaderCursor<'_, '_> {
+impl HeaderCursor<'_> {
     fn word(&mut self) -> Result<u32, ReadError> {
         let word = self.b.u32(self.at)?;
         self.at += 4;
@@ -271,7 +258,7 @@ impl HeaderCursor<'_, '_> {
         if found != tag && (found != 0 || count != 0) {
             return Err(self.b.fault(at, format!("list tag {found}, expected {tag}")));
         }
-        self.limits.check_items(FORMAT, count as u64)?;
+        self.b.check_items(count as u64)?;
         Ok(count)
     }
 

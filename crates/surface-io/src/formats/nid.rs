@@ -14,38 +14,30 @@
 //!
 //! Source: Nanosurf, *NID file format*, as implemented by several free readers.
 
-use crate::binary::{ByteOrder, Bytes, Sample, find};
-use crate::entries::{Entries, sections};
-use crate::measurement::{Channel, Contents, Pixel, Raster};
+use super::prelude::*;
+use crate::binary::{Raster, find};
+use crate::entries::sections;
 use crate::text;
-use crate::{Format, Limits, ReadError};
 
-const FORMAT: Format = Format::Nid;
-
-pub(crate) fn sniff(bytes: &[u8]) -> bool {
-    bytes.starts_with(b"[DataSet]")
-}
-
-pub(crate) fn parse<'a>(bytes: &'a [u8], limits: &Limits) -> Result<Contents<'a>, ReadError> {
-    let b = Bytes::little(bytes, FORMAT);
-    let end = find(bytes, b"\n#!").ok_or_else(|| b.fault(bytes.len(), "there are no data"))?;
-    let mut sections = sections(&text::decode(&bytes[..end]), "=", FORMAT, limits)?;
+pub(crate) fn parse(b: Bytes<'_>) -> Result<Contents<'_>, ReadError> {
+    let end = find(b.data, b"\n#!").ok_or_else(|| b.fault(b.data.len(), "there are no data"))?;
+    let mut sections = sections(b, &text::decode(&b.data[..end]), "=")?;
     let mut contents = Contents::default();
     let directory = sections.get("DataSet").ok_or_else(|| b.field("[DataSet]", "is missing"))?;
-    let directory = Entries::new(FORMAT, directory, ABSENT);
+    let directory = Entries::new(b, directory, ABSENT);
     let count = |key: &str| {
         let count = directory.parsed(key, "whole number")?;
-        limits.check_items(FORMAT, count).map(|()| count)
+        b.check_items(count).map(|()| count)
     };
     let mut at = end + 3;
     for group in 0..count("GroupCount")? {
         for channel in 0..count(&format!("Gr{group}-Count"))? {
             let section = directory.get(&format!("Gr{group}-Ch{channel}"));
             let Some(section) = section.and_then(|name| sections.get(name)) else { continue };
-            let section = Entries::new(FORMAT, section, ABSENT);
-            let raster = raster(b, at, section, limits)?;
-            at += b.map_length(at, raster.shape, raster.sample)?;
-            limits.check_items(FORMAT, contents.channels.len() as u64 + 1)?;
+            let section = Entries::new(b, section, ABSENT);
+            let raster = raster(b, at, section)?;
+            at = raster.end;
+            b.check_items(contents.channels.len() as u64 + 1)?;
             // Spectra and curves stand beside the images.
             let name = section.get("Dim2Name").or(section.get("Dim1Name")).unwrap_or_default();
             contents.add(name, read_channel(raster, section));
@@ -58,15 +50,10 @@ pub(crate) fn parse<'a>(bytes: &'a [u8], limits: &Limits) -> Result<Contents<'a>
 const ABSENT: &str = "is missing";
 
 /// How the numbers of a channel are stored.
-fn raster<'a>(
-    b: Bytes<'a>,
-    at: usize,
-    section: Entries<'_>,
-    limits: &Limits,
-) -> Result<Raster<'a>, ReadError> {
+fn raster<'a>(b: Bytes<'a>, at: usize, section: Entries<'_>) -> Result<Raster<'a>, ReadError> {
     let mode = section.text("SaveMode")?;
     if mode != "Binary" {
-        return Err(FORMAT.unsupported(format!("data saved as {mode}")));
+        return Err(b.unsupported(format!("data saved as {mode}")));
     }
     let is_little = section.text("SaveOrder")? == "Intel";
     let order = if is_little { ByteOrder::Little } else { ByteOrder::Big };
@@ -80,8 +67,7 @@ fn raster<'a>(
     };
     let sample = sample.ok_or_else(|| b.field("SaveBits", format!("{bits:?}, not 8, 16 or 32")))?;
     let shape = [section.parsed("Lines", "size")?, section.parsed("Points", "size")?];
-    limits.check_points(FORMAT, shape)?;
-    Ok(Raster { bytes: Bytes { order, ..b }, at, shape, sample })
+    Bytes { order, ..b }.raster(at, shape, sample)
 }
 
 fn read_channel<'a>(raster: Raster<'a>, section: Entries<'_>) -> Result<Channel<'a>, ReadError> {
@@ -96,5 +82,5 @@ fn read_channel<'a>(raster: Raster<'a>, section: Entries<'_>) -> Result<Channel<
     let name = format!("{} ({})", section.text("Frame")?, section.text("Dim2Name")?);
     let convert = move |raw: f64| raw * step + lowest;
     let unit = section.text("Dim2Unit")?;
-    Ok(Channel::raster(name, Some(unit), pixel, raster, convert)?.flipped())
+    Ok(Channel::raster(name, unit, pixel, raster, convert).flipped())
 }

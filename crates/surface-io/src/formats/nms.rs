@@ -15,30 +15,19 @@
 //!
 //! Source: found from files and their known physical size.
 
-use crate::binary::{Bytes, Sample};
-use crate::measurement::{Channel, Contents, Pixel, Raster};
-use crate::{Format, Limits, ReadError};
+use super::prelude::*;
 
-const FORMAT: Format = Format::Nms;
 const DATA: usize = 3468;
 
-pub(crate) fn sniff(bytes: &[u8]) -> bool {
-    bytes.get(32..38) == Some(b"OM_MS_")
-}
-
-pub(crate) fn parse<'a>(bytes: &'a [u8], limits: &Limits) -> Result<Contents<'a>, ReadError> {
-    let b = Bytes::little(bytes, FORMAT);
+pub(crate) fn parse(b: Bytes<'_>) -> Result<Contents<'_>, ReadError> {
     let shape = [b.u32(1372)? as usize, b.u32(1368)? as usize];
-    limits.check_points(FORMAT, shape)?;
     let pixel = Pixel::Metres([b.f64(1384)? * 1e-9, b.f64(1376)? * 1e-9]);
     let (low, high) = (b.f64(16)?, b.f64(24)?);
-    let raster = Raster { bytes: b, at: DATA, shape, sample: Sample::U16 };
+    let raster = b.raster(DATA, shape, Sample::U16)?;
     let convert = move |raw: f64| low + raw / 65534.0 * (high - low);
-    let mut channels = vec![Channel::raster("Height", Some("\u{b5}m"), pixel, raster, convert)?];
-    let at = DATA + b.map_length(DATA, shape, Sample::U16)?;
-    let raster = Raster { bytes: b, at, shape, sample: Sample::U8 };
-    if let Ok(intensity) = Channel::raster("Intensity", Some("counts"), pixel, raster, |raw| raw) {
-        channels.push(intensity);
+    let mut channels = vec![Channel::raster("Height", "\u{b5}m", pixel, raster, convert)];
+    if let Ok(raster) = b.raster(raster.end, shape, Sample::U8) {
+        channels.push(Channel::raster("Intensity", "counts", pixel, raster, |raw| raw));
     }
     let metadata = [("version", b.text(32, 20)?), ("kind", b.text(52, 64)?)];
     Ok(Contents::new(channels, metadata))

@@ -10,20 +10,13 @@
 //!
 //! Source: numpy.lib.format, <https://numpy.org/doc/stable/reference/generated/numpy.lib.format.html>.
 
-use crate::binary::{ByteOrder, Bytes, Sample};
-use crate::measurement::{Channel, Contents, Pixel};
-use crate::{Format, Limits, ReadError};
+use super::prelude::*;
 
-const MAGIC: &[u8] = b"\x93NUMPY";
+pub(crate) const MAGIC: &[u8] = b"\x93NUMPY";
 
-pub(crate) fn sniff(bytes: &[u8]) -> bool {
-    bytes.starts_with(MAGIC)
-}
-
-pub(crate) fn parse<'a>(bytes: &'a [u8], limits: &Limits) -> Result<Contents<'a>, ReadError> {
-    let array = Array::parse(bytes, Format::Npy, limits)?;
-    let channel =
-        Channel::new("array", None, array.shape, Pixel::Unknown, move || array.values(bytes));
+pub(crate) fn parse(b: Bytes<'_>) -> Result<Contents<'_>, ReadError> {
+    let array = Array::parse(b)?;
+    let channel = Channel::new("array", None, array.shape, Pixel::Unknown, move || array.values(b));
     Ok(Contents { channels: vec![channel], ..Contents::default() })
 }
 
@@ -31,7 +24,6 @@ pub(crate) fn parse<'a>(bytes: &'a [u8], limits: &Limits) -> Result<Contents<'a>
 #[derive(Debug, Clone, Copy)]
 pub(crate) struct Array {
     pub(crate) shape: [usize; 2],
-    format: Format,
     start: usize,
     sample: Sample,
     order: ByteOrder,
@@ -39,8 +31,7 @@ pub(crate) struct Array {
 }
 
 impl Array {
-    pub(crate) fn parse(bytes: &[u8], format: Format, limits: &Limits) -> Result<Self, ReadError> {
-        let b = Bytes::little(bytes, format);
+    pub(crate) fn parse(b: Bytes<'_>) -> Result<Self, ReadError> {
         if b.slice(0, 6)? != MAGIC {
             return Err(b.fault(0, "not the start of an NPY array"));
         }
@@ -62,7 +53,7 @@ impl Array {
         let (sample, order) = sample(descr).ok_or_else(|| {
             let descr: String = descr.chars().take(24).collect();
             let feature = format!("descr {descr} (real numbers and integers of 1 to 8 bytes are)");
-            format.unsupported(feature)
+            b.unsupported(feature)
         })?;
         let is_fortran = match entry("fortran_order")? {
             s if s.starts_with("True") => true,
@@ -90,16 +81,16 @@ impl Array {
             [ny, nx] => [ny, nx],
             _ => {
                 return Err(
-                    format.unsupported(format!("an array with {} axes (a map has 2)", sides.len()))
+                    b.unsupported(format!("an array with {} axes (a map has 2)", sides.len()))
                 );
             }
         };
-        limits.check_points(format, shape)?;
-        Ok(Self { shape, format, start: at + length, sample, order, is_fortran })
+        b.check_points(shape)?;
+        Ok(Self { shape, start: at + length, sample, order, is_fortran })
     }
 
-    pub(crate) fn values(&self, bytes: &[u8]) -> Result<Vec<f64>, ReadError> {
-        let b = Bytes { data: bytes, format: self.format, order: self.order };
+    pub(crate) fn values(&self, b: Bytes<'_>) -> Result<Vec<f64>, ReadError> {
+        let b = Bytes { order: self.order, ..b };
         let [ny, nx] = self.shape;
         // The product was checked against the limits.
         let values = b.samples(self.start, ny * nx, self.sample)?;

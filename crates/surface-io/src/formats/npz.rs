@@ -6,36 +6,30 @@
 
 use super::archive::{Archive, MAGIC, is_npy};
 use super::npy::Array;
-use crate::measurement::{Channel, Contents, Pixel};
-use crate::{Format, Limits, ReadError};
-
-const FORMAT: Format = Format::Npz;
+use super::prelude::*;
 
 pub(crate) fn sniff(bytes: &[u8]) -> bool {
     bytes.starts_with(MAGIC) && crate::binary::find(bytes, b".npy").is_some()
 }
 
-pub(crate) fn parse<'a>(bytes: &'a [u8], limits: &Limits) -> Result<Contents<'a>, ReadError> {
-    let mut archive = Archive::open(bytes, FORMAT, limits)?;
+pub(crate) fn parse(b: Bytes<'_>) -> Result<Contents<'_>, ReadError> {
+    let mut archive = Archive::open(b)?;
     let mut contents = Contents::default();
     let mut first_error = None;
-    let mut total = 0;
     for name in archive.names.clone() {
         if !is_npy(&name) {
             continue;
         }
-        let member = archive.unpack(&name, limits)?;
-        total += member.len() as u64;
-        limits.check_unpacked(FORMAT, total)?;
+        let member = archive.unpack(&name)?;
         let name = &name[..name.len() - ".npy".len()];
-        match Array::parse(&member, FORMAT, limits) {
+        match Array::parse(b.with(&member)) {
             Ok(number) if number.shape == [1, 1] => {
-                if let Some(value) = number.values(&member)?.first() {
+                if let Some(value) = number.values(b.with(&member))?.first() {
                     contents.not_used(name, &value.to_string());
                 }
             }
             Ok(array) => {
-                let decode = move || array.values(&member);
+                let decode = move || array.values(b.with(&member));
                 let channel = Channel::new(name, None, array.shape, Pixel::Unknown, decode);
                 contents.channels.push(channel);
             }

@@ -31,17 +31,13 @@
 //! Source: SurfaceTopography (an open reader). Not checked against a real file.
 
 use super::archive::{Archive, MAGIC as ZIP, is_oir};
-use crate::binary::{Bytes, Sample, find};
-use crate::entries::Entries;
-use crate::measurement::{Channel, Contents, Pixel};
-use crate::units::metres_per;
-use crate::{Format, Limits, ReadError, xml};
+use super::prelude::*;
+use crate::binary::find;
+use crate::xml;
 use std::borrow::Cow;
-use std::collections::BTreeMap;
 use std::ops::Range;
 use std::rc::Rc;
 
-const FORMAT: Format = Format::Oir;
 const MAGIC: &[u8] = b"OLYMPUSRAWFORMAT";
 const FIRST_CHUNK: usize = 96;
 
@@ -60,21 +56,18 @@ fn is_packed(bytes: &[u8]) -> bool {
     bytes.starts_with(ZIP) && find(bytes, b".oir").is_some()
 }
 
-pub(crate) fn parse<'a>(bytes: &'a [u8], limits: &Limits) -> Result<Contents<'a>, ReadError> {
+pub(crate) fn parse(b: Bytes<'_>) -> Result<Contents<'_>, ReadError> {
     let mut contents = Contents::default();
-    if bytes.starts_with(MAGIC) {
-        add(&mut contents, "", &Rc::new(Cow::Borrowed(bytes)), limits)?;
+    if b.data.starts_with(MAGIC) {
+        add(b, &mut contents, "", &Rc::new(Cow::Borrowed(b.data)))?;
         return Ok(contents);
     }
-    let mut archive = Archive::open(bytes, FORMAT, limits)?;
+    let mut archive = Archive::open(b)?;
     let names: Vec<String> = archive.names.iter().filter(|name| is_oir(name)).cloned().collect();
-    let mut total = 0;
     for name in names {
-        let member = archive.unpack(&name, limits)?;
-        total += member.len() as u64;
-        limits.check_unpacked(FORMAT, total)?;
+        let member = archive.unpack(&name)?;
         // A member that cannot be read must not cost the others.
-        if let Err(fault) = add(&mut contents, &name, &Rc::new(member.into()), limits) {
+        if let Err(fault) = add(b, &mut contents, &name, &Rc::new(member.into())) {
             contents.add(&name, Err(fault));
         }
     }
@@ -83,29 +76,29 @@ pub(crate) fn parse<'a>(bytes: &'a [u8], limits: &Limits) -> Result<Contents<'a>
 
 /// Adds the channels of one file; `member` is its name in an archive.
 fn add<'a>(
+    file: Bytes<'a>,
     contents: &mut Contents<'a>,
     member: &str,
     data: &Rc<Cow<'a, [u8]>>,
-    limits: &Limits,
 ) -> Result<(), ReadError> {
-    let b = Bytes::little(data, FORMAT);
-    let parts = FileParts::of(b, limits)?;
-    let properties = b.slice(parts.properties.start, parts.properties.len())?;
-    let Properties { channels, fields } = Properties::of(properties, limits)?;
-    let image = Entries::new(FORMAT, &fields, crate::xml::ABSENT);
+    let b = file.with(data);
+    let parts = FileParts::of(b)?;
+    let xml = b.slice(parts.properties.start, parts.properties.len())?;
+    let (channels, fields) = properties(b.with(xml))?;
+    let image = Entries::new(b, &fields, xml::ABSENT);
     let side = |key: &str| image.parsed::<usize>(key, "size");
     let shape = [side("imageInfo/height")?, side("imageInfo/width")?];
-    limits.check_points(FORMAT, shape)?;
+    b.check_points(shape)?;
     for (id, fields) in channels {
-        let own = Entries::new(FORMAT, &fields, crate::xml::ABSENT);
+        let own = Entries::new(b, &fields, xml::ABSENT);
         let kind = own.get("imageDefinition/imageType").unwrap_or("Picture");
         let name = format!("{member}{}{kind}", if member.is_empty() { "" } else { ": " });
         let channel = (|| {
-            let [y, x, z] = ["y", "x", "z"].map(|axis| scale(own, image, axis));
+            let [y, x, z] = ["y", "x", "z"].map(|axis| scale(b, own, image, axis));
             let (pixel, step) = (Pixel::Metres([y?, x?]), z?);
             let bits = own.get("imageDefinition/bitCounts").unwrap_or("an unknown number of");
             if bits != "16" {
-                return Err(FORMAT.unsupported(format!("data of {bits} bits")));
+                return Err(b.unsupported(format!("data of {bits} bits")));
             }
             let pieces = parts.data_of(b, &id, 2 * shape[0] * shape[1])?;
             let (unit, factor) = if kind == "HEIGHT" { ("m", step) } else { ("counts", 1.0) };
@@ -113,8 +106,11 @@ fn add<'a>(
             let decode = move || {
                 let mut values = Vec::with_capacity(shape[0] * shape[1]);
                 for piece in pieces {
-                    let b = Bytes::little(&data, FORMAT);
-                    values.extend(b.samples(piece.start, piece.len() / 2, Sample::U16)?);
+                    values.extend(file.with(&data).samples(
+                        piece.start,
+                        piece.len() / 2,
+                        Sample::U16,
+                    )?);
                 }
                 Ok(values)
             };
@@ -139,12 +135,17 @@ fn add<'a>(
 }
 
 /// Metres per pixel along an axis, or per step of height.
-fn scale(channel: Entries<'_>, image: Entries<'_>, axis: &str) -> Result<f64, ReadError> {
+fn scale(
+    b: Bytes<'_>,
+    channel: Entries<'_>,
+    image: Entries<'_>,
+    axis: &str,
+) -> Result<f64, ReadError> {
     let length = channel.number(&format!("length/{axis}"))?;
     let key = format!("pixelUnit/{axis}");
     let name = channel.text(&key)?;
     let unit = metres_per(&name.replace('_', "")); // MICRO_METER
-    let unit = unit.ok_or_else(|| FORMAT.field(key, format!("{name:?} is no length")))?;
+    let unit = unit.ok_or_else(|| b.field(key, format!("{name:?} is no length")))?;
     let key = format!("acquisition/microscopeConfiguration/pixelCalibration/{axis}");
     let calibration = if axis == "z" { 1.0 } else { image.number_or(&key, 1.0)? };
     Ok(length * unit * calibration)
@@ -159,24 +160,24 @@ struct FileParts {
 }
 
 impl FileParts {
-    fn of(b: Bytes<'_>, limits: &Limits) -> Result<Self, ReadError> {
+    fn of(b: Bytes<'_>) -> Result<Self, ReadError> {
         if b.slice(72, 8)?.starts_with(b"FLUOVIEW") {
             return Err(
-                FORMAT.unsupported("an image of a fluorescence microscope, which has no heights,")
+                b.unsupported("an image of a fluorescence microscope, which has no heights,")
             );
         }
         let (mut properties, mut prefix, mut data) = (None, None, BTreeMap::new());
         let (mut at, mut chunks) = (FIRST_CHUNK, 0);
         while b.u32(at)? != u32::MAX {
             chunks += 1;
-            limits.check_items(FORMAT, chunks)?;
+            b.check_items(chunks)?;
             let (size, kind) = (b.u32(at)? as usize, b.u32(at + 4)?);
             let start = at + 8;
             b.slice(start, size)?;
             at = start + size;
             match kind {
                 0 => {
-                    for (kind, text) in blocks(b, start..at, limits)? {
+                    for (kind, text) in blocks(b, start..at)? {
                         match kind {
                             PROPERTIES => properties = Some(text),
                             PREFIX => prefix = Some(b.text(text.start, text.len())?),
@@ -221,11 +222,7 @@ impl FileParts {
 }
 
 /// The first text of every block in a chunk, with the kind of the block.
-fn blocks(
-    b: Bytes<'_>,
-    chunk: Range<usize>,
-    limits: &Limits,
-) -> Result<Vec<(usize, Range<usize>)>, ReadError> {
+fn blocks(b: Bytes<'_>, chunk: Range<usize>) -> Result<Vec<(usize, Range<usize>)>, ReadError> {
     let mut found = Vec::new();
     let mut at = chunk.start;
     while at < chunk.end {
@@ -239,7 +236,7 @@ fn blocks(
             None => (1, *parts),
         };
         at += if parts.starts_with('*') { 4 } else { 0 };
-        limits.check_items(FORMAT, u64::from(count))?;
+        b.check_items(u64::from(count))?;
         let mut first = None;
         for part in (0..count).flat_map(|_| entry.chars()) {
             if part == 'w' {
@@ -251,7 +248,7 @@ fn blocks(
             first.get_or_insert(text);
         }
         found.extend(first.map(|text| (kind, text)));
-        limits.check_items(FORMAT, found.len() as u64)?;
+        b.check_items(found.len() as u64)?;
     }
     Ok(found)
 }
@@ -265,37 +262,32 @@ fn text(b: Bytes<'_>, at: usize, end: usize) -> Result<Range<usize>, ReadError> 
     Ok(start..start + length)
 }
 
-/// The XML of an image.
-struct Properties {
-    /// Id and fields, by their paths below the channel, of every channel.
-    channels: Vec<(String, BTreeMap<String, String>)>,
-    /// Fields outside the channels by their paths below the root.
-    fields: BTreeMap<String, String>,
-}
+/// Fields by their paths.
+type Fields = BTreeMap<String, String>;
 
-impl Properties {
-    fn of(raw: &[u8], limits: &Limits) -> Result<Self, ReadError> {
-        const CHANNEL: [&str; 4] = ["imageInfo", "phase", "group", "channel"];
-        let (mut channels, mut fields) = (Vec::new(), BTreeMap::new());
-        let mut open = BTreeMap::new();
-        let raw = &raw[..raw.iter().rposition(|&byte| byte != 0).map_or(0, |last| last + 1)];
-        xml::walk(raw, FORMAT, "image properties", |element| {
-            let [_root, path @ ..] = element.path else { return Ok(()) };
-            if path == CHANNEL {
-                let id = element.attribute("id").unwrap_or_default().to_owned();
-                channels.push((id, std::mem::take(&mut open)));
-                return limits.check_items(FORMAT, channels.len() as u64);
-            }
-            let text = element.text.trim();
-            if !text.is_empty() {
-                let inside = path.len() > CHANNEL.len() && path[..CHANNEL.len()] == CHANNEL;
-                let (map, path) =
-                    if inside { (&mut open, &path[CHANNEL.len()..]) } else { (&mut fields, path) };
-                limits.check_items(FORMAT, map.len() as u64 + 1)?;
-                map.entry(path.join("/")).or_insert_with(|| text.to_owned());
-            }
-            Ok(())
-        })?;
-        Ok(Self { channels, fields })
-    }
+/// The XML of an image: id and fields below it of every channel, and the fields outside the channels.
+fn properties(b: Bytes<'_>) -> Result<(Vec<(String, Fields)>, Fields), ReadError> {
+    const CHANNEL: [&str; 4] = ["imageInfo", "phase", "group", "channel"];
+    let (mut channels, mut fields) = (Vec::new(), BTreeMap::new());
+    let mut open = BTreeMap::new();
+    let raw = b.data;
+    let raw = &raw[..raw.iter().rposition(|&byte| byte != 0).map_or(0, |last| last + 1)];
+    xml::walk(b.with(raw), "image properties", |element| {
+        let [_root, path @ ..] = element.path else { return Ok(()) };
+        if path == CHANNEL {
+            let id = element.attribute("id").unwrap_or_default().to_owned();
+            channels.push((id, std::mem::take(&mut open)));
+            return b.check_items(channels.len() as u64);
+        }
+        let text = element.text.trim();
+        if !text.is_empty() {
+            let inside = path.len() > CHANNEL.len() && path[..CHANNEL.len()] == CHANNEL;
+            let (map, path) =
+                if inside { (&mut open, &path[CHANNEL.len()..]) } else { (&mut fields, path) };
+            b.check_items(map.len() as u64 + 1)?;
+            map.entry(path.join("/")).or_insert_with(|| text.to_owned());
+        }
+        Ok(())
+    })?;
+    Ok((channels, fields))
 }

@@ -24,12 +24,9 @@
 //! Source: Wyko, *Vision 32 OPD file format* as implemented by several free readers; the files.
 
 use super::npy::transpose;
-use crate::binary::{Bytes, Sample};
-use crate::measurement::{Channel, Contents, Pixel};
-use crate::{Format, Limits, ReadError, text};
-use std::collections::BTreeMap;
+use super::prelude::*;
+use crate::text;
 
-const FORMAT: Format = Format::Opd;
 const ENTRY: usize = 24;
 const TEXT: &[u8] = b"Wyko ASCII Data File Format";
 const MAPS: [&str; 5] = ["RAW DATA", "RAW_DATA", "OPD", "Raw", "SAMPLE_DATA"];
@@ -38,18 +35,17 @@ pub(crate) fn sniff(bytes: &[u8]) -> bool {
     bytes.get(2..12) == Some(b"Directory\0") || bytes.starts_with(TEXT)
 }
 
-pub(crate) fn parse<'a>(bytes: &'a [u8], limits: &Limits) -> Result<Contents<'a>, ReadError> {
-    if bytes.starts_with(TEXT) {
-        return parse_text(bytes, limits);
+pub(crate) fn parse(b: Bytes<'_>) -> Result<Contents<'_>, ReadError> {
+    if b.data.starts_with(TEXT) {
+        return parse_text(b);
     }
-    let b = Bytes::little(bytes, FORMAT);
     let length = |at: usize| {
         let length = b.i32(at + 18)?;
         usize::try_from(length).map_err(|_| b.fault(at + 18, format!("a length of {length}")))
     };
     let directory = length(2)?;
     let count = directory / ENTRY;
-    limits.check_items(FORMAT, count as u64)?;
+    b.check_items(count as u64)?;
     let mut maps = Vec::new();
     let (mut wavelength, mut pixel) = (None, None);
     let (mut multiplier, mut aspect) = (1.0, 1.0);
@@ -88,10 +84,9 @@ pub(crate) fn parse<'a>(bytes: &'a [u8], limits: &Limits) -> Result<Contents<'a>
             4 => (Sample::F32, 1e32),
             size => return Err(b.fault(at + 4, format!("{size} bytes per point, not 1, 2, 4"))),
         };
-        limits.check_points(FORMAT, [ny, nx])?;
-        b.map_length(at + 6, [ny, nx], sample)?;
+        let raster = b.raster(at + 6, [ny, nx], sample)?;
         let step = wavelength / multiplier;
-        let decode = move || Ok(transpose(&b.samples(at + 6, ny * nx, sample)?, [nx, ny]));
+        let decode = move || Ok(transpose(&raster.values(), [nx, ny]));
         let convert = move |raw: f64| {
             let is_missing = raw.is_nan() || raw >= missing || raw <= -1e32;
             if is_missing { f64::NAN } else { raw * step }
@@ -103,15 +98,15 @@ pub(crate) fn parse<'a>(bytes: &'a [u8], limits: &Limits) -> Result<Contents<'a>
 }
 
 /// The export as text.
-fn parse_text<'a>(bytes: &'a [u8], limits: &Limits) -> Result<Contents<'a>, ReadError> {
-    let content = text::decode(bytes);
+fn parse_text(b: Bytes<'_>) -> Result<Contents<'_>, ReadError> {
+    let content = text::decode(b.data);
     let mut lines = text::lines(&content);
     let first = lines.next().map_or("", |(_, line)| line);
     let is_in_nm = first.split_whitespace().nth(6) == Some("1");
     let mut fields = BTreeMap::<String, String>::new();
     let mut maps = Vec::new();
     while let Some((number, line)) = lines.next() {
-        limits.check_items(FORMAT, fields.len() as u64)?;
+        b.check_items(fields.len() as u64)?;
         let mut cells = line.split('\t').map(str::trim);
         let (Some(name), Some(value)) = (cells.next(), cells.next_back()) else { continue };
         let is_other = ["Image", "Intensity", "SecArr_0"].contains(&name);
@@ -121,37 +116,37 @@ fn parse_text<'a>(bytes: &'a [u8], limits: &Limits) -> Result<Contents<'a>, Read
         }
         let side = |key: &str| fields.get(key).and_then(|text| text.parse::<usize>().ok());
         let (Some(nx), Some(ny)) = (side("X Size"), side("Y Size")) else {
-            return Err(FORMAT.line(number, "neither X Size nor Y Size before the map"));
+            return Err(b.format.line(number, "neither X Size nor Y Size before the map"));
         };
-        limits.check_points(FORMAT, [ny, nx])?;
+        b.check_points([ny, nx])?;
         let mut values = Vec::new();
         for _ in 0..nx {
             let next = lines.next();
             let (number, line) =
-                next.ok_or_else(|| FORMAT.line(number, format!("not {nx} columns follow")))?;
+                next.ok_or_else(|| b.format.line(number, format!("not {nx} columns follow")))?;
             let before = values.len();
             for cell in line.split_whitespace() {
                 values.push(match cell.replace(',', ".").parse::<f64>() {
                     Ok(value) => value,
                     Err(_) if cell.eq_ignore_ascii_case("bad") => f64::NAN,
-                    Err(_) => return Err(FORMAT.line(number, format!("{cell:?} is no number"))),
+                    Err(_) => return Err(b.format.line(number, format!("{cell:?} is no number"))),
                 });
             }
             if values.len() - before != ny {
                 let what = format!("{} points, a column has {ny}", values.len() - before);
-                return Err(FORMAT.line(number, what));
+                return Err(b.format.line(number, what));
             }
         }
         maps.push((name.to_owned(), is_other, [nx, ny], values));
     }
     let number = |key: &'static str, default: Option<f64>| match fields.get(key) {
-        None => default.ok_or_else(|| FORMAT.field(key, "the block is missing")),
+        None => default.ok_or_else(|| b.field(key, "the block is missing")),
         Some(text) => text
             .replace(',', ".")
             .parse::<f64>()
             .ok()
             .filter(|value| value.is_finite() && *value > 0.0)
-            .ok_or_else(|| FORMAT.field(key, format!("{text:?} is no number above 0"))),
+            .ok_or_else(|| b.field(key, format!("{text:?} is no number above 0"))),
     };
     let step =
         if is_in_nm { 1.0 } else { number("Wavelength", None)? / number("Mult", Some(1.0))? };

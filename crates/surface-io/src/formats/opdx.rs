@@ -27,20 +27,13 @@
 //!
 //! Source: the item list of several free readers, checked against files.
 
-use crate::binary::{Bytes, Sample, text};
-use crate::measurement::{Channel, Contents, Pixel, Raster};
-use crate::{Format, Limits, ReadError, metres_per};
-use std::collections::BTreeMap;
+use super::prelude::*;
+use crate::binary::text;
 
-const FORMAT: Format = Format::Opdx;
-const MAGIC: &[u8] = b"VCA DATA\x01\0\0\x55";
+pub(crate) const MAGIC: &[u8] = b"VCA DATA\x01\0\0\x55";
 const ARRAY_HEAD: usize = 5;
 
-pub(crate) fn sniff(bytes: &[u8]) -> bool {
-    bytes.starts_with(MAGIC)
-}
-
-enum ItemValue<'a> {
+enum ItemValue {
     Number(f64),
     Text(String),
     Quantity {
@@ -48,13 +41,12 @@ enum ItemValue<'a> {
         symbol: String,
     },
     /// An array of f64 as one row, or a matrix of f32.
-    Numbers(Raster<'a>),
+    Numbers(usize, [usize; 2], Sample),
 }
 
-pub(crate) fn parse<'a>(bytes: &'a [u8], limits: &Limits) -> Result<Contents<'a>, ReadError> {
-    let b = Bytes::little(bytes, FORMAT);
-    let mut reader = ItemReader { b, at: MAGIC.len(), count: 0, limits, items: BTreeMap::new() };
-    while reader.at < bytes.len() && reader.item("", 0)? {}
+pub(crate) fn parse(b: Bytes<'_>) -> Result<Contents<'_>, ReadError> {
+    let mut reader = ItemReader { b, at: MAGIC.len(), count: 0, items: BTreeMap::new() };
+    while reader.at < b.data.len() && reader.item("", 0)? {}
     let items = reader.items;
 
     let mut contents = Contents::default();
@@ -64,25 +56,25 @@ pub(crate) fn parse<'a>(bytes: &'a [u8], limits: &Limits) -> Result<Contents<'a>
     };
     let first = items.get_key_value(&primary);
     for (path, value) in first.into_iter().chain(items.iter().filter(|item| *item.0 != primary)) {
-        if let ItemValue::Numbers(raster) = value {
-            contents.channels.extend(channel(&items, path, *raster, limits)?);
+        if let ItemValue::Numbers(at, shape, sample) = *value {
+            contents.channels.extend(channel(b, &items, path, (at, shape, sample))?);
         }
         let Some(key) = path.strip_prefix("/MetaData/") else { continue };
         let shown = match value {
             ItemValue::Number(value) => value.to_string(),
             ItemValue::Text(text) => text.clone(),
             ItemValue::Quantity { value, symbol } => format!("{value} {symbol}"),
-            ItemValue::Numbers(_) => continue,
+            ItemValue::Numbers(..) => continue,
         };
         contents.metadata.insert(key.to_owned(), shown);
     }
     Ok(contents)
 }
 
-type Items<'a> = BTreeMap<String, ItemValue<'a>>;
+type Items = BTreeMap<String, ItemValue>;
 
 /// Metres of a quantity; `None` if it is not there or no length.
-fn metres(items: &Items<'_>, path: &str) -> Option<f64> {
+fn metres(items: &Items, path: &str) -> Option<f64> {
     match items.get(path)? {
         ItemValue::Quantity { value, symbol } => Some(value * metres_per(symbol)?),
         _ => None,
@@ -91,20 +83,20 @@ fn metres(items: &Items<'_>, path: &str) -> Option<f64> {
 
 /// The map or profile of a path, if it is one.
 fn channel<'a>(
-    items: &Items<'_>,
+    b: Bytes<'a>,
+    items: &Items,
     path: &str,
-    raster: Raster<'a>,
-    limits: &Limits,
+    (at, shape, sample): (usize, [usize; 2], Sample),
 ) -> Result<Option<Channel<'a>>, ReadError> {
     let map = path.strip_suffix("/Matrix").filter(|path| path.starts_with("/2D_Data/"));
     let profile = path.strip_suffix("/Array").filter(|path| path.starts_with("/1D_Data/"));
-    let [ny, nx] = raster.shape;
+    let [ny, nx] = shape;
     let (folder, [extent_y, extent_x]) = match (map, profile) {
         (Some(folder), _) => (folder, ["Dimension1Extent", "Dimension2Extent"]),
         (None, Some(folder)) if nx > 1 => (folder, ["", "Extent"]),
         _ => return Ok(None),
     };
-    limits.check_points(FORMAT, raster.shape)?;
+    let raster = b.raster(at, shape, sample)?;
     let step = |extent: &str, n: usize| {
         let extent = metres(items, &format!("{folder}/{extent}"))?;
         (n > 1).then(|| extent / (n - 1) as f64)
@@ -123,19 +115,18 @@ fn channel<'a>(
         _ => folder.rsplit('/').next().unwrap_or_default(),
     };
     let convert = move |raw: f64| if raw.abs() < 1e30 { raw * factor } else { f64::NAN };
-    Channel::raster(name, Some(unit), pixel, raster, convert).map(Some)
+    Ok(Some(Channel::raster(name, unit, pixel, raster, convert)))
 }
 
 /// Walks through the items.
-struct ItemReader<'a, 'l> {
+struct ItemReader<'a> {
     b: Bytes<'a>,
     at: usize,
     count: u64,
-    limits: &'l Limits,
-    items: Items<'a>,
+    items: Items,
 }
 
-impl<'a> ItemReader<'a, '_> {
+impl<'a> ItemReader<'a> {
     fn take(&mut self, length: usize) -> Result<&'a [u8], ReadError> {
         let raw = self.b.slice(self.at, length)?;
         self.at += length;
@@ -175,7 +166,7 @@ impl<'a> ItemReader<'a, '_> {
     /// Reads one item; false at the end of a container.
     fn item(&mut self, folder: &str, depth: usize) -> Result<bool, ReadError> {
         self.count += 1;
-        self.limits.check_items(FORMAT, self.count)?;
+        self.b.check_items(self.count)?;
         if depth > 32 {
             return Err(self.b.fault(self.at, "containers nested deeper than 32"));
         }
@@ -220,8 +211,7 @@ impl<'a> ItemReader<'a, '_> {
                 self.take(length)?;
                 let shape = [1, length.saturating_sub(ARRAY_HEAD) / 8];
                 let at = at + ARRAY_HEAD;
-                let raster = Raster { bytes: self.b, at, shape, sample: Sample::F64 };
-                (kind == 64).then_some(ItemValue::Numbers(raster))
+                (kind == 64).then_some(ItemValue::Numbers(at, shape, Sample::F64))
             }
             kind @ (0 | 69) => {
                 self.name()?;
@@ -234,8 +224,7 @@ impl<'a> ItemReader<'a, '_> {
                 let shape = [self.word()?, self.word()?];
                 let at = self.at;
                 self.skip_to(end)?;
-                let raster = Raster { bytes: self.b, at, shape, sample: Sample::F32 };
-                Some(ItemValue::Numbers(raster))
+                Some(ItemValue::Numbers(at, shape, Sample::F32))
             }
             70 | 71 | 125 => {
                 let length = self.length()?;

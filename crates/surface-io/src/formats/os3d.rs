@@ -13,19 +13,11 @@
 //! Sources: Digital Metrology Solutions, *OmniSurf3D file format*, as read by SurfaceTopography
 //! and surfalize (both open readers). Not checked against a real file.
 
-use crate::binary::{Bytes, Sample};
-use crate::measurement::{Channel, Contents, Pixel, Raster};
-use crate::{Format, Limits, ReadError};
+use super::prelude::*;
 
-const FORMAT: Format = Format::Os3d;
-const MAGIC: &[u8] = b"OmniSurf3D";
+pub(crate) const MAGIC: &[u8] = b"OmniSurf3D";
 
-pub(crate) fn sniff(bytes: &[u8]) -> bool {
-    bytes.starts_with(MAGIC)
-}
-
-pub(crate) fn parse<'a>(bytes: &'a [u8], limits: &Limits) -> Result<Contents<'a>, ReadError> {
-    let b = Bytes::little(bytes, FORMAT);
+pub(crate) fn parse(b: Bytes<'_>) -> Result<Contents<'_>, ReadError> {
     let mut at = MAGIC.len() + 8;
     let mut text = || {
         let length = b.u32(at)? as usize;
@@ -35,10 +27,9 @@ pub(crate) fn parse<'a>(bytes: &'a [u8], limits: &Limits) -> Result<Contents<'a>
     };
     let metadata = [("identification", text()?), ("date", text()?)];
     let shape = [b.u32(at + 4)? as usize, b.u32(at)? as usize];
-    limits.check_points(FORMAT, shape)?;
     let pixel = Pixel::Metres([b.f64(at + 16)?, b.f64(at + 8)?].map(|um| um * 1e-6));
-    let raster = Raster { bytes: b, at: at + 40, shape, sample: Sample::F32 };
+    let raster = b.raster(at + 40, shape, Sample::F32)?;
     let convert = |um: f64| if um < -3e38 { f64::NAN } else { um };
-    let channel = Channel::raster("Height", Some("\u{b5}m"), pixel, raster, convert)?;
+    let channel = Channel::raster("Height", "\u{b5}m", pixel, raster, convert);
     Ok(Contents::new(vec![channel], metadata))
 }

@@ -22,36 +22,26 @@
 //! Sources: Park Systems, *XEI data structure*, as read by SurfaceTopography (open); a file of
 //! SmartScan.
 
-use crate::binary::{Bytes, Sample};
+use super::prelude::*;
 use crate::encoding::utf16;
-use crate::measurement::{Channel, Contents, Pixel, Raster};
 use crate::tiff;
-use crate::{Format, Limits, ReadError};
 
-const FORMAT: Format = Format::Park;
-const MAGIC: u16 = 50432;
+pub(crate) const MAGIC: u16 = 50432;
 const VERSION: u16 = 50433;
 const DATA: u16 = 50434;
 const HEADER: u16 = 50435;
 
-pub(crate) fn sniff(bytes: &[u8]) -> bool {
-    tiff::first_page(bytes).is_some_and(|page| page.has(MAGIC))
-}
-
-pub(crate) fn parse<'a>(bytes: &'a [u8], limits: &Limits) -> Result<Contents<'a>, ReadError> {
-    let b = Bytes::little(bytes, FORMAT);
-    let pages = tiff::pages(bytes, FORMAT, limits, 1)?;
+pub(crate) fn parse(b: Bytes<'_>) -> Result<Contents<'_>, ReadError> {
+    let pages = tiff::pages(b, 1)?;
     let page = pages.first().ok_or_else(|| b.fault(4, "there is no directory"))?;
     let (_, header) = page.raw(HEADER)?;
-    let h = Bytes::little(header, FORMAT);
+    let h = b.with(header);
     let kind = h.u32(0)?;
     if kind > 1 {
-        return Err(
-            FORMAT.unsupported(format!("an image of kind {kind} (maps 0 and profiles 1 are)"))
-        );
+        return Err(b.unsupported(format!("an image of kind {kind} (maps 0 and profiles 1 are)")));
     }
     let shape = [h.u32(104)? as usize, h.u32(100)? as usize];
-    limits.check_points(FORMAT, shape)?;
+    b.check_points(shape)?;
     let code = if page.number(VERSION)? > f64::from(0x0100_0001) { h.u32(348)? } else { 0 };
     let sample = match code {
         0 => Sample::I16,
@@ -70,8 +60,8 @@ pub(crate) fn parse<'a>(bytes: &'a [u8], limits: &Limits) -> Result<Contents<'a>
     let factor = h.f64(220)? * h.f64(228)?;
     let name = wide(h.slice(4, 64)?);
     let unit = wide(h.slice(244, 16)?);
-    let raster = Raster { bytes: b, at, shape, sample };
-    let channel = Channel::raster(name, Some(&unit), pixel, raster, move |raw| raw * factor)?;
+    let raster = b.raster(at, shape, sample)?;
+    let channel = Channel::raster(name, &unit, pixel, raster, move |raw| raw * factor);
     let mut contents = Contents::new(vec![channel.flipped()], []);
     for (key, tag) in [("software", 305), ("date", 306)] {
         contents.note(key, page.text(tag));

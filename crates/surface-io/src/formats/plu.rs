@@ -16,17 +16,15 @@
 //!
 //! Source: Sensofar, *PLu file format* (2009), as implemented by several free readers.
 
-use crate::binary::{Bytes, Sample};
-use crate::measurement::{Channel, Contents, Pixel, Raster};
-use crate::{Format, Limits, ReadError};
+use super::prelude::*;
+use crate::Limits;
 
-const FORMAT: Format = Format::Plu;
 const DATA: usize = 500;
 
 /// Without a magic number everything that can be checked is: the date is text, the two sizes
 /// agree, the spacings are lengths, and the data fit.
 pub(crate) fn sniff(bytes: &[u8]) -> bool {
-    let b = Bytes::little(bytes, FORMAT);
+    let b = Bytes::little(bytes, Format::Plu, Limits::default());
     let plausible = || -> Result<bool, ReadError> {
         let date = b.slice(0, 128)?.split(|&byte| byte == 0).next().unwrap_or_default();
         let is_date = (6..128).contains(&date.len())
@@ -45,23 +43,21 @@ pub(crate) fn sniff(bytes: &[u8]) -> bool {
     plausible().unwrap_or(false)
 }
 
-pub(crate) fn parse<'a>(bytes: &'a [u8], limits: &Limits) -> Result<Contents<'a>, ReadError> {
-    let b = Bytes::little(bytes, FORMAT);
+pub(crate) fn parse(b: Bytes<'_>) -> Result<Contents<'_>, ReadError> {
     let kind = b.u32(428)?;
     if kind != 3 {
-        return Err(FORMAT.unsupported(format!("a measurement of kind {kind} (topography, 3, is)")));
+        return Err(b.unsupported(format!("a measurement of kind {kind} (topography, 3, is)")));
     }
     let pixel = Pixel::Metres([b.f32(408)?, b.f32(404)?].map(|um| f64::from(um) * 1e-6));
     let mut channels = Vec::new();
     let mut at = DATA;
     for layer in 0..b.u8(489)?.max(1) {
         let shape = [b.u32(at)? as usize, b.u32(at + 4)? as usize];
-        limits.check_points(FORMAT, shape)?;
-        let raster = Raster { bytes: b, at: at + 8, shape, sample: Sample::F32 };
+        let raster = b.raster(at + 8, shape, Sample::F32)?;
         let convert = |um: f64| if um >= 1000001.0 { f64::NAN } else { um };
         let name = format!("Layer {}", layer + 1);
-        channels.push(Channel::raster(name, Some("\u{b5}m"), pixel, raster, convert)?);
-        at += 8 + b.map_length(at + 8, shape, Sample::F32)? + 8;
+        channels.push(Channel::raster(name, "\u{b5}m", pixel, raster, convert));
+        at = raster.end + 8;
     }
     let metadata = [("date", b.text(0, 128)?), ("comment", b.text(132, 256)?)];
     Ok(Contents::new(channels, metadata))

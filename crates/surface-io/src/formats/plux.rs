@@ -11,12 +11,9 @@
 //! Sources: SurfaceTopography, surfalize (both open readers). Not checked against a real file.
 
 use super::archive::{Archive, MAGIC};
-use crate::binary::{ByteOrder, Sample, find};
-use crate::entries::Entries;
-use crate::measurement::{Channel, Contents, Pixel};
-use crate::{Format, Limits, ReadError, xml};
-
-const FORMAT: Format = Format::Plux;
+use super::prelude::*;
+use crate::binary::find;
+use crate::xml;
 
 pub(crate) fn sniff(bytes: &[u8]) -> bool {
     bytes.starts_with(MAGIC)
@@ -24,27 +21,24 @@ pub(crate) fn sniff(bytes: &[u8]) -> bool {
         && find(bytes, b"LAYER_0").is_some()
 }
 
-pub(crate) fn parse<'a>(bytes: &'a [u8], limits: &Limits) -> Result<Contents<'a>, ReadError> {
-    let mut archive = Archive::open(bytes, FORMAT, limits)?;
-    let index = archive.unpack("index.xml", limits)?;
-    let mut fields = xml::fields(&index, FORMAT, "index.xml", limits)?;
-    let entries = Entries::new(FORMAT, &fields, crate::xml::ABSENT);
+pub(crate) fn parse(b: Bytes<'_>) -> Result<Contents<'_>, ReadError> {
+    let mut archive = Archive::open(b)?;
+    let index = archive.unpack("index.xml")?;
+    let mut fields = xml::fields(b.with(&index), "index.xml")?;
+    let entries = Entries::new(b, &fields, xml::ABSENT);
     let side = |key: &str| entries.parsed::<usize>(key, "size");
     let shape = [side("GENERAL/IMAGE_SIZE_Y")?, side("GENERAL/IMAGE_SIZE_X")?];
-    limits.check_points(FORMAT, shape)?;
+    b.check_points(shape)?;
     let micrometres = [entries.number("GENERAL/FOV_Y")?, entries.number("GENERAL/FOV_X")?];
     let pixel = Pixel::Metres(micrometres.map(|um| um * 1e-6));
     let mut contents = Contents::default();
-    let mut total = 0;
     for layer in 0.. {
         let Some(member) = entries.get(&format!("LAYER_{layer}/FILENAME_Z")) else { break };
-        limits.check_items(FORMAT, layer)?;
-        let raw = archive.unpack(member, limits)?;
-        total += raw.len() as u64;
-        limits.check_unpacked(FORMAT, total)?;
+        b.check_items(layer)?;
+        let raw = archive.unpack(member)?;
         if raw.len() != 4 * shape[0] * shape[1] {
             let what = format!("{} bytes for {} x {} points", raw.len(), shape[0], shape[1]);
-            return Err(FORMAT.field(member.to_owned(), what));
+            return Err(b.field(member.to_owned(), what));
         }
         let name = format!("Layer {}", layer + 1);
         contents.channels.push(Channel::new(name, Some("\u{b5}m"), shape, pixel, move || {

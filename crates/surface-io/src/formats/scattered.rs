@@ -87,10 +87,7 @@ impl Line {
         decode: impl FnOnce() -> Result<Vec<f64>, ReadError> + 'a,
     ) -> Channel<'a> {
         let count = self.count;
-        let pixel = match x_unit.and_then(metres_per) {
-            Some(scale) => Pixel::Metres([self.step * scale; 2]),
-            None => Pixel::Steps([self.step; 2]),
-        };
+        let pixel = Pixel::scaled([self.step; 2], [x_unit.and_then(metres_per); 2]);
         let channel = Channel::new(name, unit, [1, count], pixel, decode);
         let channel = if self.is_falling { channel.mirrored() } else { channel };
         Channel { uneven: self.uneven, places: self.places, ..channel }
@@ -235,64 +232,5 @@ impl GridLines {
             Some(step) => (((value - self.first) / step).round() as usize).min(self.count - 1),
             None => 0,
         }
-    }
-}
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-    use std::fmt::Write as _;
-
-    fn map(text: &str) -> GriddedMap {
-        let table = crate::text::NumberTable::parse(text).unwrap();
-        grid(&table.values, 3, [table.digits[0], table.digits[1]], &Limits::default()).unwrap()
-    }
-
-    #[test]
-    fn a_column_that_is_nowhere_in_the_list_is_missing() {
-        let mut list = String::new();
-        for x in [0, 1, 2, 4] {
-            for y in [-3, 1, 5] {
-                writeln!(list, "{x} {y} {}", 10 * x + y).unwrap();
-            }
-        }
-        let found = map(&list);
-        assert_eq!((found.shape, found.step), ([3, 5], [4.0, 1.0]));
-        assert_eq!(found.heights[0].iter().filter(|h| h.is_nan()).count(), 3);
-        assert!((found.heights[0][4] - 37.0).abs() < 1e-12);
-    }
-
-    #[test]
-    fn rounded_coordinates_are_even() {
-        let mut list = String::new();
-        for iy in 0..20 {
-            for ix in 0..30 {
-                let (x, y) = (0.156 * f64::from(ix), 0.31 * f64::from(iy));
-                writeln!(list, "{x:.1} {y:.2} 1").unwrap();
-            }
-        }
-        let found = map(&list);
-        assert_eq!(found.shape, [20, 30]);
-        assert!((found.step[1] - 4.5 / 29.0).abs() < 1e-12);
-    }
-
-    #[test]
-    fn the_same_place_twice_is_refused() {
-        let table = crate::text::NumberTable::parse("0 0 1\n1 0 1\n0 1 1\n0 1 2\n").unwrap();
-        let digits = [table.digits[0], table.digits[1]];
-        let Err(error) = grid(&table.values, 3, digits, &Limits::default()) else { panic!() };
-        assert!(error.to_string().contains("already in the list"), "{error}");
-    }
-
-    #[test]
-    fn uneven_profiles_say_by_how_much() {
-        let uneven = |text: &str| {
-            let table = crate::text::NumberTable::parse(text).unwrap();
-            let x: Vec<f64> = table.values.iter().step_by(2).copied().collect();
-            Line::new(&x, table.digits[0]).unwrap().uneven
-        };
-        assert_eq!(uneven("0.0 1\n0.2 1\n0.3 1\n0.5 1\n"), None);
-        assert!(uneven("0 1\n1 1\n2 1\n4 1\n5 1\n").is_some());
-        assert!(uneven("0 1\n1 1\n2.5 1\n3 1\n").is_some());
     }
 }

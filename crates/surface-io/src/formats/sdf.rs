@@ -20,14 +20,8 @@
 //!
 //! Source: ISO 25178-71:2017.
 
-use crate::binary::{Bytes, Sample};
-use crate::entries::Entries;
-use crate::measurement::{Channel, Contents, Pixel, Raster};
+use super::prelude::*;
 use crate::text;
-use crate::{Format, Limits, ReadError};
-use std::collections::BTreeMap;
-
-const FORMAT: Format = Format::Sdf;
 
 /// Behind the points a trailer of text may follow; more bytes than this that are no text may not, for
 /// then the header lies about the size.
@@ -40,73 +34,59 @@ pub(crate) fn sniff(bytes: &[u8]) -> bool {
     )
 }
 
-pub(crate) fn parse<'a>(bytes: &'a [u8], limits: &Limits) -> Result<Contents<'a>, ReadError> {
-    if bytes.starts_with(b"b") { binary(bytes, limits) } else { ascii(bytes, limits) }
+pub(crate) fn parse(b: Bytes<'_>) -> Result<Contents<'_>, ReadError> {
+    if b.data.starts_with(b"b") { binary(b) } else { ascii(b) }
 }
 
-/// How the numbers of a map become heights.
-#[derive(Clone, Copy)]
-struct Encoding {
-    sample: Sample,
-    /// The whole number that marks a missing point.
-    missing: Option<f64>,
-    /// Metres per stored unit.
+/// How a height is stored, and what makes it metres, NaN where the point is missing.
+fn encoding(
+    b: Bytes<'_>,
+    data_type: u8,
     scale: f64,
+) -> Result<(Sample, impl Fn(f64) -> f64 + Copy + use<>), ReadError> {
+    let (sample, missing) = match data_type {
+        0 => (Sample::U8, None),
+        1 => (Sample::U16, Some(f64::from(u16::MAX))),
+        2 => (Sample::U32, Some(f64::from(u32::MAX))),
+        3 => (Sample::F32, None),
+        4 => (Sample::I8, Some(f64::from(i8::MIN))),
+        5 => (Sample::I16, Some(f64::from(i16::MIN))),
+        6 => (Sample::I32, Some(f64::from(i32::MIN))),
+        7 => (Sample::F64, None),
+        _ => return Err(b.field("DataType", data_type.to_string())),
+    };
+    if !(scale.is_finite() && scale > 0.0) {
+        return Err(b.field("Zscale", format!("{scale} must be finite and greater than 0")));
+    }
+    let end = if sample == Sample::F32 { f64::from(f32::MAX) } else { f64::MAX };
+    let height = move |raw: f64| {
+        let is_mark = Some(raw.to_bits()) == missing.map(f64::to_bits);
+        if is_mark || raw.is_nan() || raw.abs() >= end { f64::NAN } else { raw * scale }
+    };
+    Ok((sample, height))
 }
 
-impl Encoding {
-    fn new(data_type: u8, scale: f64) -> Result<Self, ReadError> {
-        let (sample, missing) = match data_type {
-            0 => (Sample::U8, None),
-            1 => (Sample::U16, Some(f64::from(u16::MAX))),
-            2 => (Sample::U32, Some(f64::from(u32::MAX))),
-            3 => (Sample::F32, None),
-            4 => (Sample::I8, Some(f64::from(i8::MIN))),
-            5 => (Sample::I16, Some(f64::from(i16::MIN))),
-            6 => (Sample::I32, Some(f64::from(i32::MIN))),
-            7 => (Sample::F64, None),
-            _ => return Err(FORMAT.field("DataType", data_type.to_string())),
-        };
-        if !(scale.is_finite() && scale > 0.0) {
-            let what = format!("{scale} must be finite and greater than 0");
-            return Err(FORMAT.field("Zscale", what));
-        }
-        Ok(Self { sample, missing, scale })
-    }
-
-    /// Height in metres; NaN where the point is missing.
-    fn height(self, raw: f64) -> f64 {
-        let end = if self.sample == Sample::F32 { f64::from(f32::MAX) } else { f64::MAX };
-        let is_mark = Some(raw.to_bits()) == self.missing.map(f64::to_bits);
-        if is_mark || raw.is_nan() || raw.abs() >= end { f64::NAN } else { raw * self.scale }
-    }
-}
-
-fn binary<'a>(bytes: &'a [u8], limits: &Limits) -> Result<Contents<'a>, ReadError> {
-    let b = Bytes::little(bytes, FORMAT);
+fn binary(b: Bytes<'_>) -> Result<Contents<'_>, ReadError> {
     // Where the scales start, behind the numbers of points.
-    let (shape, scales): ([usize; 2], usize) = if bytes.get(5) == Some(&b'2') {
+    let (shape, scales): ([usize; 2], usize) = if b.data.get(5) == Some(&b'2') {
         ([b.u32(46)? as usize, b.u32(42)? as usize], 50)
     } else {
         ([b.u16(44)?.into(), b.u16(42)?.into()], 46)
     };
-    refuse_compression(b.u8(scales + 32)?.into())?;
-    limits.check_points(FORMAT, shape)?;
-    let encoding = Encoding::new(b.u8(scales + 33)?, b.f64(scales + 16)?)?;
+    refuse_compression(b, b.u8(scales + 32)?.into())?;
+    let (sample, height) = encoding(b, b.u8(scales + 33)?, b.f64(scales + 16)?)?;
     let pixel = Pixel::Metres([b.f64(scales + 8)?, b.f64(scales)?]);
-    let raster = Raster { bytes: b, at: scales + 35, shape, sample: encoding.sample };
-    let length = b.map_length(raster.at, raster.shape, raster.sample)?;
-    let trailer = &bytes[raster.at + length..];
+    let raster = b.raster(scales + 35, shape, sample)?;
+    let trailer = &b.data[raster.end..];
     if trailer.len() > LONGEST_TRAILER && !text::is_text(trailer) {
         let [ny, nx] = shape;
         let what = format!(
             "{} bytes follow the {ny} x {nx} points that the header promises, and they are no text",
             trailer.len()
         );
-        return Err(b.fault(raster.at + length, what));
+        return Err(b.fault(raster.end, what));
     }
-    let convert = move |raw| encoding.height(raw);
-    let channel = Channel::raster("Z", Some("m"), pixel, raster, convert)?;
+    let channel = Channel::raster("Z", "m", pixel, raster, height);
     let metadata = [
         ("ManufacID", b.text(8, 10)?),
         ("CreateDate", b.text(18, 12)?),
@@ -116,15 +96,15 @@ fn binary<'a>(bytes: &'a [u8], limits: &Limits) -> Result<Contents<'a>, ReadErro
     Ok(Contents::new(vec![channel], metadata))
 }
 
-fn refuse_compression(compression: u64) -> Result<(), ReadError> {
+fn refuse_compression(b: Bytes<'_>, compression: u64) -> Result<(), ReadError> {
     if compression == 0 {
         return Ok(());
     }
-    Err(FORMAT.unsupported(format!("Compression = {compression} (the standard defines none)")))
+    Err(b.unsupported(format!("Compression = {compression} (the standard defines none)")))
 }
 
-fn ascii<'a>(bytes: &'a [u8], limits: &Limits) -> Result<Contents<'a>, ReadError> {
-    let text = text::decode(bytes);
+fn ascii(b: Bytes<'_>) -> Result<Contents<'_>, ReadError> {
+    let text = text::decode(b.data);
     let mut lines = text::lines(&text).skip(1);
     let mut metadata = BTreeMap::new();
     for (_, line) in lines.by_ref() {
@@ -132,18 +112,18 @@ fn ascii<'a>(bytes: &'a [u8], limits: &Limits) -> Result<Contents<'a>, ReadError
             break;
         }
         if let Some((key, value)) = line.split_once('=') {
-            limits.check_items(FORMAT, metadata.len() as u64)?;
+            b.check_items(metadata.len() as u64)?;
             metadata.insert(key.trim().to_owned(), value.trim().to_owned());
         }
     }
-    let entries = Entries::new(FORMAT, &metadata, "the field is missing");
+    let entries = Entries::new(b, &metadata, "the field is missing");
     let whole = |key: &str| entries.parsed::<usize>(key, "whole number");
-    refuse_compression(whole("Compression").unwrap_or(0) as u64)?;
+    refuse_compression(b, whole("Compression").unwrap_or(0) as u64)?;
     let data_type = u8::try_from(whole("DataType")?).unwrap_or(u8::MAX);
     let shape = [whole("NumProfiles")?, whole("NumPoints")?];
     let pixel = Pixel::Metres([entries.number("Yscale")?, entries.number("Xscale")?]);
-    limits.check_points(FORMAT, shape)?;
-    let encoding = Encoding::new(data_type, entries.number("Zscale")?)?;
+    b.check_points(shape)?;
+    let (_, height) = encoding(b, data_type, entries.number("Zscale")?)?;
     let [ny, nx] = shape;
     let mut values = Vec::new(); // grows with the text, whatever the header claims
     'data: for (line, text) in lines {
@@ -155,17 +135,16 @@ fn ascii<'a>(bytes: &'a [u8], limits: &Limits) -> Result<Contents<'a>, ReadError
                 Ok(raw) => raw,
                 Err(_) if word.eq_ignore_ascii_case("BAD") => f64::NAN,
                 Err(_) => {
-                    let what =
-                        format!("{:?} is no number", word.chars().take(40).collect::<String>());
-                    return Err(FORMAT.line(line, what));
+                    let word: String = word.chars().take(40).collect();
+                    return Err(b.format.line(line, format!("{word:?} is no number")));
                 }
             };
-            values.push(encoding.height(raw));
+            values.push(height(raw));
         }
     }
     if values.len() != ny * nx {
         let what = format!("{} numbers for {ny} profiles of {nx} points", values.len());
-        return Err(FORMAT.field("data", what));
+        return Err(b.field("data", what));
     }
     let channel = Channel::new("Z", Some("m"), shape, pixel, move || Ok(values));
     Ok(Contents { channels: vec![channel], metadata })

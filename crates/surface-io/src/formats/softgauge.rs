@@ -10,25 +10,21 @@
 //!
 //! Source: the softgauges of <https://physics.nist.gov/VSC/jsp/Database.jsp>.
 
+use super::prelude::*;
 use crate::binary::find;
-use crate::entries::Entries;
-use crate::measurement::{Channel, Contents, Pixel};
-use crate::units::metres_per;
-use crate::{Format, Limits, ReadError, text, xml};
-
-const FORMAT: Format = Format::Softgauge;
+use crate::{text, xml};
 
 pub(crate) fn sniff(bytes: &[u8]) -> bool {
     let start = &bytes[..bytes.len().min(4096)];
     start.starts_with(b"<") && find(start, b"<DATAFILE").is_some() && text::is_text(bytes)
 }
 
-pub(crate) fn parse<'a>(bytes: &'a [u8], limits: &Limits) -> Result<Contents<'a>, ReadError> {
-    let fields = xml::fields(bytes, FORMAT, "the softgauge", limits)?;
-    let entries = Entries::new(FORMAT, &fields, crate::xml::ABSENT);
+pub(crate) fn parse(b: Bytes<'_>) -> Result<Contents<'_>, ReadError> {
+    let fields = xml::fields(b, "the softgauge")?;
+    let entries = Entries::new(b, &fields, xml::ABSENT);
     let kind = entries.get("DATAFILE/DATA_TYPE").unwrap_or("2D");
     if kind != "2D" {
-        return Err(FORMAT.unsupported(format!("a softgauge of type {kind} (profiles 2D are)")));
+        return Err(b.unsupported(format!("a softgauge of type {kind} (profiles 2D are)")));
     }
     let unit = entries.text("DATAFILE/UNITS")?;
     let heights: Vec<f64> = entries
@@ -37,20 +33,16 @@ pub(crate) fn parse<'a>(bytes: &'a [u8], limits: &Limits) -> Result<Contents<'a>
         .enumerate()
         .map(|(i, cell)| {
             let what = || format!("{cell:?} is no number");
-            cell.parse().map_err(|_| FORMAT.field(format!("point {}", i + 1), what()))
+            cell.parse().map_err(|_| b.field(format!("point {}", i + 1), what()))
         })
         .collect::<Result<_, _>>()?;
     let count = entries.number("DATAFILE/NUMPOINTS")?;
     if (heights.len() as f64 - count).abs() > 0.0 {
-        return Err(FORMAT.field("NUMPOINTS", format!("{count}, but {} heights", heights.len())));
+        return Err(b.field("NUMPOINTS", format!("{count}, but {} heights", heights.len())));
     }
     let shape = [1, heights.len()];
-    limits.check_points(FORMAT, shape)?;
-    let spacing = entries.number("DATAFILE/SPACING")?;
-    let pixel = match metres_per(unit) {
-        Some(metres) => Pixel::Metres([spacing * metres; 2]),
-        None => Pixel::Steps([spacing; 2]),
-    };
+    b.check_points(shape)?;
+    let pixel = Pixel::scaled([entries.number("DATAFILE/SPACING")?; 2], [metres_per(unit); 2]);
     let mut contents = Contents::default();
     contents.channels.push(Channel::new("Profile", Some(unit), shape, pixel, || Ok(heights)));
     contents.metadata = fields;
@@ -72,7 +64,7 @@ mod tests {
         let options = ReadOptions::default();
         let found = read_bytes(file.as_bytes(), &options).unwrap();
         assert!(found.is_profile());
-        assert_eq!(found.metadata()["PART/PART_NAME"], "sine");
+        assert_eq!(found.metadata["PART/PART_NAME"], "sine");
         assert!((found.grid().pixel()[1] / 0.5e-6 - 1.0).abs() < 1e-12);
         for (i, right) in [(1, 7.9e-9), (2, -1e-10), (3, 2e-6)] {
             assert!((found.heights()[i] / right - 1.0).abs() < 1e-12);

@@ -26,12 +26,9 @@
 //!
 //! Sources: Digital Surf, *Surf File Format* (2018), and the files of several writers.
 
-use crate::binary::{ByteOrder, Bytes, Sample};
-use crate::measurement::{Channel, Contents, Pixel, Raster};
+use super::prelude::*;
 use crate::unpack::zlib;
-use crate::{Format, Limits, ReadError};
 
-const FORMAT: Format = Format::Sur;
 const HEADER: usize = 512;
 const COMPRESSED: &[u8] = b"DSCOMPRESSED";
 
@@ -39,21 +36,20 @@ pub(crate) fn sniff(bytes: &[u8]) -> bool {
     bytes.starts_with(b"DIGITAL SURF") || bytes.starts_with(COMPRESSED)
 }
 
-pub(crate) fn parse<'a>(bytes: &'a [u8], limits: &Limits) -> Result<Contents<'a>, ReadError> {
-    let b = Bytes::little(bytes, FORMAT);
+pub(crate) fn parse(b: Bytes<'_>) -> Result<Contents<'_>, ReadError> {
     let mut contents = Contents::default();
     let count = match b.i16(18)? {
         1 | 2 => 1,
         8 | 11 => b.i16(14)?.max(1),
         kind => {
-            return Err(FORMAT.unsupported(format!(
+            return Err(b.unsupported(format!(
                 "an object of kind {kind} (profiles 1 and surfaces 2, 8, 11 are)"
             )));
         }
     };
     let mut at = 0;
     for _ in 0..count {
-        let (channel, next) = object(b, at, limits)?;
+        let (channel, next) = object(b, at)?;
         contents.channels.push(channel);
         at = next;
     }
@@ -73,7 +69,7 @@ pub(crate) fn parse<'a>(bytes: &'a [u8], limits: &Limits) -> Result<Contents<'a>
 }
 
 /// One object from byte `at`, and where the next one starts.
-fn object<'a>(b: Bytes<'a>, at: usize, limits: &Limits) -> Result<(Channel<'a>, usize), ReadError> {
+fn object(b: Bytes<'_>, at: usize) -> Result<(Channel<'_>, usize), ReadError> {
     let o = b.from(at)?;
     if !sniff(o.data) {
         return Err(b.fault(at, "an object does not start with its name"));
@@ -86,7 +82,7 @@ fn object<'a>(b: Bytes<'a>, at: usize, limits: &Limits) -> Result<(Channel<'a>, 
             .ok_or_else(|| b.fault(at + place, format!("{n} points; at least 1 is needed")))
     };
     let shape = [side(112)?, side(108)?];
-    limits.check_points(FORMAT, shape)?;
+    b.check_points(shape)?;
     let sample = match o.i16(98)? {
         16 => Sample::I16,
         32 => Sample::I32,
@@ -108,12 +104,11 @@ fn object<'a>(b: Bytes<'a>, at: usize, limits: &Limits) -> Result<(Channel<'a>, 
     let name = if name.is_empty() { "Z".to_owned() } else { name };
 
     if !o.data.starts_with(COMPRESSED) {
-        let raster = Raster { bytes: o, at: data, shape, sample };
-        let length = o.map_length(data, shape, sample)?;
-        let channel = Channel::raster(name, Some(&unit), pixel, raster, convert)?;
-        return Ok((channel, at + data + length));
+        let raster = o.raster(data, shape, sample)?;
+        let channel = Channel::raster(name, &unit, pixel, raster, convert);
+        return Ok((channel, at + raster.end));
     }
-    let (unpacked, end) = unpack(o, data, limits)?;
+    let (unpacked, end) = unpack(o, data)?;
     let wanted = shape[0] * shape[1];
     let channel = Channel::new(name, Some(&unit), shape, pixel, move || {
         let values = sample.decode(&unpacked, ByteOrder::Little);
@@ -126,13 +121,13 @@ fn object<'a>(b: Bytes<'a>, at: usize, limits: &Limits) -> Result<(Channel<'a>, 
     Ok((channel.converted(convert), at + end))
 }
 
-fn unpack(o: Bytes<'_>, at: usize, limits: &Limits) -> Result<(Vec<u8>, usize), ReadError> {
+fn unpack(o: Bytes<'_>, at: usize) -> Result<(Vec<u8>, usize), ReadError> {
     let streams = o.u32(at)? as usize;
-    limits.check_items(FORMAT, streams as u64)?;
+    o.check_items(streams as u64)?;
     let sizes = (0..streams)
         .map(|i| Ok([o.u32(at + 4 + 8 * i)?, o.u32(at + 8 + 8 * i)?]))
         .collect::<Result<Vec<_>, ReadError>>()?;
-    limits.check_unpacked(FORMAT, sizes.iter().map(|s| u64::from(s[0])).sum())?;
+    o.limits.check_unpacked(o.format, sizes.iter().map(|s| u64::from(s[0])).sum())?;
     let mut at = at + 4 + 8 * streams;
     let mut unpacked = Vec::new();
     for [plain, packed] in sizes {

@@ -15,23 +15,15 @@
 //! Sources: SPECS Zurich, *Nanonis file formats*, as read by several open readers; a file of a
 //! version 2 and one of a version 3.
 
-use crate::binary::{ByteOrder, Bytes, Sample, find};
-use crate::entries::Entries;
-use crate::measurement::{Channel, Contents, Pixel, Raster};
-use crate::{Format, Limits, ReadError, text};
-use std::collections::BTreeMap;
+use super::prelude::*;
+use crate::binary::find;
+use crate::text;
 
-const FORMAT: Format = Format::Sxm;
-
-pub(crate) fn sniff(bytes: &[u8]) -> bool {
-    bytes.starts_with(b":NANONIS_VERSION:")
-}
-
-pub(crate) fn parse<'a>(bytes: &'a [u8], limits: &Limits) -> Result<Contents<'a>, ReadError> {
-    let mut b = Bytes::big(bytes, FORMAT);
-    let end = find(bytes, b"\x1a\x04").ok_or_else(|| b.fault(bytes.len(), "there are no data"))?;
-    let fields = header(&bytes[..end], limits)?;
-    let entries = Entries::new(FORMAT, &fields, "is missing");
+pub(crate) fn parse(mut b: Bytes<'_>) -> Result<Contents<'_>, ReadError> {
+    let end =
+        find(b.data, b"\x1a\x04").ok_or_else(|| b.fault(b.data.len(), "there are no data"))?;
+    let fields = header(b, &b.data[..end])?;
+    let entries = Entries::new(b, &fields, "is missing");
     let pair = |key: &'static str| {
         let text = entries.text(key)?;
         let numbers: Vec<f64> = text.split_whitespace().filter_map(|w| w.parse().ok()).collect();
@@ -45,16 +37,13 @@ pub(crate) fn parse<'a>(bytes: &'a [u8], limits: &Limits) -> Result<Contents<'a>
         return Err(b.field("SCAN_PIXELS", format!("{nx} x {ny}")));
     }
     let shape = [ny as usize, nx as usize];
-    limits.check_points(FORMAT, shape)?;
     let [width, height] = pair("SCAN_RANGE")?;
     let pixel = Pixel::Metres([height / ny, width / nx]);
     let kind = entries.text("SCANIT_TYPE")?;
     b.order = match kind.split_whitespace().collect::<Vec<_>>()[..] {
         ["FLOAT", "MSBFIRST"] => ByteOrder::Big,
         ["FLOAT", "LSBFIRST"] => ByteOrder::Little,
-        _ => {
-            return Err(FORMAT.unsupported(format!("data of type {kind:?}")));
-        }
+        _ => return Err(b.unsupported(format!("data of type {kind:?}"))),
     };
     let is_up = entries.text("SCAN_DIR")? != "down";
     let mut contents = Contents::default();
@@ -68,11 +57,11 @@ pub(crate) fn parse<'a>(bytes: &'a [u8], limits: &Limits) -> Result<Contents<'a>
             _ => &["forward"],
         };
         for direction in directions {
-            limits.check_items(FORMAT, contents.channels.len() as u64 + 1)?;
-            let raster = Raster { bytes: b, at, shape, sample: Sample::F32 };
-            at += b.map_length(at, shape, Sample::F32)?;
+            b.check_items(contents.channels.len() as u64 + 1)?;
+            let raster = b.raster(at, shape, Sample::F32)?;
+            at = raster.end;
             let name = format!("{name} ({direction})");
-            let channel = Channel::raster(name, Some(unit), pixel, raster, |value| value)?;
+            let channel = Channel::raster(name, unit, pixel, raster, |value| value);
             let channel = if *direction == "backward" { channel.mirrored() } else { channel };
             contents.channels.push(if is_up { channel.flipped() } else { channel });
         }
@@ -84,14 +73,14 @@ pub(crate) fn parse<'a>(bytes: &'a [u8], limits: &Limits) -> Result<Contents<'a>
 }
 
 /// The values by key; several lines stay several lines.
-fn header(bytes: &[u8], limits: &Limits) -> Result<BTreeMap<String, String>, ReadError> {
+fn header(b: Bytes<'_>, bytes: &[u8]) -> Result<BTreeMap<String, String>, ReadError> {
     let mut fields = BTreeMap::<String, String>::new();
     let mut key = String::new();
     for (_, line) in text::lines(&text::latin1(bytes)) {
         if let Some(name) =
             line.strip_prefix(':').and_then(|line| line.trim_end().strip_suffix(':'))
         {
-            limits.check_items(FORMAT, fields.len() as u64 + 1)?;
+            b.check_items(fields.len() as u64 + 1)?;
             name.clone_into(&mut key);
             fields.entry(key.clone()).or_default();
         } else if let Some(value) = fields.get_mut(&key)

@@ -30,21 +30,18 @@ mod sheet;
 
 use self::sheet::{HEIGHTS, INDEX, Sheet, two_readings};
 use super::scattered::{self, Line};
-use crate::cells::{Digits, Written};
+use crate::binary::Bytes;
+use crate::cells::Digits;
 use crate::header::{Header, Title};
 use crate::measurement::{Channel, Contents, Pixel};
 use crate::text::{self, NumberTable, NumberedLines, is_monotone};
 use crate::units::metres_per;
-use crate::{Ambiguity, Format, Layout, Limits, Need, ReadError, ReadOptions};
+use crate::{Ambiguity, Format, Layout, Need, ReadError, ReadOptions};
 
 const FORMAT: Format = Format::Text;
 
-pub(crate) fn sniff(bytes: &[u8]) -> bool {
-    text::is_text(bytes)
-}
-
-pub(crate) fn parse<'a>(bytes: &'a [u8], limits: &Limits) -> Result<Contents<'a>, ReadError> {
-    parse_as(bytes, &ReadOptions { limits: *limits, ..ReadOptions::default() })
+pub(crate) fn parse(b: Bytes<'_>) -> Result<Contents<'_>, ReadError> {
+    parse_as(b.data, &ReadOptions { limits: b.limits, ..ReadOptions::default() })
 }
 
 /// Reads in the layout asked for, or in the one that header and columns say.
@@ -53,11 +50,10 @@ pub(crate) fn parse_as<'a>(
     options: &ReadOptions,
 ) -> Result<Contents<'a>, ReadError> {
     let text = text::decode(bytes);
-    let written = Written { decimal: options.decimal, missing: &options.missing };
     let begins = |lines: &NumberedLines<'_>| {
         Header::parse(&NumberTable::empty(lines.clone())).says_channel()
     };
-    let tables = NumberTable::all(&text, written, &begins)?;
+    let tables = NumberTable::all(&text, options, &begins)?;
     let several = tables.len() > 1;
     let mut contents = Contents::default();
     for (number, table) in tables.into_iter().enumerate() {
@@ -65,7 +61,7 @@ pub(crate) fn parse_as<'a>(
         options.limits.check_items(FORMAT, table.header.len() as u64)?;
         if table.rows() == 0 {
             let start: String = text.trim_start().chars().take(24).collect();
-            let obstacle = table.obstacle(written);
+            let obstacle = table.obstacle(options);
             return Err(obstacle.unwrap_or(ReadError::UnknownFormat { start }));
         }
         let mut header = Header::parse(&table);
@@ -267,10 +263,7 @@ fn list(
     let unit = sheet.unit(0).or(header.lateral_unit.clone());
     let scale = unit.as_deref().and_then(metres_per);
     let scale_y = sheet.unit(1).as_deref().and_then(metres_per).or(scale);
-    let pixel = match (scale, scale_y) {
-        (Some(x), Some(y)) => Pixel::Metres([map.step[0] * y, map.step[1] * x]),
-        _ => Pixel::Steps(map.step),
-    };
+    let pixel = Pixel::scaled(map.step, [scale_y, scale]);
     let shape = map.shape;
     let channel = |(i, heights): (usize, Vec<f64>)| {
         let title = &sheet.titles[i + 2];

@@ -3,19 +3,14 @@
 //!
 //! Source: see the reader of the container.
 
-use crate::measurement::{Channel, Contents, Pixel};
+use super::prelude::*;
 use crate::tiff;
-use crate::{Format, Limits, ReadError};
 
-pub(crate) fn sniff(bytes: &[u8]) -> bool {
-    tiff::is_tiff(bytes)
-}
-
-pub(crate) fn parse<'a>(bytes: &'a [u8], limits: &Limits) -> Result<Contents<'a>, ReadError> {
+pub(crate) fn parse(b: Bytes<'_>) -> Result<Contents<'_>, ReadError> {
     let mut contents = Contents::default();
-    for (number, page) in tiff::pages(bytes, Format::Tiff, limits, usize::MAX)?.iter().enumerate() {
+    for (number, page) in tiff::pages(b, usize::MAX)?.iter().enumerate() {
         let name = format!("Picture {}", number + 1);
-        let channel = page.image(limits).map(|image| {
+        let channel = page.image().map(|image| {
             Channel::new(&*name, None, image.shape, Pixel::Unknown, move || image.decode())
         });
         contents.add(&name, channel);

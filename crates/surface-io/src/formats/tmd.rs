@@ -11,18 +11,9 @@
 //!
 //! Source: `readtmd.m` of the vendor, <https://github.com/gelsightinc/gsmatlab>.
 
-use crate::binary::{Bytes, Sample};
-use crate::measurement::{Channel, Contents, Pixel, Raster};
-use crate::{Format, Limits, ReadError};
+use super::prelude::*;
 
-const FORMAT: Format = Format::Tmd;
-
-pub(crate) fn sniff(bytes: &[u8]) -> bool {
-    bytes.starts_with(b"Binary TrueMap Data File v")
-}
-
-pub(crate) fn parse<'a>(bytes: &'a [u8], limits: &Limits) -> Result<Contents<'a>, ReadError> {
-    let b = Bytes::little(bytes, FORMAT);
+pub(crate) fn parse(b: Bytes<'_>) -> Result<Contents<'_>, ReadError> {
     let comment = b.from(32)?.data;
     let length = comment
         .iter()
@@ -30,10 +21,9 @@ pub(crate) fn parse<'a>(bytes: &'a [u8], limits: &Limits) -> Result<Contents<'a>
         .ok_or_else(|| b.fault(32, "the comment has no end"))?;
     let at = 32 + length + 1;
     let shape = [b.u32(at + 4)? as usize, b.u32(at)? as usize];
-    limits.check_points(FORMAT, shape)?;
     let [lx, ly] = [b.f32(at + 8)?, b.f32(at + 12)?].map(|mm| f64::from(mm) * 1e-3);
     let pixel = Pixel::Metres([ly / shape[0] as f64, lx / shape[1] as f64]);
-    let raster = Raster { bytes: b, at: at + 24, shape, sample: Sample::F32 };
-    let channel = Channel::raster("Height", Some("mm"), pixel, raster, |mm| mm)?;
+    let raster = b.raster(at + 24, shape, Sample::F32)?;
+    let channel = Channel::raster("Height", "mm", pixel, raster, |mm| mm);
     Ok(Contents::new(vec![channel], [("comment", b.text(32, length)?)]))
 }

@@ -19,23 +19,15 @@
 //!
 //! Sources: SurfaceTopography, surfalize (both open readers); a VK6 file of a VK-X3000.
 
-use crate::binary::{Bytes, Sample};
-use crate::measurement::{Channel, Contents, Pixel};
-use crate::{Format, Limits, ReadError};
+use super::prelude::*;
 use std::borrow::Cow;
 use std::rc::Rc;
 
-const FORMAT: Format = Format::Vk;
-
-pub(crate) fn sniff(bytes: &[u8]) -> bool {
-    matches!(bytes, [b'V', b'K', b'3' | b'4', b'_', ..] | [b'V', b'K', b'6' | b'7', ..])
-}
-
-pub(crate) fn parse<'a>(bytes: &'a [u8], limits: &Limits) -> Result<Contents<'a>, ReadError> {
-    let is_packed = matches!(bytes, [_, _, b'6' | b'7', ..]);
-    let file = if is_packed { unpack(bytes, limits)?.into() } else { Cow::Borrowed(bytes) };
+pub(crate) fn parse(b: Bytes<'_>) -> Result<Contents<'_>, ReadError> {
+    let is_packed = matches!(b.data, [_, _, b'6' | b'7', ..]);
+    let file = if is_packed { unpack(b)?.into() } else { Cow::Borrowed(b.data) };
     let file = Rc::new(file);
-    let b = Bytes::little(&file, FORMAT);
+    let (whole, b) = (b, b.with(&file));
     if b.u32(8)? != 0 {
         return Err(b.fault(8, "4 zeros expected here"));
     }
@@ -51,7 +43,7 @@ pub(crate) fn parse<'a>(bytes: &'a [u8], limits: &Limits) -> Result<Contents<'a>
         }
         let image = b.from(at)?;
         let shape = [image.u32(4)? as usize, image.u32(0)? as usize];
-        limits.check_points(FORMAT, shape)?;
+        b.check_points(shape)?;
         let sample = match image.u32(8)? {
             8 => Sample::U8,
             16 => Sample::U16,
@@ -65,8 +57,7 @@ pub(crate) fn parse<'a>(bytes: &'a [u8], limits: &Limits) -> Result<Contents<'a>
         }
         let name = if number == 0 { "Height".to_owned() } else { format!("Height {}", number + 1) };
         let file = Rc::clone(&file);
-        let decode =
-            move || Bytes::little(&file, FORMAT).samples(at + 796, shape[0] * shape[1], sample);
+        let decode = move || whole.with(&file).samples(at + 796, shape[0] * shape[1], sample);
         let channel = Channel::new(name, Some("m"), shape, pixel, decode);
         channels.push(channel.converted(move |raw| raw * step));
     }
@@ -83,11 +74,11 @@ pub(crate) fn parse<'a>(bytes: &'a [u8], limits: &Limits) -> Result<Contents<'a>
 }
 
 #[cfg(feature = "zip")]
-fn unpack(bytes: &[u8], limits: &Limits) -> Result<Vec<u8>, ReadError> {
-    super::archive::Archive::open(bytes, FORMAT, limits)?.unpack("Vk4File", limits)
+fn unpack(b: Bytes<'_>) -> Result<Vec<u8>, ReadError> {
+    super::archive::Archive::open(b)?.unpack("Vk4File")
 }
 
 #[cfg(not(feature = "zip"))]
-fn unpack(_: &[u8], _: &Limits) -> Result<Vec<u8>, ReadError> {
-    Err(FORMAT.unsupported("VK6 and VK7 without the feature `zip`"))
+fn unpack(b: Bytes<'_>) -> Result<Vec<u8>, ReadError> {
+    Err(b.unsupported("VK6 and VK7 without the feature `zip`"))
 }

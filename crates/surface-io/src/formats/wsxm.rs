@@ -14,58 +14,45 @@
 //!
 //! Source: Horcas et al. (2007), doi:10.1063/1.2432410, and files of WSxM 4 and 5.
 
-use crate::binary::{Bytes, Sample};
-use crate::entries::{Entries, sections};
-use crate::measurement::{Channel, Contents, Pixel};
+use super::prelude::*;
+use crate::entries::sections;
 use crate::text;
 use crate::units::quantity;
-use crate::{Format, Limits, ReadError, metres_per};
-use std::collections::BTreeMap;
 
-const FORMAT: Format = Format::Wsxm;
-
-pub(crate) fn sniff(bytes: &[u8]) -> bool {
-    bytes.starts_with(b"WSxM file copyright")
-}
-
-pub(crate) fn parse<'a>(bytes: &'a [u8], limits: &Limits) -> Result<Contents<'a>, ReadError> {
-    let b = Bytes::little(bytes, FORMAT);
-    let start = text::latin1(&bytes[..bytes.len().min(512)]);
+pub(crate) fn parse(b: Bytes<'_>) -> Result<Contents<'_>, ReadError> {
+    let start = text::latin1(&b.data[..b.data.len().min(512)]);
     let mut lines = text::lines(&start).skip(1).map(|(_, line)| line.trim());
     let kind = lines.next().unwrap_or_default();
     if kind != "SxM Image file" {
-        return Err(FORMAT.unsupported(format!("{kind:?} (images are)")));
+        return Err(b.unsupported(format!("{kind:?} (images are)")));
     }
     let at = lines
         .next()
         .and_then(|line| line.strip_prefix("Image header size:")?.trim().parse::<usize>().ok())
-        .filter(|&at| at <= bytes.len())
+        .filter(|&at| at <= b.data.len())
         .ok_or_else(|| b.field("Image header size", "is missing or behind the end of the file"))?;
 
-    let header = text::decode(&bytes[..at]);
-    let metadata: BTreeMap<String, String> = sections(&header, ": ", FORMAT, limits)?
+    let header = text::decode(&b.data[..at]);
+    let metadata: BTreeMap<String, String> = sections(b, &header, ": ")?
         .into_iter()
         .flat_map(|(section, entries)| {
             entries.into_iter().map(move |(key, value)| (format!("{section}/{key}"), value))
         })
         .collect();
-    let entries = Entries::new(FORMAT, &metadata, "is missing");
+    let entries = Entries::new(b, &metadata, "is missing");
     let measured = |key: &'static str| {
         let text = entries.text(key)?;
         quantity(text).ok_or_else(|| b.field(key, format!("{text:?} is no quantity")))
     };
     let side = |key: &str| entries.parsed::<usize>(key, "size");
     let [ny, nx] = [side("General Info/Number of rows")?, side("General Info/Number of columns")?];
-    limits.check_points(FORMAT, [ny, nx])?;
     let sample = match entries.get("General Info/Image Data Type").unwrap_or("short") {
         "short" | "integer" => Sample::I16,
         "float" => Sample::F32,
         "double" => Sample::F64,
-        other => {
-            return Err(FORMAT.unsupported(format!("data of type {other:?}")));
-        }
+        other => return Err(b.unsupported(format!("data of type {other:?}"))),
     };
-    b.map_length(at, [ny, nx], sample)?;
+    let raster = b.raster(at, [ny, nx], sample)?;
     let ((lx, x_unit), (ly, y_unit)) =
         (measured("Control/X Amplitude")?, measured("Control/Y Amplitude")?);
     let pixel = match (metres_per(y_unit), metres_per(x_unit)) {
@@ -75,7 +62,7 @@ pub(crate) fn parse<'a>(bytes: &'a [u8], limits: &Limits) -> Result<Contents<'a>
     let (amplitude, unit) = measured("General Info/Z Amplitude")?;
     let name = entries.get("General Info/Acquisition channel").unwrap_or("Topography");
     let channel = Channel::new(name, Some(unit), [ny, nx], pixel, move || {
-        let mut values = b.samples(at, ny * nx, sample)?;
+        let mut values = raster.values();
         let low = values.iter().copied().fold(f64::INFINITY, f64::min);
         let range = values.iter().copied().fold(f64::NEG_INFINITY, f64::max) - low;
         // A flat map has no range; any factor gives its single height.

@@ -21,42 +21,37 @@
 //! <https://sourceforge.net/p/open-gps>.
 
 use super::archive::{Archive, MAGIC, is_main_xml};
-use crate::binary::{ByteOrder, Sample};
-use crate::entries::Entries;
-use crate::measurement::{Channel, Contents, Pixel};
-use crate::{Format, Limits, ReadError, xml};
-use std::collections::BTreeMap;
+use super::prelude::*;
+use crate::xml;
 use std::rc::Rc;
-
-const FORMAT: Format = Format::X3p;
 
 pub(crate) fn sniff(bytes: &[u8]) -> bool {
     // The name stands uncompressed in the archive, also in a damaged one.
     bytes.starts_with(MAGIC) && crate::binary::find(bytes, b"main.xml").is_some()
 }
 
-pub(crate) fn parse<'a>(bytes: &'a [u8], limits: &Limits) -> Result<Contents<'a>, ReadError> {
-    let mut archive = Archive::open(bytes, FORMAT, limits)?;
+pub(crate) fn parse(b: Bytes<'_>) -> Result<Contents<'_>, ReadError> {
+    let mut archive = Archive::open(b)?;
     let main = archive
         .names
         .iter()
         .filter(|n| is_main_xml(n))
         .min_by_key(|n| n.matches('/').count())
         .cloned()
-        .ok_or_else(|| FORMAT.field("archive", "there is no main.xml"))?;
+        .ok_or_else(|| b.field("archive", "there is no main.xml"))?;
     let folder = &main[..main.len() - "main.xml".len()];
-    let xml = archive.unpack(&main, limits)?;
-    let mut main = MainXml::parse(&xml, limits)?;
+    let xml = archive.unpack(&main)?;
+    let mut main = MainXml::parse(b.with(&xml))?;
 
     let [nx, ny, layers] = main.size()?;
     let points = nx.checked_mul(ny).and_then(|n| n.checked_mul(layers));
-    limits.check_points(FORMAT, [points.unwrap_or(usize::MAX), 1])?;
-    limits.check_items(FORMAT, layers as u64)?;
-    let points = points.ok_or_else(|| FORMAT.field("MatrixDimension", "too many points"))?;
+    b.check_points([points.unwrap_or(usize::MAX), 1])?;
+    b.check_items(layers as u64)?;
+    let points = points.ok_or_else(|| b.field("MatrixDimension", "too many points"))?;
 
     let pixel = Pixel::Metres(main.pixel(ny)?);
     let mut unpack = |link: &str| match main.fields.get(&format!("Record3/DataLink/{link}")) {
-        Some(link) => archive.unpack(&member(&archive, folder, link)?, limits).map(Some),
+        Some(link) => archive.unpack(&member(b, &archive, folder, link)?).map(Some),
         None => Ok(None),
     };
     let raw = unpack("PointDataLink")?;
@@ -64,7 +59,7 @@ pub(crate) fn parse<'a>(bytes: &'a [u8], limits: &Limits) -> Result<Contents<'a>
     let mut z = main.heights(raw.as_deref(), points)?;
     if let Some(mask) = mask {
         if mask.len() < points.div_ceil(8) {
-            return Err(FORMAT.field("ValidPointsLink", "the mask is shorter than the map"));
+            return Err(b.field("ValidPointsLink", "the mask is shorter than the map"));
         }
         for (i, z) in z.iter_mut().enumerate() {
             if mask[i / 8] >> (i % 8) & 1 == 0 {
@@ -92,31 +87,36 @@ pub(crate) fn parse<'a>(bytes: &'a [u8], limits: &Limits) -> Result<Contents<'a>
 }
 
 /// A link is relative to `main.xml`; some writers start it at the top folder.
-fn member(archive: &Archive<'_>, folder: &str, link: &str) -> Result<String, ReadError> {
+fn member(
+    b: Bytes<'_>,
+    archive: &Archive<'_>,
+    folder: &str,
+    link: &str,
+) -> Result<String, ReadError> {
     let link = link.trim().trim_start_matches("./").replace('\\', "/");
     [format!("{folder}{link}"), link.trim_start_matches('/').to_owned()]
         .into_iter()
         .find(|name| archive.names.contains(name))
-        .ok_or_else(|| FORMAT.field("PointDataLink", format!("the archive has no member {link:?}")))
+        .ok_or_else(|| b.field("PointDataLink", format!("the archive has no member {link:?}")))
 }
 
 /// `main.xml`, flattened: the text of every element by its path below the root.
-#[derive(Default)]
-struct MainXml {
+struct MainXml<'a> {
+    b: Bytes<'a>,
     fields: BTreeMap<String, String>,
     data: Vec<f64>,
     /// Index and text of the first Datum that is no number.
     bad_datum: Option<(usize, String)>,
 }
 
-impl MainXml {
-    fn parse(xml: &[u8], limits: &Limits) -> Result<Self, ReadError> {
-        let Self { mut fields, mut data, mut bad_datum } = Self::default();
-        xml::walk(xml, FORMAT, "main.xml", |element| {
+impl<'a> MainXml<'a> {
+    fn parse(b: Bytes<'a>) -> Result<Self, ReadError> {
+        let (mut fields, mut data, mut bad_datum) = (BTreeMap::new(), Vec::new(), None);
+        xml::walk(b, "main.xml", |element| {
             let [_root, path @ ..] = element.path else { return Ok(()) };
             let text = element.text.trim();
             if path.last().is_some_and(|tag| tag == "Datum") {
-                limits.check_points(FORMAT, [data.len() + 1, 1])?;
+                b.check_points([data.len() + 1, 1])?;
                 data.push(text.parse().unwrap_or_else(|_| {
                     if !text.is_empty() {
                         bad_datum.get_or_insert_with(|| (data.len() + 1, text.to_owned()));
@@ -124,16 +124,16 @@ impl MainXml {
                     f64::NAN
                 }));
             } else if !text.is_empty() {
-                limits.check_items(FORMAT, fields.len() as u64 + 1)?;
+                b.check_items(fields.len() as u64 + 1)?;
                 fields.insert(path.join("/"), text.to_owned());
             }
             Ok(())
         })?;
-        Ok(Self { fields, data, bad_datum })
+        Ok(Self { b, fields, data, bad_datum })
     }
 
     fn entries(&self) -> Entries<'_> {
-        Entries::new(FORMAT, &self.fields, crate::xml::ABSENT)
+        Entries::new(self.b, &self.fields, xml::ABSENT)
     }
 
     fn number(&self, path: &str, default: f64) -> Result<f64, ReadError> {
@@ -141,7 +141,7 @@ impl MainXml {
         if value.is_finite() {
             return Ok(value);
         }
-        Err(FORMAT.field(path.to_owned(), format!("{value} is no number")))
+        Err(self.b.field(path.to_owned(), format!("{value} is no number")))
     }
 
     /// `[SizeX, SizeY, SizeZ]`.
@@ -150,7 +150,7 @@ impl MainXml {
         let feature = entries.text("Record1/FeatureType")?;
         if !matches!(feature, "SUR" | "PRF") {
             let feature = format!("feature type {feature} (maps SUR and profiles PRF are)");
-            return Err(FORMAT.unsupported(feature));
+            return Err(self.b.unsupported(feature));
         }
         if feature == "PRF" && entries.get("Record3/ListDimension").is_some() {
             return Ok([entries.parsed("Record3/ListDimension", "whole number")?, 1, 1]);
@@ -158,7 +158,7 @@ impl MainXml {
         let side = |name: &str| {
             let path = format!("Record3/MatrixDimension/{name}");
             match entries.parsed(&path, "size")? {
-                0 => Err(FORMAT.field(path, "is 0")),
+                0 => Err(self.b.field(path, "is 0")),
                 side => Ok(side),
             }
         };
@@ -171,7 +171,7 @@ impl MainXml {
             let kind = self.entries().text(&format!("Record1/Axes/{axis}/AxisType"))?;
             if kind != "I" {
                 let feature = format!("axis {axis} of type {kind} (evenly spaced axes, I, are)");
-                return Err(FORMAT.unsupported(feature));
+                return Err(self.b.unsupported(feature));
             }
             let path = format!("Record1/Axes/{axis}/Increment");
             self.entries().text(&path)?;
@@ -194,11 +194,11 @@ impl MainXml {
             "D" => (Sample::F64, 1.0),
             other => {
                 let what = format!("{other:?} is none of I, L, F, D");
-                return Err(FORMAT.field("Record1/Axes/CZ/DataType", what));
+                return Err(self.b.field("Record1/Axes/CZ/DataType", what));
             }
         };
         let mut z = match raw {
-            Some(raw) => binary_heights(raw, sample, points)?,
+            Some(raw) => binary_heights(self.b, raw, sample, points)?,
             None => self.listed_heights(points)?,
         };
         for z in &mut z {
@@ -210,7 +210,7 @@ impl MainXml {
     fn listed_heights(&mut self, points: usize) -> Result<Vec<f64>, ReadError> {
         if self.data.len() != points {
             let what = format!("{} values for {points} points", self.data.len());
-            return Err(FORMAT.field("Record3/DataList", what));
+            return Err(self.b.field("Record3/DataList", what));
         }
         if let Some((index, text)) = &self.bad_datum {
             let what = if text.contains(';') {
@@ -218,7 +218,7 @@ impl MainXml {
             } else {
                 "no number"
             };
-            return Err(FORMAT.field(format!("Datum {index}"), format!("{text:?}: {what}")));
+            return Err(self.b.field(format!("Datum {index}"), format!("{text:?}: {what}")));
         }
         Ok(std::mem::take(&mut self.data))
     }
@@ -235,10 +235,15 @@ impl MainXml {
     }
 }
 
-fn binary_heights(raw: &[u8], sample: Sample, points: usize) -> Result<Vec<f64>, ReadError> {
+fn binary_heights(
+    b: Bytes<'_>,
+    raw: &[u8],
+    sample: Sample,
+    points: usize,
+) -> Result<Vec<f64>, ReadError> {
     if raw.len() / sample.size() < points {
         let what = format!("{} bytes for {points} points of {} bytes", raw.len(), sample.size());
-        return Err(FORMAT.field("PointDataLink", what));
+        return Err(b.field("PointDataLink", what));
     }
     let mut z = sample.decode(&raw[..points * sample.size()], ByteOrder::Little);
     // Some writers mark a missing point by infinity instead of NaN.

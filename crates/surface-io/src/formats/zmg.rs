@@ -12,26 +12,16 @@
 //!
 //! Sources: SurfaceTopography, surfalize (both open readers). Not checked against a real file.
 
-use crate::binary::{Bytes, Sample};
-use crate::measurement::{Channel, Contents, Pixel, Raster};
-use crate::{Format, Limits, ReadError};
+use super::prelude::*;
 
-const FORMAT: Format = Format::Zmg;
-
-pub(crate) fn sniff(bytes: &[u8]) -> bool {
-    bytes.starts_with(b"Zeta-Instruments")
-}
-
-pub(crate) fn parse<'a>(bytes: &'a [u8], limits: &Limits) -> Result<Contents<'a>, ReadError> {
-    let b = Bytes::little(bytes, FORMAT);
+pub(crate) fn parse(b: Bytes<'_>) -> Result<Contents<'_>, ReadError> {
     let shape = [b.u32(89)? as usize, b.u32(85)? as usize];
-    limits.check_points(FORMAT, shape)?;
     let pixel = Pixel::Metres([b.f32(101)?, b.f32(97)?].map(|um| f64::from(um) * 1e-6));
     let step = f64::from(b.f32(105)?);
     let comment = b.u32(117)? as usize;
     let text = b.text(205, comment)?;
-    let raster = Raster { bytes: b, at: 205 + comment, shape, sample: Sample::I16 };
+    let raster = b.raster(205 + comment, shape, Sample::I16)?;
     let convert = move |raw| raw * step;
-    let channel = Channel::raster("Height", Some("\u{b5}m"), pixel, raster, convert)?;
+    let channel = Channel::raster("Height", "\u{b5}m", pixel, raster, convert);
     Ok(Contents::new(vec![channel], [("comment", text)]))
 }

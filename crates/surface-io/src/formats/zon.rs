@@ -19,47 +19,38 @@
 //! Sources: SurfaceTopography, surfalize (both open readers); a file of a VR-6100.
 
 use super::archive::Archive;
-use crate::binary::{Bytes, Sample};
-use crate::entries::Entries;
-use crate::measurement::{Channel, Contents, Pixel};
-use crate::{Format, Limits, ReadError, xml};
-use std::collections::BTreeMap;
+use super::prelude::*;
+use crate::xml;
 
-const FORMAT: Format = Format::Zon;
 const HEIGHTS: &str = "4cdb0c75-5706-48cc-a9a1-adf395d609ae";
 const MASK: &str = "9e7ca6dd-0e6a-4d7b-8986-f0a7b773c916";
 const CALIBRATION: &str = "686613b8-27b5-4a29-8ffc-438c2780873e";
 const ABOUT: [&str; 2] =
     ["1d35862b-3b48-4df2-9235-833ef590b043", "cbc1d39b-215f-4d56-a20e-cf8e5f570755"];
 
-pub(crate) fn sniff(bytes: &[u8]) -> bool {
-    bytes.starts_with(b"KPK0") || bytes.starts_with(b"KPK1")
-}
-
-pub(crate) fn parse<'a>(bytes: &'a [u8], limits: &Limits) -> Result<Contents<'a>, ReadError> {
-    let mut archive = Archive::open(bytes, FORMAT, limits)?;
-    let calibration = member(&mut archive, CALIBRATION, limits)?;
-    let fields = xml::fields(&calibration, FORMAT, "calibration", limits)?;
-    let entries = Entries::new(FORMAT, &fields, "is missing");
+pub(crate) fn parse(b: Bytes<'_>) -> Result<Contents<'_>, ReadError> {
+    let mut archive = Archive::open(b)?;
+    let calibration = member(b, &mut archive, CALIBRATION)?;
+    let fields = xml::fields(b.with(&calibration), "calibration")?;
+    let entries = Entries::new(b, &fields, "is missing");
     let pixel = Pixel::Metres([entries.number("XYCalibration/MeterPerPixel")?; 2]);
     let step = entries.number("ZCalibration/MeterPerUnit")?;
-    let heights = Matrix::new(member(&mut archive, HEIGHTS, limits)?, 4, HEIGHTS, limits)?;
-    let shape = heights.shape;
-    let decode = move || heights.values(Sample::I32);
+    let heights = member(b, &mut archive, HEIGHTS)?;
+    let (shape, decode) = matrix(b, heights, Sample::I32, HEIGHTS)?;
     let mut channel = Channel::new("Height", Some("m"), shape, pixel, decode);
     channel = channel.converted(move |raw| raw * step);
     if archive.names.iter().any(|name| name == MASK) {
-        let mask = Matrix::new(member(&mut archive, MASK, limits)?, 1, MASK, limits)?;
-        if mask.shape != shape {
-            let [ny, nx] = mask.shape;
-            return Err(FORMAT.field(MASK, format!("a mask of {ny} x {nx} points")));
+        let mask = member(b, &mut archive, MASK)?;
+        let ([ny, nx], marks) = matrix(b, mask, Sample::U8, MASK)?;
+        if [ny, nx] != shape {
+            return Err(b.field(MASK, format!("a mask of {ny} x {nx} points")));
         }
-        channel = channel.masked(move || mask.values(Sample::U8));
+        channel = channel.masked(marks);
     }
     let mut metadata = BTreeMap::new();
     for name in ABOUT {
-        if let Ok(xml) = member(&mut archive, name, limits)
-            && let Ok(fields) = xml::fields(&xml, FORMAT, name, limits)
+        if let Ok(xml) = member(b, &mut archive, name)
+            && let Ok(fields) = xml::fields(b.with(&xml), name)
         {
             metadata.extend(fields);
         }
@@ -69,47 +60,36 @@ pub(crate) fn parse<'a>(bytes: &'a [u8], limits: &Limits) -> Result<Contents<'a>
 
 /// A member of the archive, unpacked once more if it is packed with zstd.
 fn member(
+    b: Bytes<'_>,
     archive: &mut Archive<'_>,
     name: &'static str,
-    limits: &Limits,
 ) -> Result<Vec<u8>, ReadError> {
-    let raw = archive.unpack(name, limits)?;
+    let raw = archive.unpack(name)?;
     if !raw.starts_with(b"\x28\xb5\x2f\xfd") {
         return Ok(raw);
     }
-    let most = usize::try_from(limits.unpacked_bytes).unwrap_or(usize::MAX).saturating_add(1);
-    let unpacked = crate::unpack::zstd(&raw, most).map_err(|what| FORMAT.field(name, what))?;
-    limits.check_unpacked(FORMAT, unpacked.len() as u64)?;
+    let most = usize::try_from(b.limits.unpacked_bytes).unwrap_or(usize::MAX).saturating_add(1);
+    let unpacked = crate::unpack::zstd(&raw, most).map_err(|what| b.field(name, what))?;
+    b.limits.check_unpacked(b.format, unpacked.len() as u64)?;
     Ok(unpacked)
 }
 
-/// Rows of numbers behind a header of 16 bytes.
-struct Matrix {
+/// Rows of numbers behind a header of 16 bytes: how many, and what reads them.
+#[allow(clippy::type_complexity, reason = "a shape and a closure")]
+fn matrix<'a>(
+    b: Bytes<'a>,
     raw: Vec<u8>,
-    shape: [usize; 2],
-    row_bytes: usize,
-}
-
-impl Matrix {
-    fn new(
-        raw: Vec<u8>,
-        size: u32,
-        name: &'static str,
-        limits: &Limits,
-    ) -> Result<Self, ReadError> {
-        let b = Bytes::little(&raw, FORMAT);
-        let shape = [b.u32(4)? as usize, b.u32(0)? as usize];
-        limits.check_points(FORMAT, shape)?;
-        let row_bytes = b.u32(12)? as usize;
-        if b.u32(8)? != size || row_bytes < shape[1] * size as usize {
-            let what = format!("{} bytes a point in rows of {row_bytes} bytes", b.u32(8)?);
-            return Err(b.field(name, what));
-        }
-        b.slice(16, row_bytes.saturating_mul(shape[0]))?;
-        Ok(Self { raw, shape, row_bytes })
+    sample: Sample,
+    name: &'static str,
+) -> Result<([usize; 2], impl FnOnce() -> Result<Vec<f64>, ReadError> + use<'a>), ReadError> {
+    let m = b.with(&raw);
+    let shape = [m.u32(4)? as usize, m.u32(0)? as usize];
+    m.check_points(shape)?;
+    let (size, row_bytes) = (m.u32(8)? as usize, m.u32(12)? as usize);
+    if size != sample.size() || row_bytes < shape[1] * size {
+        let what = format!("{size} bytes a point in rows of {row_bytes} bytes");
+        return Err(m.field(name, what));
     }
-
-    fn values(&self, sample: Sample) -> Result<Vec<f64>, ReadError> {
-        Bytes::little(&self.raw, FORMAT).rows(16, self.shape, self.row_bytes, sample)
-    }
+    m.slice(16, row_bytes.saturating_mul(shape[0]))?;
+    Ok((shape, move || b.with(&raw).rows(16, shape, row_bytes, sample)))
 }

@@ -21,28 +21,23 @@
 //!
 //! Source: Zygo, *MetroPro Reference Guide* OMP-0347, appendix on the data format.
 
+use super::prelude::*;
 use super::zygo_text;
-use crate::binary::{Bytes, Sample};
-use crate::measurement::{Channel, Contents, Pixel, Raster};
-use crate::{Format, Limits, ReadError};
-
-const FORMAT: Format = Format::Zygo;
 
 pub(crate) fn sniff(bytes: &[u8]) -> bool {
     matches!(bytes, [0x88, 0x1b, 0x03, 0x6f..=0x71, ..]) || zygo_text::sniff(bytes)
 }
 
-pub(crate) fn parse<'a>(bytes: &'a [u8], limits: &Limits) -> Result<Contents<'a>, ReadError> {
-    if zygo_text::sniff(bytes) {
-        return zygo_text::parse(bytes, limits);
+pub(crate) fn parse(b: Bytes<'_>) -> Result<Contents<'_>, ReadError> {
+    if zygo_text::sniff(b.data) {
+        return zygo_text::parse(b);
     }
-    let b = Bytes::big(bytes, FORMAT);
+    let b = Bytes { order: ByteOrder::Big, ..b };
     let header = b.u32(6)? as usize;
     if !matches!(header, 834 | 4096) {
         return Err(b.fault(6, format!("a header of {header} bytes, not 834 or 4096")));
     }
     let shape = [b.u16(70)?.into(), b.u16(68)?.into()];
-    limits.check_points(FORMAT, shape)?;
     let resolution = match b.i16(218)? {
         0 => 4096.0,
         1 => 32768.0,
@@ -54,21 +49,21 @@ pub(crate) fn parse<'a>(bytes: &'a [u8], limits: &Limits) -> Result<Contents<'a>
     let pixel = if lateral == 0.0 { Pixel::Unknown } else { Pixel::Metres([lateral; 2]) };
 
     let intensity_bytes = b.u32(60)? as usize;
-    let raster = Raster { bytes: b, at: header + intensity_bytes, shape, sample: Sample::I32 };
+    let raster = b.raster(header + intensity_bytes, shape, Sample::I32)?;
     let step = scale * wavelength * obliquity / resolution;
     let convert = move |raw| if raw >= 2147483640.0 { f64::NAN } else { raw * step };
-    let mut channels = vec![Channel::raster("Height", Some("m"), pixel, raster, convert)?];
+    let mut channels = vec![Channel::raster("Height", "m", pixel, raster, convert)];
 
     let shape = [b.u16(54)?.into(), b.u16(52)?.into()];
     let images = usize::from(b.u16(56)?);
     for image in 0..images {
         let at = header + image * 2 * shape[0] * shape[1];
-        let raster = Raster { bytes: b, at, shape, sample: Sample::U16 };
         if shape[0] > 0 && shape[1] > 0 && at + 2 * shape[0] * shape[1] <= header + intensity_bytes
         {
-            limits.check_items(FORMAT, image as u64)?;
+            b.check_items(image as u64)?;
             let name = format!("Intensity {}", image + 1);
-            channels.push(Channel::raster(name, Some("counts"), pixel, raster, |raw| raw)?);
+            let raster = b.raster(at, shape, Sample::U16)?;
+            channels.push(Channel::raster(name, "counts", pixel, raster, |raw| raw));
         }
     }
     let mut contents = Contents { channels, ..Contents::default() };

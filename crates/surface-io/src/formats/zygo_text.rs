@@ -17,21 +17,19 @@
 //! Source: Zygo, *MetroPro Reference Guide* OMP-0347, appendix on the data format; public exports.
 //! Format 2 was not checked against a real file.
 
-use crate::measurement::{Channel, Contents, Pixel};
-use crate::{Format, Limits, ReadError, text};
-
-const FORMAT: Format = Format::Zygo;
+use super::prelude::*;
+use crate::text;
 
 pub(crate) fn sniff(bytes: &[u8]) -> bool {
     bytes.starts_with(b"Zygo XYZ Data File") || bytes.starts_with(b"Zygo ASCII Data File")
 }
 
-pub(crate) fn parse<'a>(bytes: &'a [u8], limits: &Limits) -> Result<Contents<'a>, ReadError> {
-    let text = text::decode(bytes);
+pub(crate) fn parse(b: Bytes<'_>) -> Result<Contents<'_>, ReadError> {
+    let text = text::decode(b.data);
     let lines: Vec<&str> = text::lines(&text).map(|(_, line)| line.trim()).collect();
     // A comment can hold any sign, a line of it only "#" between quotation marks.
     let ends: Vec<usize> = (0..lines.len()).filter(|&i| lines[i] == "#").collect();
-    let place = |line: usize, what: String| FORMAT.line(line + 1, what);
+    let place = |line: usize, what: String| b.format.line(line + 1, what);
     let (Some(&start), true) = (ends.first(), lines.len() > 10) else {
         return Err(place(lines.len(), "the header has no end".into()));
     };
@@ -48,7 +46,7 @@ pub(crate) fn parse<'a>(bytes: &'a [u8], limits: &Limits) -> Result<Contents<'a>
         *value = found as usize;
     }
     let [x0, y0, nx, ny] = origin;
-    limits.check_points(FORMAT, [ny, nx])?;
+    b.check_points([ny, nx])?;
     let lateral = number(7, 6)?;
     let pixel = if lateral > 0.0 { Pixel::Metres([lateral; 2]) } else { Pixel::Unknown };
     let (values, unit) = if lines[0].contains("XYZ") {
@@ -102,7 +100,7 @@ pub(crate) fn parse<'a>(bytes: &'a [u8], limits: &Limits) -> Result<Contents<'a>
     };
     if values.len() != nx * ny {
         let what = format!("{} heights for {ny} x {nx} points", values.len());
-        return Err(FORMAT.field("phase", what));
+        return Err(b.field("phase", what));
     }
     let mut contents = Contents::default();
     for (key, line) in [("comment", 4), ("part", 6)] {

@@ -49,7 +49,7 @@ pub(crate) fn filters(file: &File<'_>, at: usize) -> Result<Vec<Filter>, ReadErr
         let setting = if settings > 0 { b.u32(first)? as usize } else { 0 };
         place = first + 4 * settings + if version == 1 { settings % 2 * 4 } else { 0 };
         if !matches!(id, 1..=3) {
-            return Err(b.format.unsupported(format!(
+            return Err(b.unsupported(format!(
                 "filter {id} (deflate, shuffle and Fletcher-32 are; {WAY_OUT})"
             )));
         }
@@ -71,7 +71,7 @@ impl Chunked {
             return Err(file.b.field("chunks", "of no points"));
         }
         let points = usize::try_from(points).unwrap_or(usize::MAX);
-        file.limits.check_points(file.b.format, [points, 1])?;
+        file.b.check_points([points, 1])?;
         Ok(Self { sides, filters, index })
     }
 
@@ -85,29 +85,44 @@ impl Chunked {
         let points = shape.iter().product::<u64>() as usize; // checked by the caller
         // Each place once: a tree that names a chunk again and again is refused, not unpacked.
         let chunk: u64 = self.sides.iter().product();
+        let chunk_bytes = chunk as usize * sample.size();
         let needed = shape
             .iter()
             .zip(&self.sides)
             .try_fold(1u64, |n, (&axis, &side)| n.checked_mul(axis.div_ceil(side)));
         let needed = needed.unwrap_or(u64::MAX);
         let work = needed.saturating_mul(chunk) / 4; // chunks stick out beyond the edges
-        file.limits
-            .check_points(file.b.format, [usize::try_from(work).unwrap_or(usize::MAX), 1])?;
-        let mut chunks = 0;
+        file.b.check_points([usize::try_from(work).unwrap_or(usize::MAX), 1])?;
         let mut values = vec![f64::NAN; points];
+        let mut place = |(at, size, skip): (usize, u64, u32), origin: &[u64]| {
+            let size = usize::try_from(size).unwrap_or(usize::MAX);
+            let mut data = Cow::Borrowed(file.b.slice(at, size)?);
+            for (i, filter) in self.filters.iter().enumerate().rev() {
+                if skip >> i & 1 == 0 {
+                    data = Cow::Owned(unpack(file, at, filter, &data, chunk_bytes)?);
+                }
+            }
+            let numbers = sample.decode(&data, order);
+            if (numbers.len() as u64) < chunk {
+                let what = format!("a chunk of {} numbers, {chunk} are needed", numbers.len());
+                return Err(file.b.fault(at, what));
+            }
+            copy_inside(&numbers, &self.sides, origin, &mut values, shape);
+            Ok(())
+        };
         let mut nodes = match self.index {
             Index::Tree(at) => vec![at],
             Index::Only(at, packed) => {
-                let (size, skip) = packed.unwrap_or((chunk * sample.size() as u64, 0));
-                let origin = vec![0; shape.len()];
-                self.place(file, (at, size, skip), &origin, shape, sample, order, &mut values)?;
+                let (size, skip) = packed.unwrap_or((chunk_bytes as u64, 0));
+                place((at, size, skip), &vec![0; shape.len()])?;
                 Vec::new()
             }
         };
+        let mut chunks = 0;
         let mut read = 0;
         while let Some(node) = nodes.pop() {
             read += 1;
-            file.limits.check_items(file.b.format, read)?;
+            file.b.check_items(read)?;
             if file.b.slice(node, 4)? != b"TREE" || file.b.u8(node + 4)? != 1 {
                 return Err(file.b.fault(node, "a B-tree of chunks is expected here"));
             }
@@ -120,7 +135,7 @@ impl Chunked {
                 };
                 if level > 0 {
                     nodes.push(child);
-                    file.limits.check_items(file.b.format, nodes.len() as u64)?;
+                    file.b.check_items(nodes.len() as u64)?;
                 } else {
                     chunks += 1;
                     if chunks > needed {
@@ -129,70 +144,36 @@ impl Chunked {
                     let (size, skip) = (u64::from(file.b.u32(at)?), file.b.u32(at + 4)?);
                     let origin: Result<Vec<u64>, ReadError> =
                         (0..shape.len()).map(|i| file.b.u64(at + 8 + 8 * i)).collect();
-                    let origin = origin?;
-                    self.place(
-                        file,
-                        (child, size, skip),
-                        &origin,
-                        shape,
-                        sample,
-                        order,
-                        &mut values,
-                    )?;
+                    place((child, size, skip), &origin?)?;
                 }
                 at += key + file.address_size;
             }
         }
         Ok(values)
     }
+}
 
-    /// Unpacks the chunk at an address and writes what lies inside the data set.
-    #[allow(clippy::too_many_arguments, reason = "one place for all of a chunk")]
-    fn place(
-        &self,
-        file: &File<'_>,
-        (at, size, skip): (usize, u64, u32),
-        origin: &[u64],
-        shape: &[u64],
-        sample: Sample,
-        order: ByteOrder,
-        values: &mut [f64],
-    ) -> Result<(), ReadError> {
-        let points = self.sides.iter().product::<u64>() as usize;
-        let size = usize::try_from(size).unwrap_or(usize::MAX);
-        let mut data = Cow::Borrowed(file.b.slice(at, size)?);
-        let bytes = points * sample.size();
-        for (i, filter) in self.filters.iter().enumerate().rev() {
-            if skip >> i & 1 == 0 {
-                data = Cow::Owned(unpack(file, at, filter, &data, bytes)?);
-            }
+/// Writes the numbers of a chunk that lie inside the data set.
+fn copy_inside(numbers: &[f64], sides: &[u64], origin: &[u64], values: &mut [f64], shape: &[u64]) {
+    let Some((&last, outer)) = sides.split_last() else { return };
+    let (last, rows) = (last as usize, outer.iter().product::<u64>());
+    let (start, width) = (origin[outer.len()], shape[outer.len()]);
+    for row in 0..rows {
+        // Place of the row in the data set, from the fastest axis on.
+        let (mut rest, mut target, mut scale) = (row, start, width);
+        let mut is_inside = start < width;
+        for axis in (0..outer.len()).rev() {
+            let place = origin[axis].saturating_add(rest % outer[axis]);
+            rest /= outer[axis];
+            is_inside &= place < shape[axis];
+            target = target.saturating_add(place.saturating_mul(scale));
+            scale = scale.saturating_mul(shape[axis]);
         }
-        let numbers = sample.decode(&data, order);
-        if numbers.len() < points {
-            let what = format!("a chunk of {} numbers, {points} are needed", numbers.len());
-            return Err(file.b.fault(at, what));
+        if is_inside {
+            let count = last.min((width - start) as usize);
+            let (row, target) = (row as usize * last, target as usize);
+            values[target..target + count].copy_from_slice(&numbers[row..row + count]);
         }
-        let Some((&last, outer)) = self.sides.split_last() else { return Ok(()) };
-        let (last, rows) = (last as usize, outer.iter().product::<u64>());
-        let (start, width) = (origin[outer.len()], shape[outer.len()]);
-        for row in 0..rows {
-            // Place of the row in the data set, from the fastest axis on.
-            let (mut rest, mut target, mut scale) = (row, start, width);
-            let mut is_inside = start < width;
-            for axis in (0..outer.len()).rev() {
-                let place = origin[axis].saturating_add(rest % outer[axis]);
-                rest /= outer[axis];
-                is_inside &= place < shape[axis];
-                target = target.saturating_add(place.saturating_mul(scale));
-                scale = scale.saturating_mul(shape[axis]);
-            }
-            if is_inside {
-                let count = last.min((width - start) as usize);
-                let (row, target) = (row as usize * last, target as usize);
-                values[target..target + count].copy_from_slice(&numbers[row..row + count]);
-            }
-        }
-        Ok(())
     }
 }
 

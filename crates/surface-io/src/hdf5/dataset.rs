@@ -61,7 +61,7 @@ impl<'a> Dataset<'a> {
     pub(crate) fn values(&self) -> Result<Vec<f64>, ReadError> {
         let points = self.shape.iter().try_fold(1u64, |n, &side| n.checked_mul(side));
         let points = usize::try_from(points.unwrap_or(u64::MAX)).unwrap_or(usize::MAX);
-        self.file.limits.check_points(self.file.b.format, [points, 1])?;
+        self.file.b.check_points([points, 1])?;
         let b = Bytes { order: self.order, ..self.file.b };
         match &self.layout {
             Storage::Contiguous(at) => b.samples(*at, points, self.sample),
@@ -80,7 +80,7 @@ fn read_layout(
     filters: Vec<Filter>,
 ) -> Result<Storage, ReadError> {
     let (b, at) = (file.b, message.at);
-    let unsupported = |feature: String| b.format.unsupported(feature);
+    let unsupported = |feature: String| b.unsupported(feature);
     let (version, class) = (b.u8(at)?, b.u8(at + 1)?);
     if !matches!(version, 3 | 4) {
         return Err(unsupported(format!("a data layout of version {version} ({WAY_OUT})")));

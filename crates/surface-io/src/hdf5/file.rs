@@ -2,8 +2,6 @@
 
 use crate::binary::Bytes;
 use crate::error::ReadError;
-use crate::format::Format;
-use crate::limits::Limits;
 
 /// What to do about a file of a newer form.
 pub(super) const WAY_OUT: &str = "`h5repack -f NONE -l CONTI IN OUT` writes the form that is";
@@ -21,7 +19,6 @@ pub(crate) struct File<'a> {
     pub(crate) length_size: usize,
     /// Address of the header of the root group.
     pub(crate) root: usize,
-    pub(crate) limits: Limits,
 }
 
 /// One message of a header.
@@ -33,11 +30,10 @@ pub(crate) struct Message {
 }
 
 impl<'a> File<'a> {
-    pub(crate) fn open(data: &'a [u8], format: Format, limits: &Limits) -> Result<Self, ReadError> {
+    pub(crate) fn open(whole: Bytes<'a>) -> Result<Self, ReadError> {
         let start = [0, 512, 1024, 2048]
             .into_iter()
-            .find(|&at| data.get(at..at + MAGIC.len()).is_some_and(|start| start == MAGIC));
-        let whole = Bytes::little(data, format);
+            .find(|&at| whole.data.get(at..at + MAGIC.len()).is_some_and(|start| start == MAGIC));
         let b = whole.from(start.ok_or_else(|| whole.fault(0, "there is no superblock"))?)?;
         let version = b.u8(8)?;
         let (sizes, root_at): (usize, fn(usize, usize) -> usize) = match version {
@@ -45,16 +41,14 @@ impl<'a> File<'a> {
             1 => (13, |address, _| 28 + 5 * address),
             2 | 3 => (9, |address, _| 12 + 3 * address),
             _ => {
-                return Err(
-                    format.unsupported(format!("a superblock of version {version} ({WAY_OUT})"))
-                );
+                return Err(b.unsupported(format!("a superblock of version {version} ({WAY_OUT})")));
             }
         };
         let (address_size, length_size) = (b.u8(sizes)?.into(), b.u8(sizes + 1)?.into());
         if !matches!((address_size, length_size), (2 | 4 | 8, 2 | 4 | 8)) {
             return Err(b.fault(sizes, format!("sizes {address_size} and {length_size}")));
         }
-        let mut file = Self { b, address_size, length_size, root: 0, limits: *limits };
+        let mut file = Self { b, address_size, length_size, root: 0 };
         file.root = file.address(root_at(address_size, length_size))?.unwrap_or(usize::MAX);
         Ok(file)
     }
@@ -108,7 +102,7 @@ impl<'a> File<'a> {
             };
             while at.saturating_add(head) <= end {
                 read += 1;
-                self.limits.check_items(self.b.format, read)?;
+                self.b.check_items(read)?;
                 let (kind, size, shared) = if is_new {
                     (u16::from(self.b.u8(at)?), self.b.u16(at + 1)?, self.b.u8(at + 3)?)
                 } else {

@@ -29,7 +29,7 @@ pub(crate) fn datasets(file: &File<'_>) -> Result<Listing, ReadError> {
         if !seen.insert(at) {
             continue; // a second name, or a circle
         }
-        file.limits.check_items(file.b.format, seen.len() as u64)?;
+        file.b.check_items(seen.len() as u64)?;
         if depth > DEEPEST {
             return Err(file.b.fault(at, format!("groups nested deeper than {DEEPEST}")));
         }
@@ -45,7 +45,7 @@ pub(crate) fn datasets(file: &File<'_>) -> Result<Listing, ReadError> {
                 LINK => links.extend(link(file, *message)?),
                 LINK_INFO if is_dense(file, *message)? => {
                     listing.fault.get_or_insert_with(|| {
-                        file.b.format.unsupported(format!(
+                        file.b.unsupported(format!(
                             "group {path:?}, whose links stand in a fractal heap ({WAY_OUT})"
                         ))
                     });
@@ -57,7 +57,7 @@ pub(crate) fn datasets(file: &File<'_>) -> Result<Listing, ReadError> {
             let separator = if path.is_empty() { "" } else { "/" };
             pile.push((format!("{path}{separator}{name}"), address, depth + 1));
         }
-        file.limits.check_items(file.b.format, pile.len() as u64)?;
+        file.b.check_items(pile.len() as u64)?;
     }
     Ok(listing)
 }
@@ -101,7 +101,7 @@ fn symbol_table(
     let mut read = 0;
     while let Some(node) = nodes.pop() {
         read += 1;
-        file.limits.check_items(file.b.format, read)?;
+        file.b.check_items(read)?;
         if file.b.slice(node, 4)? == b"TREE" {
             let count = usize::from(file.b.u16(node + 6)?);
             let first = node + 8 + 2 * file.address_size;
@@ -109,7 +109,7 @@ fn symbol_table(
             for i in (0..count).rev() {
                 nodes.extend(file.address(first + i * step + file.length_size)?);
             }
-            file.limits.check_items(file.b.format, nodes.len() as u64)?;
+            file.b.check_items(nodes.len() as u64)?;
             continue;
         }
         if file.b.slice(node, 4)? != b"SNOD" {
@@ -122,7 +122,7 @@ fn symbol_table(
             // Names end with a zero; longer ones than this are none.
             let rest = file.b.from(name)?.data;
             let name = crate::binary::text(&rest[..rest.len().min(1024)]);
-            file.limits.check_items(file.b.format, links.len() as u64 + 1)?;
+            file.b.check_items(links.len() as u64 + 1)?;
             if let Some(address) = file.address(entry + file.address_size)? {
                 links.push((name, address));
             }

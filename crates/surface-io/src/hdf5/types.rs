@@ -202,7 +202,7 @@ fn global<'a>(file: &File<'a>, heap: usize, wanted: u32) -> Result<&'a [u8], Rea
     let mut read = 0;
     while at < end {
         read += 1;
-        file.limits.check_items(b.format, read)?;
+        b.check_items(read)?;
         let (index, size) = (b.u16(at)?, file.length(at + 8)?);
         let size = usize::try_from(size).unwrap_or(usize::MAX);
         let data = at + 8 + file.length_size;

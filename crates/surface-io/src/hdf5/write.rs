@@ -220,8 +220,8 @@ mod tests {
             .unwrap();
         let found = read_bytes(&file, &ReadOptions::default()).unwrap();
         assert_eq!((found.grid(), found.heights()), (grid, &heights[..]));
-        assert_eq!(found.channels().len(), 2);
-        assert_eq!(found.channels()[1].unit.as_deref(), Some("Pa"));
+        assert_eq!(found.channels.len(), 2);
+        assert_eq!(found.channels[1].unit.as_deref(), Some("Pa"));
     }
 
     #[test]

@@ -2,8 +2,6 @@
 
 use crate::common::binary::{gzip, npy, x3p_main, zip};
 use crate::common::{SampleFile, SayMore as _, assert_sample, samples, unaided};
-use rand_pcg::Pcg64Mcg;
-use rand_pcg::rand_core::{Rng, SeedableRng};
 use std::fmt::Write as _;
 use surface_io::{FORMATS, Layout, Limits, ReadError, ReadOptions, read_bytes};
 
@@ -171,59 +169,4 @@ fn long_text_is_read_in_linear_time() {
     let header = "# nothing\n".repeat(1_000_000);
     let error = unaided(header.as_bytes()).unwrap_err();
     assert!(matches!(error, ReadError::Limit { .. } | ReadError::UnknownFormat { .. }), "{error}");
-}
-
-/// Random edits of every sample, read by its own format: the poor man's fuzzing, for machines without
-/// a nightly compiler. `SURFACE_IO_MUTANTS` sets how many files per sample.
-#[test]
-#[ignore = "slow: a thousand damaged files of every sample"]
-fn random_damage_is_survived() {
-    let count = std::env::var("SURFACE_IO_MUTANTS").ok().and_then(|n| n.parse().ok());
-    let count: u64 = count.unwrap_or(1000);
-    for sample in samples() {
-        let found = sample.read().unwrap();
-        let spec = FORMATS.iter().find(|spec| spec.format == found.format()).unwrap();
-        let options = sample.options.clone().and(|o| o.limits = tight());
-        for seed in 0..count {
-            let mut random = Pcg64Mcg::seed_from_u64(seed);
-            let mut bytes = sample.bytes.clone();
-            for _ in 0..=random.next_u32() % 6 {
-                damage(&mut bytes, &mut random);
-            }
-            let results = [spec.read(&bytes, &options), read_bytes(&bytes, &options)];
-            for found in results.into_iter().flatten() {
-                let [ny, nx] = found.grid().shape();
-                assert_eq!(found.heights().len(), ny * nx, "{}, seed {seed}", sample.name);
-                assert!(found.heights().iter().all(|h| !h.is_infinite()));
-                assert!((ny * nx) as u64 <= tight().points);
-            }
-        }
-    }
-}
-
-fn damage(bytes: &mut Vec<u8>, random: &mut Pcg64Mcg) {
-    const NUMBERS: [u32; 9] =
-        [0, 1, 2, 0xff, 0xffff, 0x7fff_ffff, 0x8000_0000, 0xffff_fffe, 0xffff_ffff];
-    if bytes.is_empty() {
-        return;
-    }
-    // Headers are where it hurts.
-    let end = if random.next_u32().is_multiple_of(2) { bytes.len().min(600) } else { bytes.len() };
-    let at = random.next_u32() as usize % end;
-    match random.next_u32() % 5 {
-        0 => bytes[at] = random.next_u32() as u8,
-        1 => bytes[at] ^= 1 << (random.next_u32() % 8),
-        2 => {
-            let number = NUMBERS[random.next_u32() as usize % NUMBERS.len()].to_le_bytes();
-            let width = [1, 2, 4][random.next_u32() as usize % 3].min(bytes.len() - at);
-            bytes[at..at + width].copy_from_slice(&number[..width]);
-        }
-        3 => bytes.truncate(at),
-        _ => {
-            let length = (random.next_u32() as usize % 40).min(bytes.len() - at);
-            let piece = bytes[at..at + length].to_vec();
-            let to = random.next_u32() as usize % bytes.len();
-            bytes.splice(to..to, piece);
-        }
-    }
 }

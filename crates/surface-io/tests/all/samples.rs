@@ -33,7 +33,7 @@ fn what_the_file_does_not_say_is_needed() {
     assert_eq!(found.kept_unit(), None);
     let found = read_bytes(text, &ReadOptions::default().height(Always(1e-6))).unwrap();
     assert_eq!(found.heights()[3].to_bits(), 4e-6f64.to_bits());
-    assert_eq!(found.metadata()["overridden height unit"], "nm");
+    assert_eq!(found.metadata["overridden height unit"], "nm");
     assert_eq!(found.kept_unit(), None);
 }
 
@@ -44,21 +44,21 @@ fn several_traces_stand_beside_their_positions() {
     use surface_io::read_traces_bytes;
     let text = b"X [mm];Z1 [um];Z2 [um];Z3 [um]\n0.000;1;4;7\n0.001;2;5;8\n0.002;3;6;9\n";
     let traces = read_traces_bytes(text, &ReadOptions::default()).unwrap();
-    let names: Vec<&str> = traces.iter().map(surface_io::Measurement::channel).collect();
+    let names: Vec<&str> = traces.iter().map(|trace| trace.channel.as_str()).collect();
     assert_eq!(names, ["Z1", "Z2", "Z3"]);
     for (k, trace) in traces.iter().enumerate() {
-        assert!(trace.is_profile() && trace.channels().len() == 3);
+        assert!(trace.is_profile() && trace.channels.len() == 3);
         assert!((trace.grid().pixel()[1] - 1e-6).abs() < 1e-15);
         let first = 1e-6 * (3 * k + 1) as f64;
         assert!((trace.heights()[0] - first).abs() < 1e-15, "{trace:?}");
     }
     let one = read_traces_bytes(text, &ReadOptions::default().channel("Z2")).unwrap();
-    assert_eq!((one.len(), one[0].channel()), (1, "Z2"));
+    assert_eq!((one.len(), one[0].channel.as_str()), (1, "Z2"));
     let plain = b"0 1 4\n1 2 5\n2 3 6\n";
     let given = units(1e-6, 1e-9);
     let traces = read_traces_bytes(plain, &given.clone().layout(Layout::Traces)).unwrap();
     assert_eq!(traces.len(), 2);
-    assert_eq!(traces[1].channel(), "trace 2");
+    assert_eq!(traces[1].channel, "trace 2");
     let pair = read_traces_bytes(b"0 1\n1 2\n2 3\n", &given.clone().layout(Layout::Traces));
     assert_eq!(pair.unwrap().len(), 1);
     assert!(read_traces_bytes(b"1\n2\n3\n", &given.layout(Layout::Traces)).is_err());
@@ -69,7 +69,7 @@ fn several_traces_stand_beside_their_positions() {
 fn a_workbook_of_a_roughness_tester() {
     let file = common::microscopes::mitutoyo();
     let found = unaided(&file).unwrap();
-    assert!(found.is_profile() && found.uneven().is_none());
+    assert!(found.is_profile() && found.uneven.is_none());
     assert_eq!(found.grid().shape(), [1, 5]);
     assert!((found.grid().pixel()[1] / 1.5e-6 - 1.0).abs() < 1e-12);
     assert!((found.heights()[4] - 2e-6).abs() < 1e-18);
@@ -88,18 +88,18 @@ fn a_workbook_of_a_roughness_tester() {
 fn the_topography_is_read_and_a_bad_channel_costs_nothing() {
     let jpk = sample("jpk");
     let found = jpk.read().unwrap();
-    assert_eq!((found.channel(), found.channels().len()), ("Height (retrace)", 2));
+    assert_eq!((found.channel.as_str(), found.channels.len()), ("Height (retrace)", 2));
     let other = jpk.options.clone().channel("error");
-    assert_eq!(read_bytes(&jpk.bytes, &other).unwrap().channel(), "Error (retrace)");
+    assert_eq!(read_bytes(&jpk.bytes, &other).unwrap().channel, "Error (retrace)");
     let lext = sample("lext");
     let found = lext.read().unwrap();
-    assert_eq!(found.channel(), "HEIGHT");
+    assert_eq!(found.channel.as_str(), "HEIGHT");
     // Two bytes a point become three: the channel of the thumbnail is at fault, no other.
     let mut broken = lext.bytes.clone();
     let bits = broken.windows(4).position(|w| w == [2, 1, 3, 0]).unwrap() + 8;
     broken[bits] = 24;
     let found = read_bytes(&broken, &lext.options).unwrap();
-    assert!(found.channels()[0].fault.as_ref().is_some_and(|fault| fault.contains("24 bits")));
+    assert!(found.channels[0].fault.as_ref().is_some_and(|fault| fault.contains("24 bits")));
     let asked = lext.options.clone().channel("#1");
     assert!(read_bytes(&broken, &asked).unwrap_err().to_string().contains("24 bits"));
 }
@@ -109,13 +109,13 @@ fn the_topography_is_read_and_a_bad_channel_costs_nothing() {
 fn heights_are_read_beside_pictures_and_broken_members() {
     let oir = sample("oir");
     let found = oir.read().unwrap();
-    assert_eq!((found.channel(), found.channels().len()), ("HEIGHT", 2));
-    assert!(found.channels()[0].fault.as_ref().is_some_and(|fault| fault.contains("24 bits")));
-    assert_eq!(found.metadata()["date"], "2026-11-23");
+    assert_eq!((found.channel.as_str(), found.channels.len()), ("HEIGHT", 2));
+    assert!(found.channels[0].fault.as_ref().is_some_and(|fault| fault.contains("24 bits")));
+    assert_eq!(found.metadata["date"], "2026-11-23");
     let packed = sample("oir, packed");
     let found = packed.read().unwrap();
-    assert_eq!((found.channel(), found.channels().len()), ("a.oir: HEIGHT", 3));
-    assert!(found.channels()[2].fault.is_some());
+    assert_eq!((found.channel.as_str(), found.channels.len()), ("a.oir: HEIGHT", 3));
+    assert!(found.channels[2].fault.is_some());
     let mut short = oir.bytes.clone();
     let at = short.windows(4).position(|w| w == b"c1_0").unwrap();
     short[at + 3] = b'5';
@@ -179,12 +179,12 @@ fn fill_is_refused_with_the_way_out() {
         assert!(matches!(found.crop(Cut::Rectangle(bad)), Err(ReadError::Crop { .. })));
     }
     // The hole is in row 1, column 2 of 5 x 7 points: below it are 3 x 7, right of it 5 x 4.
-    assert_eq!(found.crop(Cut::Complete).unwrap().cropped(), Some([2, 0, 3, 7]));
+    assert_eq!(found.crop(Cut::Complete).unwrap().cropped, Some([2, 0, 3, 7]));
     // A part of a part is said as one of the map.
     let part = found.crop(Cut::Middle).unwrap();
-    assert_eq!((part.cropped(), part.missing()), (Some([1, 1, 3, 4]), 1));
+    assert_eq!((part.cropped, part.missing()), (Some([1, 1, 3, 4]), 1));
     let inner = part.crop(Cut::Complete).unwrap();
-    assert_eq!((inner.cropped(), inner.missing()), (Some([2, 1, 2, 4]), 0));
+    assert_eq!((inner.cropped, inner.missing()), (Some([2, 1, 2, 4]), 0));
     let line = found.crop(Cut::Rectangle([0, 0, 2, 3])).unwrap();
     let all_gone = line.crop(Cut::Rectangle([0, 1, 2, 2])).unwrap();
     assert!(matches!(
@@ -197,7 +197,7 @@ fn fill_is_refused_with_the_way_out() {
 fn profiles_know_their_spacing() {
     let even = b"X_(microns),z [nm]\n0.0,1\n0.2,2\n0.3,3\n0.5,4\n0.6,5\n";
     let found = unaided(even).unwrap();
-    assert!(found.is_profile() && found.uneven().is_none());
+    assert!(found.is_profile() && found.uneven.is_none());
     assert!((found.grid().pixel()[1] - 0.15e-6).abs() < 1e-20); // range / (N - 1)
     let uneven = b"x [um];z [nm];valid\n0.0;1;1\n1.0;2;0\n2.5;3;1\n3.0;4;1\n";
     let found = unaided(uneven).unwrap();
@@ -224,7 +224,7 @@ fn three_bare_columns_are_a_list_unless_told_otherwise() {
     let scaled = |layout| scaled(1e-6, 1.0).and(|o| o.layout = layout);
     let shape = |text: &str, layout| {
         let found = read_bytes(text.as_bytes(), &scaled(layout)).unwrap();
-        (found.grid().shape(), found.ambiguity().is_some())
+        (found.grid().shape(), found.ambiguity.is_some())
     };
     // Two points a side may be heights; three, all there, are not by chance.
     let small = "0 0 5\n0 1 6\n1 0 7\n1 1 8\n";
@@ -251,7 +251,7 @@ fn three_bare_columns_are_a_list_unless_told_otherwise() {
     assert_eq!(shape("1 5\n2 3\n", None), ([1, 2], true));
     assert_eq!(shape("1 5\n2 3\n", Some(Layout::Matrix)), ([2, 2], false));
     let four = read_bytes(b"1 2 3 4\n5 6 7 8\n", &scaled(Some(Layout::List))).unwrap();
-    assert_eq!((four.missing(), four.channels().len()), (2, 2));
+    assert_eq!((four.missing(), four.channels.len()), (2, 2));
     let map = sample("npy");
     let error = read_bytes(&map.bytes, &scaled(Some(Layout::Matrix))).unwrap_err();
     assert!(matches!(error, ReadError::BadLayout { .. }), "{error}");
@@ -294,7 +294,7 @@ fn write_fuzz_seeds() {
     let seeds = std::path::Path::new(env!("CARGO_MANIFEST_DIR")).join("fuzz/seeds");
     for (number, sample) in samples().into_iter().enumerate() {
         let found = sample.read().unwrap();
-        let folder = seeds.join(format!("{:?}", found.format()).to_lowercase());
+        let folder = seeds.join(format!("{:?}", found.format).to_lowercase());
         std::fs::create_dir_all(&folder).unwrap();
         std::fs::write(folder.join(number.to_string()), &sample.bytes).unwrap();
     }
@@ -319,16 +319,16 @@ fn profiles_of_formats_for_maps() {
     let found =
         read_bytes(&common::microscopes::hdf5(include_bytes!("../data/line.h5.gz")), &options);
     let found = found.unwrap();
-    assert_eq!((found.channel(), found.grid().shape()), ("z", [1, 5]));
+    assert_eq!((found.channel.as_str(), found.grid().shape()), ("z", [1, 5]));
     assert!((found.grid().pixel()[1] / 0.5e-6 - 1.0).abs() < 1e-12 && found.is_profile());
 
     let file = line_scan(&[0.0, 1.0, 2.5, 3.0]);
     let found = read_bytes(&file, &options).unwrap();
-    assert_eq!((found.channel(), found.missing()), ("heights", 1));
-    assert!(found.is_profile() && found.uneven().is_some());
+    assert_eq!((found.channel.as_str(), found.missing()), ("heights", 1));
+    assert!(found.is_profile() && found.uneven.is_some());
     // Stored 10, in steps of 0.5 from 100, in the unit of x.
     assert!((found.heights()[1] / 105e-6 - 1.0).abs() < 1e-12);
-    assert!((found.positions().unwrap()[2] / 2.5e-6 - 1.0).abs() < 1e-12);
+    assert!((found.positions.unwrap()[2] / 2.5e-6 - 1.0).abs() < 1e-12);
 }
 
 /// A line scan in NetCDF classic as contact.engineering writes it, packed: dimension `n`, variables
@@ -393,5 +393,5 @@ fn numbers_beside_a_map_are_named() {
     ]);
     assert_refused(unaided(&file), &["says dx = 0.5; pixel_size = 2, which was not used"]);
     let options = scaled(1e-6, 1.0);
-    assert_eq!(read_bytes(&file, &options).unwrap().channels().len(), 1);
+    assert_eq!(read_bytes(&file, &options).unwrap().channels.len(), 1);
 }

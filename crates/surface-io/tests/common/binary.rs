@@ -123,6 +123,21 @@ fn x3p_samples() -> Vec<SampleFile> {
     ]
 }
 
+/// A zlib stream.
+pub fn zlib(content: &[u8]) -> Vec<u8> {
+    let mut pack = flate2::write::ZlibEncoder::new(Vec::new(), flate2::Compression::default());
+    pack.write_all(content).unwrap();
+    pack.finish().unwrap()
+}
+
+pub fn latin1(text: &str) -> Vec<u8> {
+    text.chars().map(|c| c as u8).collect()
+}
+
+pub fn utf16(text: &str) -> Vec<u8> {
+    text.encode_utf16().flat_map(u16::to_le_bytes).collect()
+}
+
 pub fn gzip(content: &[u8]) -> Vec<u8> {
     let mut pack = flate2::write::GzEncoder::new(Vec::new(), flate2::Compression::default());
     pack.write_all(content).unwrap();
@@ -144,23 +159,20 @@ pub fn samples() -> Vec<SampleFile> {
     let integers: Vec<u8> = points(102.0).iter().flat_map(|h| (*h as u16).to_le_bytes()).collect();
     let mut samples = vec![
         SampleFile::new("npy", npy("<f8", false, "(5, 7)", &doubles(&values)))
-            .with_pixel()
-            .with_unit(1e-9),
+            .bare(),
         SampleFile::new("npy, Fortran, big endian", npy(">f4", true, "(5, 7)", &columns))
-            .with_pixel()
-            .with_unit(1e-9),
+            .bare(),
         SampleFile::new("npy, integers", npy("<u2", false, "(5, 7)", &integers))
-            .with_pixel()
-            .with_unit(1e-9)
+            .bare()
             .complete(),
         SampleFile::new("zipped text", zip(&[("map.txt", b"# Width: 14 um\n# Height: 15 um\n# Value units: nm\n0 1 2 3 4 5 6\n100 101 NaN 103 104 105 106\n200 201 202 203 204 205 206\n300 301 302 303 304 305 306\n400 401 402 403 404 405 406")])),
     ];
     let plain = npy("<f8", false, "(5, 7)", &doubles(&values));
-    samples.push(SampleFile::new("gzipped npy", gzip(&plain)).with_pixel().with_unit(1e-9));
+    samples.push(SampleFile::new("gzipped npy", gzip(&plain)).bare());
     let member = npy("<f8", false, "(5, 7)", &doubles(&values));
     let text = npy("<U3", false, "()", b"abcdefghijkl");
     let archive = zip(&[("note.npy", &text), ("height.npy", &member)]);
-    samples.push(SampleFile::new("npz", archive).with_pixel().with_unit(1e-9));
+    samples.push(SampleFile::new("npz", archive).bare());
     samples.extend(x3p_samples());
     samples
 }

@@ -1,8 +1,7 @@
 //! Samples of instrument formats.
 
-use super::binary::{Writer, doubles, floats, shorts, upside_down, words};
+use super::binary::{Writer, doubles, floats, latin1, shorts, upside_down, utf16, words, zlib};
 use super::{DX, DY, NX, NY, SampleFile, points};
-use std::io::Write as _;
 
 fn sur(is_compressed: bool, bits: u16) -> Vec<u8> {
     // Stored value v is v - 1000 nm; the smallest is 1000, so a missing point is 998.
@@ -20,11 +19,8 @@ fn sur(is_compressed: bool, bits: u16) -> Vec<u8> {
     w.to(334).u16([6, 3]);
     w.to(474).f32([-1000.0]).to(512).put("remark").put("own");
     if is_compressed {
-        let mut pack = flate2::write::ZlibEncoder::new(Vec::new(), flate2::Compression::default());
-        pack.write_all(&data).unwrap();
-        let packed = pack.finish().unwrap();
-        w.u32([1, data.len() as u32]);
-        w.u32([packed.len() as u32]).put(packed);
+        let packed = zlib(&data);
+        w.u32([1, data.len() as u32, packed.len() as u32]).put(packed);
     } else {
         w.put(data);
     }
@@ -161,7 +157,7 @@ fn nanoscope(bytes_per_pixel: usize) -> Vec<u8> {
          \\@2:Z scale: V [Sens. Zsens] (0.1 V/LSB) {hard} V\r\n\\*File list end\r\n\x1a"
     );
     let mut w = Writer::default();
-    w.put(header.chars().map(|c| c as u8).collect::<Vec<_>>()).to(1024).put(data);
+    w.put(latin1(&header)).to(1024).put(data);
     w.0
 }
 
@@ -234,11 +230,7 @@ fn bcrf(kind: &str) -> Vec<u8> {
         header.push(' ');
     }
     let mut w = Writer::default();
-    if kind.ends_with("unicode") {
-        w.put(header.encode_utf16().flat_map(u16::to_le_bytes).collect::<Vec<_>>());
-    } else {
-        w.put(header.chars().map(|c| c as u8).collect::<Vec<_>>());
-    }
+    w.put(if kind.ends_with("unicode") { utf16(&header) } else { latin1(&header) });
     for h in points(f64::NAN) {
         let stored = 2.0 * h;
         if is_float {
@@ -381,7 +373,7 @@ fn wsxm() -> Vec<u8> {
                   [General Info]\r\n\r\n    Image Data Type: double\r\n    Number of columns: 7\
                   \r\n    Number of rows: 5\r\n    Z Amplitude: 406.001 nm\r\n\r\n[Header end]\r\n";
     let mut w = Writer::default();
-    w.put(header.chars().map(|c| c as u8).collect::<Vec<_>>()).to(512).put(doubles(&points(102.0)));
+    w.put(latin1(header)).to(512).put(doubles(&points(102.0)));
     w.0
 }
 

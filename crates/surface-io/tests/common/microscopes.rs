@@ -1,6 +1,6 @@
 //! Samples of the formats of microscopes and profilers that came later than the others.
 
-use super::binary::{Writer, doubles, floats, shorts, upside_down, words, zip};
+use super::binary::{Writer, doubles, floats, shorts, upside_down, utf16, words, zip, zlib};
 use super::{DX, DY, NX, NY, SampleFile, points};
 use std::io::Read as _;
 
@@ -145,10 +145,7 @@ fn tiff_differences() -> Vec<u8> {
             before = *value as i16;
         }
     }
-    let mut pack = flate2::read::ZlibEncoder::new(&data[..], flate2::Compression::default());
-    let mut packed = Vec::new();
-    pack.read_to_end(&mut packed).unwrap();
-    tiff(vec![(picture(16, 2, 8, 2), packed)])
+    tiff(vec![(picture(16, 2, 8, 2), zlib(&data))])
 }
 
 fn jpk() -> Vec<u8> {
@@ -180,10 +177,9 @@ fn jpk() -> Vec<u8> {
 }
 
 fn park() -> Vec<u8> {
-    let wide = |text: &str| text.encode_utf16().flat_map(u16::to_le_bytes).collect::<Vec<u8>>();
     let mut h = Writer::default();
-    h.to(4).put(wide("Z Height")).to(100).u32([NX as u32, NY as u32]);
-    h.to(140).put(doubles(&[14.0, 15.0])).to(220).put(doubles(&[0.5, 2e-3, 7.0])).put(wide("um"));
+    h.to(4).put(utf16("Z Height")).to(100).u32([NX as u32, NY as u32]);
+    h.to(140).put(doubles(&[14.0, 15.0])).to(220).put(doubles(&[0.5, 2e-3, 7.0])).put(utf16("um"));
     h.to(348).u32([2]).to(580);
     let data = floats(&upside_down(&points(f64::NAN)));
     let entries = vec![
@@ -353,11 +349,8 @@ pub fn samples() -> Vec<SampleFile> {
         SampleFile::new("zmg", zmg()).complete(),
         SampleFile::new("os3d", os3d()),
         SampleFile::new("sxm", sxm()),
-        SampleFile::new("tiff, f32", tiff_floats()).with_pixel().with_unit(1e-9),
-        SampleFile::new("tiff, i16 differences", tiff_differences())
-            .with_pixel()
-            .with_unit(1e-9)
-            .complete(),
+        SampleFile::new("tiff, f32", tiff_floats()).bare(),
+        SampleFile::new("tiff, i16 differences", tiff_differences()).bare().complete(),
         SampleFile::new("jpk", jpk()).complete(),
         SampleFile::new("park", park()),
         SampleFile::new("lext", lext()).complete(),
@@ -370,9 +363,7 @@ pub fn samples() -> Vec<SampleFile> {
         SampleFile::new("hdf5, chunks", hdf5(include_bytes!("../data/chunked.h5.gz"))).with_pixel(),
         SampleFile::new("hdf5, newest", hdf5(include_bytes!("../data/latest.h5.gz"))).with_pixel(),
         SampleFile::new("hdf5, packed", hdf5(include_bytes!("../data/packed.h5.gz"))).with_pixel(),
-        SampleFile::new("hdf5, MATLAB", hdf5(include_bytes!("../data/matlab.h5.gz")))
-            .with_pixel()
-            .with_unit(1e-9),
+        SampleFile::new("hdf5, MATLAB", hdf5(include_bytes!("../data/matlab.h5.gz"))).bare(),
         SampleFile::new("hdf5, one chunk", hdf5(include_bytes!("../data/single_chunk.h5.gz")))
             .with_pixel(),
         SampleFile::new("datx", hdf5(include_bytes!("../data/made.datx.gz"))),

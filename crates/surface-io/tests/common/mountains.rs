@@ -1,8 +1,7 @@
 //! Documents of Mountains (MNT), and the OLE compound documents that hold them.
 
-use super::binary::Writer;
+use super::binary::{Writer, utf16, zlib};
 use super::{DX, DY, NX, NY, SampleFile, points};
-use std::io::Write as _;
 
 const FREE: u32 = 0xffff_ffff;
 const END: u32 = 0xffff_fffe;
@@ -13,7 +12,7 @@ pub fn ole(streams: &[(&str, &[u8])], shift: u16) -> Vec<u8> {
     let size = 1usize << shift;
     let entry = |name: &str, kind: u8, start: u32, length: usize| {
         let mut w = Writer::default();
-        let name: Vec<u8> = name.encode_utf16().chain([0]).flat_map(u16::to_le_bytes).collect();
+        let name = utf16(&format!("{name}\0"));
         w.put(&name).to(64).u16([name.len() as u16]).put([kind, 1]);
         w.u32([FREE; 3]);
         w.to(116).put(start.to_le_bytes()).put((length as u64).to_le_bytes());
@@ -72,7 +71,7 @@ fn number(tag: u16, value: i32) -> Vec<u8> {
 }
 
 fn text(text: &str) -> Vec<u8> {
-    [4].into_iter().chain(text.encode_utf16().flat_map(u16::to_le_bytes)).collect()
+    [vec![4], utf16(text)].concat()
 }
 
 fn object(class: i32, content: &[u8]) -> Vec<u8> {
@@ -95,10 +94,7 @@ fn blob(raw: &[u8], width: usize) -> Vec<u8> {
     let half = raw.len() / width / 2;
     let mut blob = (raw.len() as u64).to_le_bytes().to_vec();
     for (first, block) in [(half, &raw[half * width..]), (0, &raw[..half * width])] {
-        let mut packed =
-            flate2::write::ZlibEncoder::new(Vec::new(), flate2::Compression::default());
-        packed.write_all(block).unwrap();
-        let packed = packed.finish().unwrap();
+        let packed = zlib(block);
         blob.extend((first as u64).to_le_bytes());
         blob.extend([block.len() / width, packed.len()].map(|n| (n as u32).to_le_bytes()).concat());
         blob.extend(packed);
