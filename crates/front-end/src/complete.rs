@@ -101,8 +101,8 @@ pub fn complete(
     if ny < 2 || nx < 2 {
         return Err(Incomplete::Line([ny, nx]));
     }
-    measurement.format().name().clone_into(&mut file.format);
-    (file.crop, file.fill) = (measurement.cropped(), fill.name().to_owned());
+    measurement.format.name().clone_into(&mut file.format);
+    (file.crop, file.fill) = (measurement.cropped, fill.name().to_owned());
     // Neither a removed form nor filled points take the steps away; only smoothing does.
     let kept = file.cleaning.s_filter.is_none();
     file.height_step = kept.then(|| height_step(measurement.heights())).flatten();
@@ -129,9 +129,9 @@ pub fn traces(
     mut file: FileOrigin,
     fill: Fill,
 ) -> Result<ProfileSurface, Incomplete> {
-    let format = measurements.first().map_or("", |m| m.format().name());
+    let format = measurements.first().map_or("", |m| m.format.name());
     (file.format, file.fill) = (format.to_owned(), fill.name().to_owned());
-    (file.crop, file.missing) = (measurements.first().and_then(Measurement::cropped), 0);
+    (file.crop, file.missing) = (measurements.first().and_then(|m| m.cropped), 0);
     // λs and λc act on the profile after its form is off, with their own ends.
     let before = Cleaning { s_filter: None, l_filter: None, ..file.cleaning };
     let (mut traces, mut first) = (Vec::new(), None);

@@ -183,23 +183,23 @@ fn measurements(
         let kept = "which is kept; --override-height-unit U would overrule it";
         tell_of(path, &format!("the file gives its heights in {unit}, {kept}"));
     }
-    if let Some(what) = measurement.metadata().get("left out") {
+    if let Some(what) = measurement.metadata.get("left out") {
         tell_of(path, &format!("{what} are left out"));
     }
     let readable = |c: &&surface_io::ChannelInfo| c.is_height && c.fault.is_none() && !c.is_trace;
-    let heights = measurement.channels().iter().filter(readable).count();
+    let heights = measurement.channels.iter().filter(readable).count();
     if file.channel.is_none() && heights > 1 {
         let what = format!(
             "{:?} is read, one of {heights} channels in units of length; \
              `info` lists them, --channel NAME reads another",
-            measurement.channel()
+            measurement.channel
         );
         tell_of(path, &what);
     }
     let Some(crop) = crop else { return Ok((all, fill)) };
     let cut = |m: Measurement| m.crop(crop).map_err(|e| needs::unread(path, &e));
     let all: Vec<Measurement> = all.into_iter().map(cut).collect::<Result<_, _>>()?;
-    if let (Some(part), false) = (all[0].cropped(), matches!(crop, Cut::Rectangle(_))) {
+    if let (Some(part), false) = (all[0].cropped, matches!(crop, Cut::Rectangle(_))) {
         tell_of(path, &format!("--crop {crop} is --crop {}", Cut::Rectangle(part)));
     }
     Ok((all, fill))
@@ -211,7 +211,7 @@ fn complete(
     file: FileOrigin,
     fill: Fill,
 ) -> Result<One, Failure> {
-    if let Some(reading) = all[0].ambiguity() {
+    if let Some(reading) = all[0].ambiguity {
         tell_of(path, &needs::reading(reading));
     }
     let made = if all[0].is_profile() {

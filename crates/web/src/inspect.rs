@@ -45,11 +45,11 @@ fn read(request: &Request, file: &[u8], measured: Measurement) -> Result<Value, 
             (None, None) => c.name.clone(),
         };
         json!({
-            "name": c.name, "label": label, "chosen": c.name == measured.channel(),
+            "name": c.name, "label": label, "chosen": c.name == measured.channel,
             "readable": c.is_height && c.fault.is_none() && c.shape[0] > 1,
         })
     };
-    let channels: Vec<Value> = measured.channels().iter().map(channel).collect();
+    let channels: Vec<Value> = measured.channels.iter().map(channel).collect();
     let parts = parts(&measured, request.reading.part()?);
     let about = format!("{} · {} · {}", request.name, measured.format.name(), bytes(file.len()));
     let ambiguity = measured.ambiguity.map(|a| a.to_string());
@@ -122,11 +122,11 @@ fn facts(measured: &Measurement) -> Vec<[String; 2]> {
     let [ny, nx] = measured.grid().shape();
     let [dy, dx] = measured.grid().pixel();
     let said = |given: bool| if given { "from the file" } else { "as you said" };
-    let own = measured.channels().iter().find(|c| c.name == measured.channel());
+    let own = measured.channels.iter().find(|c| c.name == measured.channel);
     let pixel_in_file = own.is_some_and(|c| c.pixel.is_some());
     let unit_in_file = own.is_some_and(|c| c.unit.is_some());
     let cut = |[y0, x0, ..]: [usize; 4]| format!(", cut out from row {y0}, column {x0}");
-    let part = measured.cropped().map_or_else(String::new, cut);
+    let part = measured.cropped.map_or_else(String::new, cut);
     let mut facts = vec![
         ["Points".to_owned(), format!("{ny} rows × {nx} columns{part}")],
         ["Pixel".to_owned(), format!("{} × {}, {}", length(dx), length(dy), said(pixel_in_file))],
