@@ -226,11 +226,11 @@ fn of_pair(pair: &PairOrigin) -> Vec<Finding> {
         found.push(Finding::check(Fact::Pair { names: names(), moments: *independence }));
     }
     if placed.resampled.contains(&true) {
-        let matters = placed.pixel_ratio() >= PIXELS_MATTER;
+        let matters = placed.pixel_ratio >= PIXELS_MATTER;
         let pixels = placed.grids.map(|grid| grid.pixel());
         found.push(Finding::check_if(matters, Fact::PixelsDiffer { names: names(), pixels }));
     }
-    let shares = placed.shares();
+    let shares = placed.shares;
     // Less than a point in a thousand is no part.
     if shares.iter().any(|share| *share < 0.999) {
         found.push(Finding::note(Fact::CommonPart { names: names(), shares }));

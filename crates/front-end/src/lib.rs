@@ -32,7 +32,6 @@ pub use documents::{DOCUMENTS, documents, profile_documents, profile_documents_n
 pub use failure::{Failure, variant};
 pub use hardness::unusual as unusual_hardness;
 pub use info::info;
-pub use iso::Iso;
 pub use leak::leak_request;
 pub use paths::{run_file_in, told_apart};
 pub use planned::unmet;
@@ -40,6 +39,7 @@ pub use point::Point;
 pub use solve::{SolveInput, SolveRequest, SolveResult};
 pub use statistics::{Measured, Statistics, statistics};
 pub use study::{look_around, not_met};
+pub use surface_stats::iso25178::Iso;
 pub use traces::Traces;
 pub use validated::validated;
 pub use watch::Watch;

@@ -18,9 +18,7 @@ use std::path::Path;
 use surface_stats::clean::RowOffsets;
 use surface_stats::profile::ProfileStatistics;
 use surface_stats::spectrum::{amplitudes, radial};
-use surface_stats::{
-    DirectionalMoments, Edges, HeightStatistics, SpectralScales, StatsError, StatsOptions, level,
-};
+use surface_stats::{Edges, SpectralScales, StatsError, StatsOptions, level, moments};
 
 /// What is asked of the model.
 #[derive(Clone, Copy, Debug)]
@@ -197,10 +195,8 @@ pub fn measured(
     inputs.nominal_area = Some(heights.grid().area());
     let map = level(&heights, form).map_err(refused)?;
     // Every model has the moments that a study gives it; only Persson's mean gap needs more.
-    let rms = HeightStatistics::of(&map).rms_height;
-    let differences = DirectionalMoments::of(&map, edges).map_err(refused)?;
     inputs.source = MomentSource::FiniteDifferences;
-    inputs.moments = Some(differences.isotropic(rms * rms));
+    inputs.moments = Some(moments(&map, edges).map_err(refused)?);
     if card.of_map == OfMap::Fractal {
         let options = StatsOptions { level: form, edges, missing, ..StatsOptions::default() };
         let scales = SpectralScales::of(&heights, &options).map_err(refused)?;
@@ -261,7 +257,7 @@ pub fn of_profile(
     let form = form.of_profile();
     let options = traces.options(form.degree().unwrap_or(0));
     let (statistics, _, spectrum) =
-        ProfileStatistics::with_spectrum(&traces.each, &options).map_err(refused)?;
+        ProfileStatistics::of(&traces.each, &options).map_err(refused)?;
     let inputs =
         contact_compare::profile_inputs(&statistics, &spectrum, modulus).map_err(refused)?;
     let (inputs, questions, spread) = complete(inputs)?;

@@ -1,13 +1,14 @@
 //! Roughness statistics of one map: what `rough-contact stats` answers.
 
 use crate::failure::Failure;
-use crate::iso::Iso;
+use crate::iso;
 use crate::scene;
 use contact_compare::{Finding, Level, PairOrigin, Spikes, WorkOfAdhesion};
 use contact_types::{ContactModulus, HeightMap};
 use serde_json::{Value, json};
 use std::path::Path;
 use surface_stats::clean::Record;
+use surface_stats::iso25178::Iso;
 use surface_stats::{ByDistance, StatsError, StatsOptions, SurfaceStatistics, by_distance, level};
 
 /// Where a map comes from, for what is said of it.
@@ -86,7 +87,7 @@ pub fn statistics(
         None => None,
     };
     if let Some(iso) = &iso {
-        json["iso25178"] = iso.json();
+        json["iso25178"] = iso::json(iso);
     }
     let scales = levelled.as_ref().filter(|_| with_scales).map(by_distance);
     if let Some([along_x, along_y]) = &scales {

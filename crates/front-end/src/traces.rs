@@ -66,7 +66,7 @@ impl Traces {
     /// # Errors
     /// [`StatsError`] of traces too short for the filters.
     pub fn statistics(&self, degree: usize) -> Result<(ProfileStatistics, Value), StatsError> {
-        let found = ProfileStatistics::of(&self.each, &self.options(degree))?;
+        let (found, ..) = ProfileStatistics::of(&self.each, &self.options(degree))?;
         let mut json = contact_report::profile_statistics_json(&found);
         json["missing"] = json!(self.missing);
         json["uneven"] = contact_report::unevenness_json(self.uneven);

@@ -50,7 +50,7 @@ pub(crate) fn profile<'py>(
     let found = quietly(py, threads, move || traces(Path::new(&file), &asked, level, given))?;
     let (traces, json) = found.map_err(|e| e.raise(at))?;
     let Traces { each, missing, cleaned, uneven, height_step, format, crop, .. } = traces;
-    let (count, points) = (each.len(), each.first().map_or(0, Trace::len));
+    let (count, points) = (each.len(), each.first().map_or(0, |trace| trace.heights().len()));
     let spacing = each.first().map_or(0.0, Trace::spacing);
     let heights = each.iter().flat_map(|t| t.heights().iter().copied()).collect();
     let name = at.file_name().unwrap_or(at.as_os_str()).to_string_lossy().into_owned();

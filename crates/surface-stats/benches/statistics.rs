@@ -5,13 +5,11 @@
 use contact_types::{Grid, HeightMap, Named};
 use criterion::{BenchmarkId, Criterion, Throughput, criterion_group, criterion_main};
 use std::hint::black_box;
-use surface_stats::clean::{Form, OutlierRule, Step, apply, find_outliers};
-use surface_stats::iso25178::{Hybrid, MaterialRatioCurve, Spatial};
-use surface_stats::spectrum::{Window, amplitudes, radial, radial_psd};
+use surface_stats::clean::{Form, Step, apply};
+use surface_stats::iso25178::Iso;
+use surface_stats::spectrum::{amplitudes, radial};
 use surface_stats::synthesis::{Scale, SelfAffine};
-use surface_stats::{
-    DirectionalMoments, Edges, Level, StatsOptions, Summits, SurfaceStatistics, level,
-};
+use surface_stats::{Edges, Level, StatsOptions, SurfaceStatistics, level, moments};
 
 fn recipe(n: usize) -> SelfAffine {
     SelfAffine {
@@ -55,24 +53,12 @@ fn parts(c: &mut Criterion) {
     group.sample_size(10);
     group.throughput(Throughput::Elements((n * n) as u64));
     group.bench_function("level-plane", |b| b.iter(|| level(black_box(&map), Level::Plane)));
-    group.bench_function("differences", |b| {
-        b.iter(|| DirectionalMoments::of(black_box(&map), open));
-    });
-    group.bench_function("summits", |b| b.iter(|| Summits::of(black_box(&map), open)));
+    group.bench_function("differences", |b| b.iter(|| moments(black_box(&map), open)));
     group.bench_function("radial-spectrum", |b| b.iter(|| radial(black_box(&map))));
-    group.bench_function("windowed-psd", |b| {
-        b.iter(|| radial_psd(black_box(&map), Window::Hann));
-    });
     group.bench_function("amplitudes", |b| b.iter(|| amplitudes(black_box(&map))));
-    group.bench_function("hybrid", |b| b.iter(|| Hybrid::of(black_box(&map))));
-    group.bench_function("material-ratio", |b| {
-        b.iter(|| MaterialRatioCurve::of(black_box(&map)).map(|curve| curve.core()));
-    });
-    group.bench_function("autocorrelation", |b| b.iter(|| Spatial::of(black_box(&map), open)));
-    group.bench_function("outliers", |b| {
-        b.iter(|| find_outliers(grid, black_box(map.heights()), OutlierRule::default()));
-    });
+    group.bench_function("iso25178", |b| b.iter(|| Iso::of(black_box(&map), open)));
     for (name, step, edges) in [
+        ("outliers", Step::Outliers(8.0), open),
         ("sphere", Step::Form(Form::Sphere), open),
         ("gaussian-open-25-pixels", Step::SFilter(25e-6), open),
         ("gaussian-periodic", Step::SFilter(25e-6), Edges::Periodic),

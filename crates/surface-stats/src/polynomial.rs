@@ -1,8 +1,7 @@
 //! Least-squares polynomial surfaces through the valid points of a map.
 //!
-//! Written in Legendre polynomials of coordinates scaled to -1..1, so that the normal equations
-//! are well conditioned at every degree offered, and repeated on the residual, so that a form a
-//! million times higher than the roughness leaves no trace of its own rounding.
+//! In Legendre polynomials of coordinates scaled to -1..1, which condition the normal equations, and repeated on the
+//! residual, so that a form a million times higher than the roughness leaves no trace of its own rounding.
 
 use crate::linear::NormalEquations;
 use crate::{StatsError, scale};
@@ -22,8 +21,7 @@ pub(crate) struct Polynomial {
 
 impl Polynomial {
     /// Fits all terms up to total degree `degree` (0 mean, 1 plane, 2 quadratic, ...) to the
-    /// points of `heights` (m, row-major) that are not NaN. Combinations of terms that these
-    /// points cannot determine (a tilt across a single row) are left at zero.
+    /// points of `heights` (m, row-major) that are not NaN. Terms that these cannot determine are left at zero.
     pub(crate) fn fit(grid: Grid, heights: &[f64], degree: usize) -> Result<Self, StatsError> {
         let (setting, holds) = ("degree of the polynomial", degree <= MAX_DEGREE);
         StatsError::require(setting, degree as f64, holds, "must be at most 12")?;
@@ -43,12 +41,8 @@ impl Polynomial {
         Ok(fit)
     }
 
-    /// Replaces every valid height by its distance above the polynomial.
-    ///
-    /// # Panics
-    /// If `heights` does not have the pixels of the grid that was fitted.
+    /// Replaces every valid height of the grid that was fitted by its distance above the polynomial.
     pub(crate) fn remove_from(&self, heights: &mut [f64]) {
-        assert_eq!(heights.len(), self.grid.len(), "heights of another grid");
         let [ny, nx] = self.grid.shape();
         let columns = columns(nx, self.degree);
         for (iy, row) in heights.chunks_exact_mut(nx).enumerate() {
@@ -62,23 +56,16 @@ impl Polynomial {
     /// The share of the height variance that the form explains: 1 - (variance of the residual)/
     /// (variance of the heights), over the valid points. 0 for a flat map.
     pub(crate) fn explained(&self, heights: &[f64]) -> f64 {
-        let [ny, nx] = self.grid.shape();
-        let columns = columns(nx, self.degree);
-        let (mut residual, mut total) = ([0.0; 3], [0.0; 3]);
-        for (iy, row) in heights.chunks_exact(nx).enumerate() {
-            let along = self.along_row(&legendre(scaled(iy, ny)));
-            for (ix, h) in row.iter().enumerate().filter(|(_, h)| !h.is_nan()) {
-                let z = h - self.origin;
-                for (sums, z) in [(&mut total, z), (&mut residual, z - value(&along, &columns, ix))]
-                {
-                    sums[0] += 1.0;
-                    sums[1] += z;
-                    sums[2] += z * z;
-                }
+        let mut residual = heights.to_vec();
+        self.remove_from(&mut residual);
+        let variance = |values: &[f64], origin: f64| {
+            let mut sums = [0.0; 3];
+            for z in values.iter().map(|h| h - origin).filter(|z| !z.is_nan()) {
+                sums = [sums[0] + 1.0, sums[1] + z, sums[2] + z * z];
             }
-        }
-        let variance = |s: [f64; 3]| s[2] - s[1] * s[1] / s[0];
-        let (kept, all) = (variance(residual), variance(total));
+            sums[2] - sums[1] * sums[1] / sums[0]
+        };
+        let (kept, all) = (variance(&residual, 0.0), variance(heights, self.origin));
         if all > 0.0 { (1.0 - kept / all).clamp(0.0, 1.0) } else { 0.0 }
     }
 
@@ -116,9 +103,9 @@ impl Polynomial {
             let own = missing.then(|| products(&columns, &(0..nx).filter(|&ix| !row[ix].is_nan())));
             let gram = own.as_ref().unwrap_or(&complete);
             for (i, [ky, kx]) in terms(self.degree).enumerate() {
-                equations.add_right(i, rows[ky] * sums[kx]);
+                equations.right[i] += rows[ky] * sums[kx];
                 for (j, [my, mx]) in terms(self.degree).enumerate().take(i + 1) {
-                    equations.add_product(i, j, rows[ky] * rows[my] * gram[kx * k + mx]);
+                    equations.matrix[i][j] += rows[ky] * rows[my] * gram[kx * k + mx];
                 }
             }
         }

@@ -32,10 +32,7 @@ pub struct Summits {
 
 impl Summits {
     /// Counts on a map whose heights are distances from its mean plane.
-    ///
-    /// # Errors
-    /// [`StatsError::TooSmall`] below 3 x 3 pixels.
-    pub fn of(map: &HeightMap, edges: Edges) -> Result<Self, StatsError> {
+    pub(crate) fn of(map: &HeightMap, edges: Edges) -> Result<Self, StatsError> {
         let ([ny, nx], [dy, dx]) = (map.grid().shape(), map.grid().pixel());
         StatsError::require_shape("a pixel with eight neighbours", [ny, nx], [3, 3])?;
         let around = Neighbours { map, edges };

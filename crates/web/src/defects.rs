@@ -9,8 +9,8 @@ use contact_front_end::{Failure, shown};
 use contact_report::numbers::significant;
 use serde_json::{Value, json};
 use surface_io::Measurement;
-use surface_stats::clean::{OutlierRule, Outliers, find_outliers, row_offsets};
-use surface_stats::{MOST_SEAM_JUMP, SurfaceStatistics, Warning, seam_jump};
+use surface_stats::clean::{Outliers, find_outliers, row_offsets};
+use surface_stats::{SurfaceStatistics, Warning, repeats, seam_jump};
 
 /// A tilt is worth a word from this many times the roughness on.
 const TILTED: f64 = 1.0;
@@ -41,7 +41,7 @@ impl Defect {
 
 /// The spikes of a map as measured: what the words count and the picture rings.
 pub(crate) fn spikes(measured: &Measurement) -> Result<Outliers, Trouble> {
-    find_outliers(measured.grid(), measured.heights(), OutlierRule::beyond(SPIKE_THRESHOLD))
+    find_outliers(measured.grid(), measured.heights(), SPIKE_THRESHOLD)
         .map_err(|e| Trouble::Refused(Failure::from_error(&e)))
 }
 
@@ -99,8 +99,9 @@ pub(crate) fn of(
         let text = "Slopes across them are those of the scan, not of the surface.";
         add("check", claim, text, "rows", "Put the rows in line", Some(numbers));
     }
-    let jump = seam_jump(&prepared(measured, request)?);
-    if request.remedies.mirror || jump > MOST_SEAM_JUMP {
+    let map = prepared(measured, request)?;
+    if request.remedies.mirror || !repeats(&map) {
+        let jump = seam_jump(&map);
         let text = "Repeated as it is, the map has a step there, and the solution presses on it. Mirrored it has none.";
         let claim =
             format!("Edges do not match: they jump {} times the inner step.", significant(jump, 2));

@@ -27,11 +27,12 @@ pub fn profile_findings(
         Err(error) => {
             found.push(Finding::note(Fact::NoRoughness { why: error.to_string() }));
         }
-        Ok(all) => {
-            let setting = all[0].setting;
+        Ok(found) => {
+            let setting = found.setting;
             // The first parameter is Ra.
-            let ra = statistics.roughness_mean().and_then(|means| means[0].mean);
-            if let (SettingSource::Longest(_), Some(ra)) = (setting.source, ra) {
+            if let (SettingSource::Longest(_), Some(ra)) =
+                (setting.source, found.parameters[0].mean)
+            {
                 let (cutoff, length) = (setting.cutoff, statistics.length);
                 found.push(Finding::note(Fact::CoarserClass { cutoff, ra, length }));
             }
@@ -54,7 +55,7 @@ pub fn profile_findings(
 
 fn sample(statistics: &ProfileStatistics) -> Finding {
     let factors = [0, 1, 2].map(|k| {
-        let [low, high] = statistics.interval(k)?;
+        let [low, high] = statistics.intervals[k]?;
         (low > 0.0).then(|| (high / low).sqrt())
     });
     let is_loose = factors[1].is_none_or(|factor| factor > 1.0 + LOOSE);
@@ -62,7 +63,7 @@ fn sample(statistics: &ProfileStatistics) -> Finding {
         traces: statistics.traces,
         length: statistics.length,
         factors,
-        between: statistics.scatter.between,
+        between: statistics.between,
     };
     Finding::check_if(is_loose, fact)
 }

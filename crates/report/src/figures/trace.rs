@@ -19,7 +19,7 @@ pub(crate) fn trace(
     key: &str,
 ) -> Option<Figure> {
     let heights = trace.heights();
-    let (low, high) = trace.as_map().range();
+    let (low, high) = trace.range();
     let length = trace.length();
     if high <= low {
         return None;

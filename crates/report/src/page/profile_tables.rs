@@ -15,7 +15,8 @@ pub(crate) fn key_numbers(study: &ProfileComparison) -> String {
     let s = &study.statistics;
     let m = s.moments;
     let ends = |k: usize| {
-        let factor = s.interval(k).and_then(|[low, high]| (low > 0.0).then(|| (high / low).sqrt()));
+        let factor =
+            s.intervals[k].and_then(|[low, high]| (low > 0.0).then(|| (high / low).sqrt()));
         spread(factor)
     };
     let height = unit_for(m.rms_height(), METRES);
@@ -108,11 +109,11 @@ fn meaning(symbol: &str) -> &'static str {
 
 /// Which waves are roughness and how long a part was evaluated: plain text.
 pub fn setting_words(s: &ProfileStatistics) -> String {
-    let all = match &s.roughness {
-        Ok(all) => all,
+    let found = match &s.roughness {
+        Ok(found) => found,
         Err(error) => return format!("No roughness parameters: {error}."),
     };
-    let (setting, sections) = (all[0].setting, all[0].sections);
+    let (setting, sections) = (found.setting, found.sections);
     let why = match setting.source {
         SettingSource::Asked => "as asked for".to_owned(),
         SettingSource::Class(n) => format!("setting class Sc{n} of ISO 21920-3, by Ra"),
@@ -135,8 +136,6 @@ pub fn setting_words(s: &ProfileStatistics) -> String {
 /// R and P parameters beside each other.
 pub(crate) fn roughness(study: &ProfileComparison) -> String {
     let s = &study.statistics;
-    let primary = s.primary_mean();
-    let rough = s.roughness_mean();
     let several = s.traces > 1;
     let deviation = |symbol: &str, value: Option<f64>| {
         if several {
@@ -145,12 +144,13 @@ pub(crate) fn roughness(study: &ProfileComparison) -> String {
             String::new()
         }
     };
-    let rows: String = primary
+    let rows: String = s
+        .primary
         .iter()
         .enumerate()
         .map(|(k, whole)| {
             let symbol = whole.symbol.as_str();
-            let rough = rough.as_ref().map(|all| &all[k]);
+            let rough = s.roughness.as_ref().ok().map(|found| &found.parameters[k]);
             format!(
                 "<tr><th scope=\"row\">R{0}, P{0}</th><td class=\"n\">{1}</td>{2}\
                  <td class=\"n\">{3}</td>{4}<td class=\"why\">{5}</td></tr>\n",
@@ -175,18 +175,18 @@ pub(crate) fn roughness(study: &ProfileComparison) -> String {
 /// m2 and m4 over longer distances.
 pub(crate) fn sampling(study: &ProfileComparison) -> String {
     let s = &study.statistics;
-    let Some(first) = s.by_spacing.first() else { return String::new() };
+    let Some((_, first)) = s.by_spacing.first() else { return String::new() };
     let ratio = |value: f64, of: f64| if of > 0.0 { percent(value / of) } else { "–".into() };
     let rows: String = s
         .by_spacing
         .iter()
         .take(8)
-        .map(|p| {
+        .map(|(distance, m)| {
             format!(
                 "<tr><th scope=\"row\">{}</th><td class=\"n\">{}</td><td class=\"n\">{}</td></tr>\n",
-                quantity(p.spacing, METRES, 3),
-                ratio(p.moments.m2, first.moments.m2),
-                ratio(p.moments.m4, first.moments.m4)
+                quantity(*distance, METRES, 3),
+                ratio(m.m2, first.m2),
+                ratio(m.m4, first.m4)
             )
         })
         .collect();

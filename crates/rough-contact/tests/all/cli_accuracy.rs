@@ -5,6 +5,7 @@ use contact_types::{ContactModulus, Grid, HeightMap};
 use fft_bem_solver::{Load, Solver};
 use serde_json::{Value, json};
 use surface_io::{HeightUnit, ReadOptions};
+use surface_stats::Edges;
 use surface_stats::clean::resample;
 
 /// A load on four times as many points along each side.
@@ -21,7 +22,7 @@ fn truths(at: &TestFolder, pressures: &[f64]) -> Vec<Truth> {
     let read = surface_io::read(at.join("map.npy"), &options).unwrap();
     let map =
         HeightMap::new(Grid::new([192; 2], [1e-6; 2]).unwrap(), read.heights().to_vec()).unwrap();
-    let fine = resample(&map, [768; 2]).unwrap();
+    let fine = resample(&map, [768; 2], Edges::Periodic).unwrap();
     let modulus = ContactModulus::from_pascals(1e9).unwrap();
     let mut solver = Solver::builder().tolerance(1e-6).build(fine.grid(), modulus).unwrap();
     let solve = |&pressure: &f64| {

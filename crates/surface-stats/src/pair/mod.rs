@@ -8,9 +8,7 @@
 mod composite;
 mod independence;
 mod overlay;
-mod placing;
 
-pub use composite::Composite;
+pub use composite::{Composite, Flip, Placing};
 pub use independence::Independence;
 pub use overlay::Placed;
-pub use placing::{Flip, PairError, Placing};

@@ -16,5 +16,5 @@ mod window;
 
 pub(crate) use profile::psd_1d;
 pub use profile::{ProfileBin, amplitudes};
-pub use radial::{PowerSpectrum, Ring, radial, radial_psd};
+pub use radial::{PowerSpectrum, Ring, radial};
 pub use window::Window;
