@@ -21,8 +21,7 @@ pub struct ByDistance {
     pub autocorrelation: Option<f64>,
 }
 
-/// Along x, then along y, at distances of 1, 2, 3, 4, 6, 8, 12, … points up to half of the side. Pairs lie within the
-/// map: nothing is repeated beyond its edges. The pairs of long distances are few and not independent.
+/// Along x, then along y, at distances of 1, 2, 3, 4, 6, 8, 12, … points up to half of the side, by pairs within the map.
 pub fn by_distance(map: &HeightMap) -> [Vec<ByDistance>; 2] {
     let ([ny, nx], [dy, dx]) = (map.grid().shape(), map.grid().pixel());
     let z = map.heights();

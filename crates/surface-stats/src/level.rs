@@ -2,7 +2,7 @@
 
 use crate::polynomial::Polynomial;
 use crate::seam::repeats;
-use crate::{StatsError, Warning};
+use crate::{HeightStatistics, StatsError, Warning};
 use contact_types::{HeightMap, Named};
 
 /// What is taken off a map by least squares.
@@ -46,7 +46,7 @@ impl Level {
     /// ```
     pub fn on(self, map: &HeightMap) -> Result<Self, StatsError> {
         match self {
-            Self::Auto if plane_parts_edges(map)? => Ok(Self::Mean),
+            Self::Auto if repeats(map) && !repeats(&without_form(map, 1)?) => Ok(Self::Mean),
             Self::Auto => Ok(Self::Plane),
             named => Ok(named),
         }
@@ -107,22 +107,20 @@ pub(crate) fn without_form(map: &HeightMap, degree: usize) -> Result<HeightMap, 
     Ok(HeightMap::new(map.grid(), heights)?)
 }
 
-/// Whether opposite edges meet, and do not once the plane is off.
-pub(crate) fn plane_parts_edges(map: &HeightMap) -> Result<bool, StatsError> {
-    Ok(repeats(map) && !repeats(&without_form(map, 1)?))
-}
-
 /// The warning of a map asked to keep its plane, where that explains a good part of the height variance.
 ///
 /// # Errors
 /// As [`level`].
 pub fn tilted(map: &HeightMap, asked: Level) -> Result<Option<Warning>, StatsError> {
-    // A map that repeats has no tilt, whatever a plane explains of it.
-    if !matches!(asked, Level::None | Level::Mean) || plane_parts_edges(map)? {
+    if !matches!(asked, Level::None | Level::Mean) {
         return Ok(None);
     }
-    let explained = Polynomial::fit(map.grid(), map.heights(), 1)?.explained(map.heights());
-    Ok((explained > 0.05).then_some(Warning::Tilted { explained }))
+    let without_plane = without_form(map, 1)?;
+    let rms = |map: &HeightMap| HeightStatistics::of(map).rms_height;
+    let explained = 1.0 - (rms(&without_plane) / rms(map)).powi(2); // no number for a flat map
+    // A map that repeats has no tilt, whatever a plane explains of it.
+    let is_tilted = explained > 0.05 && (!repeats(map) || repeats(&without_plane));
+    Ok(is_tilted.then_some(Warning::Tilted { explained }))
 }
 
 #[cfg(test)]

@@ -46,37 +46,17 @@ impl Polynomial {
         let [ny, nx] = self.grid.shape();
         let columns = columns(nx, self.degree);
         for (iy, row) in heights.chunks_exact_mut(nx).enumerate() {
-            let along = self.along_row(&legendre(scaled(iy, ny)));
+            // Along the row the form is the sum of `along[k] P_k`.
+            let (rows, mut along) = (legendre(scaled(iy, ny)), [0.0; MAX_DEGREE + 1]);
+            for ([ky, kx], coefficient) in terms(self.degree).zip(&self.coefficients) {
+                along[kx] += coefficient * rows[ky];
+            }
             for (ix, h) in row.iter_mut().enumerate() {
-                *h = (*h - self.origin) - value(&along, &columns, ix);
+                let form =
+                    along.iter().zip(&columns).map(|(a, column)| a * column[ix]).sum::<f64>();
+                *h = (*h - self.origin) - form;
             }
         }
-    }
-
-    /// The share of the height variance that the form explains: 1 - (variance of the residual)/
-    /// (variance of the heights), over the valid points. 0 for a flat map.
-    pub(crate) fn explained(&self, heights: &[f64]) -> f64 {
-        let mut residual = heights.to_vec();
-        self.remove_from(&mut residual);
-        let variance = |values: &[f64], origin: f64| {
-            let mut sums = [0.0; 3];
-            for z in values.iter().map(|h| h - origin).filter(|z| !z.is_nan()) {
-                sums = [sums[0] + 1.0, sums[1] + z, sums[2] + z * z];
-            }
-            sums[2] - sums[1] * sums[1] / sums[0]
-        };
-        let (kept, all) = (variance(&residual, 0.0), variance(heights, self.origin));
-        if all > 0.0 { (1.0 - kept / all).clamp(0.0, 1.0) } else { 0.0 }
-    }
-
-    /// Coefficients of the polynomial along the row where the Legendre polynomials of y have
-    /// these values: the form is `sum_k a_k P_k(u)` there.
-    fn along_row(&self, rows: &[f64]) -> [f64; MAX_DEGREE + 1] {
-        let mut along = [0.0; MAX_DEGREE + 1];
-        for ([ky, kx], coefficient) in terms(self.degree).zip(&self.coefficients) {
-            along[kx] += coefficient * rows[ky];
-        }
-        along
     }
 
     /// Coefficients that fit what the present ones leave over.
@@ -85,22 +65,18 @@ impl Polynomial {
         let columns = columns(nx, self.degree);
         let complete = products(&columns, &(0..nx));
         let mut equations = NormalEquations::new(self.coefficients.len());
+        let mut residual = heights.to_vec();
+        self.remove_from(&mut residual);
         // Along a row only the polynomials of x vary: sum over it first, then over rows.
-        for (iy, row) in heights.chunks_exact(nx).enumerate() {
-            let rows = legendre(scaled(iy, ny));
-            let along = self.along_row(&rows);
-            let (mut sums, mut missing) = ([0.0; MAX_DEGREE + 1], false);
-            for (ix, h) in row.iter().enumerate() {
-                if h.is_nan() {
-                    missing = true;
-                    continue;
-                }
-                let residual = (h - self.origin) - value(&along, &columns, ix);
+        for (iy, row) in residual.chunks_exact(nx).enumerate() {
+            let (rows, mut sums) = (legendre(scaled(iy, ny)), [0.0; MAX_DEGREE + 1]);
+            for (ix, z) in row.iter().enumerate().filter(|(_, z)| !z.is_nan()) {
                 for (sum, column) in sums.iter_mut().zip(&columns) {
-                    *sum += column[ix] * residual;
+                    *sum += column[ix] * z;
                 }
             }
-            let own = missing.then(|| products(&columns, &(0..nx).filter(|&ix| !row[ix].is_nan())));
+            let valid = (0..nx).filter(|&ix| !row[ix].is_nan());
+            let own = row.iter().any(|z| z.is_nan()).then(|| products(&columns, &valid));
             let gram = own.as_ref().unwrap_or(&complete);
             for (i, [ky, kx]) in terms(self.degree).enumerate() {
                 equations.right[i] += rows[ky] * sums[kx];
@@ -122,10 +98,6 @@ fn columns(nx: usize, degree: usize) -> Vec<Vec<f64>> {
 fn products(columns: &[Vec<f64>], pixels: &(impl Iterator<Item = usize> + Clone)) -> Vec<f64> {
     let pairs = columns.iter().flat_map(|a| columns.iter().map(move |b| (a, b)));
     pairs.map(|(a, b)| pixels.clone().map(|ix| a[ix] * b[ix]).sum()).collect()
-}
-
-fn value(along: &[f64], columns: &[Vec<f64>], ix: usize) -> f64 {
-    along.iter().zip(columns).map(|(a, column)| a * column[ix]).sum()
 }
 
 /// Exponent pairs `[ky, kx]` of all terms up to a total degree.

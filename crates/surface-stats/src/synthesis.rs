@@ -104,9 +104,13 @@ impl SelfAffine {
                 gradient / (expected / self.grid.len() as f64).sqrt()
             }
         };
-        heights.iter_mut().for_each(|h| *h *= factor);
+        for h in &mut heights {
+            *h *= factor;
+        }
         if let Some(step) = self.quantise {
-            heights.iter_mut().for_each(|h| *h = (*h / step).round() * step);
+            for h in &mut heights {
+                *h = (*h / step).round() * step;
+            }
         }
         Ok(HeightMap::new(self.grid, heights)?)
     }

@@ -27,11 +27,11 @@ pub fn profile_findings(
         Err(error) => {
             found.push(Finding::note(Fact::NoRoughness { why: error.to_string() }));
         }
-        Ok(found) => {
-            let setting = found.setting;
+        Ok(roughness) => {
+            let setting = roughness.setting;
             // The first parameter is Ra.
             if let (SettingSource::Longest(_), Some(ra)) =
-                (setting.source, found.parameters[0].mean)
+                (setting.source, roughness.parameters[0].mean)
             {
                 let (cutoff, length) = (setting.cutoff, statistics.length);
                 found.push(Finding::note(Fact::CoarserClass { cutoff, ra, length }));

@@ -13,9 +13,9 @@ pub(crate) fn first_trace(study: &ProfileComparison, key: &str) -> Option<Figure
     let s = &study.statistics;
     // With a filter that was asked for the ends are off, and the evaluation length with them.
     let cut = 0.5 * s.options.cutoff.unwrap_or(0.0);
-    let evaluated = s.roughness.as_ref().ok().map(|all| {
-        let [start, end] = all[0].evaluated;
-        ([start - cut, end - cut], all[0].sections)
+    let evaluated = s.roughness.as_ref().ok().map(|found| {
+        let [start, end] = found.evaluated;
+        ([start - cut, end - cut], found.sections)
     });
     trace(&study.traces[0], evaluated, key)
 }

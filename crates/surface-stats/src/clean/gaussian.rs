@@ -59,7 +59,9 @@ fn periodic(map: HeightMap, cutoff: f64) -> Vec<f64> {
     let grid = map.grid();
     let mean = map.mean();
     let mut field = map.into_heights();
-    field.iter_mut().for_each(|z| *z -= mean);
+    for z in &mut field {
+        *z -= mean;
+    }
     let mut fft = GridFft::new(grid.shape());
     let mut waves = fft.new_spectrum();
     fft.forward(&field, &mut waves);
@@ -69,7 +71,9 @@ fn periodic(map: HeightMap, cutoff: f64) -> Vec<f64> {
         *wave *= (-LN_2 * ratio * ratio).exp();
     }
     fft.inverse(&mut waves, &mut field);
-    field.iter_mut().for_each(|z| *z += mean);
+    for z in &mut field {
+        *z += mean;
+    }
     field
 }
 

@@ -22,8 +22,8 @@ pub struct Outliers {
 /// Points whose distances give the standard deviation, with a standard error of 1 to 2 %.
 const SAMPLE: usize = 8_000;
 
-/// Parts of a Gaussian's distances and how many standard deviations they stay within. Where half of a map is flat, as worn
-/// tops are or heights in coarse steps, the median says nothing of the rest.
+/// Parts of a Gaussian's distances and how many standard deviations they stay within. Where half of a map is flat, the
+/// median says nothing of the rest.
 const WITHIN: [(f64, f64); 2] = [(0.5, 1.0 / 1.4826), (0.9, 1.644_853_6)];
 
 /// Robust standard deviation of these distances: by the first of the parts that is not all zero.
@@ -44,10 +44,8 @@ fn spread(distances: &mut [f64]) -> f64 {
 /// How far a point is off is the smaller of two distances: from the median of its valid
 /// neighbours, which is small beside a step, and from the means of opposite neighbours (the lower
 /// median over all pairs, and lines through two points at the rim), which is small on a slope. The
-/// standard deviation is 1.4826 times the median of this distance over the map, which neither
-/// spikes nor steps can raise; where that is zero, what nine in ten stay within over 1.645.
-///
-/// On Gaussian relief, one point in 10¹⁵ is off by more than eight standard deviations.
+/// standard deviation is 1.4826 times the median of this distance; where that is zero, what nine in ten stay
+/// within over 1.645. On Gaussian relief one point in 10¹⁵ is off by more than eight.
 ///
 /// # Errors
 /// [`StatsError::Shape`]; [`StatsError::Surface`] for infinite heights; [`StatsError::OutOfRange`];
@@ -140,8 +138,7 @@ impl Neighbourhood {
         (!here.is_nan() && !values.is_empty()).then_some(distance)
     }
 
-    /// The distance, if it exceeds `limit`. Most points are done without sorting: if more than
-    /// half of the neighbours are within the limit, so is their median.
+    /// The distance, if it exceeds `limit`, which it does not if more than half of the neighbours are within it.
     fn distance_beyond(&self, index: usize, limit: f64, scratch: &mut Vec<f64>) -> Option<f64> {
         let at = self.at(index);
         let (here, mut near) = (at(0), 0);
@@ -170,7 +167,9 @@ mod tests {
         let grid = Grid::new([90, 120], [1e-6, 1e-6]).unwrap();
         let mut heights = synthesis::rough(grid, 0.7, [30e-6, 5e-6], 1e-7, 4).into_heights();
         if let Some(step) = quantise {
-            heights.iter_mut().for_each(|h| *h = (*h / step).round() * step);
+            for h in &mut heights {
+                *h = (*h / step).round() * step;
+            }
         }
         (grid, heights)
     }

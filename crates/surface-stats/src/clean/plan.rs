@@ -83,14 +83,18 @@ pub fn apply(
             Step::Rows => {
                 let RowOffsets { offsets, jump, .. } = row_offsets(grid, heights)?;
                 for (row, offset) in heights.chunks_exact_mut(grid.shape()[1]).zip(&offsets) {
-                    row.iter_mut().for_each(|h| *h -= offset);
+                    for h in row {
+                        *h -= offset;
+                    }
                 }
                 let largest = offsets.iter().fold(0.0f64, |m, o| m.max(o.abs()));
                 Record::Rows { jump, largest }
             }
             Step::Outliers(threshold) => {
                 let Outliers { indices, limit, largest } = find_outliers(grid, heights, threshold)?;
-                indices.iter().for_each(|&i| heights[i] = f64::NAN);
+                for &i in &indices {
+                    heights[i] = f64::NAN;
+                }
                 Record::Outliers { threshold, count: indices.len(), limit, largest }
             }
             Step::Form(form) => {

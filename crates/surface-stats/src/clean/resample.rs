@@ -26,7 +26,9 @@ pub fn resample(map: &HeightMap, shape: [usize; 2], edges: Edges) -> Result<Heig
             transpose(&along_rows(&wide, ny, shape[0]), shape[1], shape[0])
         }
     };
-    heights.iter_mut().for_each(|h| *h += mean);
+    for h in &mut heights {
+        *h += mean;
+    }
     Ok(HeightMap::new(grid, heights)?)
 }
 

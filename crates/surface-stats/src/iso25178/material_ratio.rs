@@ -110,9 +110,8 @@ impl MaterialRatioCurve {
 
     /// Sk, Spk, Svk, Smr1, Smr2.
     ///
-    /// The core line is the least-squares line through those 40 % of the points over which the
-    /// secant is flattest (the first such window from the top if several are equally flat). It is
-    /// read at ratios 0 and 1; peaks and valleys are what lies above and below these heights,
+    /// The core line is the least-squares line through those 40 % of the points over which the secant is flattest (the first
+    /// from the top if several are), read at ratios 0 and 1. Peaks and valleys are what lies above and below these heights,
     /// turned into triangles of equal area on Smr1 and 1 - Smr2.
     pub(crate) fn core(&self) -> CoreRoughness {
         let n = self.falling.len();

@@ -5,8 +5,7 @@ use crate::clean::resample;
 use crate::{Edges, StatsError, repeats};
 use contact_types::{Grid, HeightMap, Named};
 
-/// How the second body is turned over. Instruments look at both bodies from above; to lie face down
-/// on the first, the second has to be turned over, and that mirrors its map.
+/// How the second body is turned over to lie face down on the first, which mirrors its map as seen from above.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
 #[cfg_attr(
     feature = "serde",
@@ -53,12 +52,10 @@ pub struct Composite {
 impl Composite {
     /// The second map turned over, moved and added to the first.
     ///
-    /// The shift is made in whole points of the finer map: no height is interpolated for it. Where both
-    /// maps [repeat](repeats) and are equally large, what moves out on one side comes in on the
-    /// other. Otherwise their centres lie on each other before the shift, and only the part in common is
-    /// kept. Of maps with different point spacings, the coarser is interpolated at the points of the
-    /// finer: exactly for its waves if both repeat, else by cubic convolution, which is exact for
-    /// quadratics. That adds no wave that was not measured.
+    /// The shift is made in whole points of the finer map. Where both maps [repeat](repeats) and are equally large, what
+    /// moves out on one side comes in on the other. Otherwise their centres lie on each other before the shift, and only the
+    /// part in common is kept. The coarser map is interpolated at the points of the finer: exactly for its waves if both
+    /// repeat, else by cubic convolution, which is exact for quadratics.
     ///
     /// # Errors
     /// [`StatsError::TooLittle`], [`StatsError::TooCoarse`], [`StatsError::TooSmall`] for a map to be interpolated.

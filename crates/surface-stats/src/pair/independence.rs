@@ -53,9 +53,7 @@ impl Independence {
         SpectralMoments { m0: a.m0 + b.m0, m2: a.m2 + b.m2, m4: a.m4 + b.m4 }
     }
 
-    /// Whether the moments add: each to 5 %, or to three times what chance makes of them, but not to
-    /// worse than a half. Of a few waves chance can make anything; then too the contact is another
-    /// at another place.
+    /// Whether the moments add: each to 5 %, or to three times what chance makes of them, but not worse than a half.
     pub fn holds(&self) -> bool {
         let adds = |(excess, chance): (&f64, &f64)| excess.abs() <= (3.0 * chance).clamp(0.05, 0.5);
         self.excess.iter().zip(&self.chance).all(adds)

@@ -45,10 +45,8 @@ pub(super) fn means(
 
 /// Parameters of a profile that is `sections` section lengths long (ISO 21920-2:2021).
 ///
-/// Ra, Rq, Rsk, Rku, Rt, Rdq, RSm and the Rk family are of the evaluation length; Rp, Rv and Rz are
-/// means over its section lengths. Heights are ordinates of the profile, counted from its mean
-/// line: what the filter λc leaves at 0, for P the form that was taken off. The mean over the
-/// evaluation length is not subtracted.
+/// Rp, Rv and Rz are means over the section lengths, the others of the evaluation length. Heights count from the mean
+/// line: what the filter λc leaves at 0, for P the form that was taken off. The mean over the evaluation length stays.
 fn parameters(profile: &Trace, sections: usize) -> Result<ProfileParameters, StatsError> {
     let n = profile.heights().len();
     // In units of the largest ordinate, so that fourth powers stay in range.

@@ -8,11 +8,6 @@ use std::f64::consts::PI;
 /// A map that does not repeat has a jump at its edges, whose spectrum falls only as q⁻² and hides a steeper one. A window
 /// that goes to zero there removes it. The result is divided by the mean square of the window, which keeps the variance.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
-#[cfg_attr(
-    feature = "serde",
-    derive(serde::Serialize, serde::Deserialize),
-    serde(rename_all = "kebab-case")
-)]
 pub enum Window {
     /// None: right for maps that repeat.
     #[default]

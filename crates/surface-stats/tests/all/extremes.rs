@@ -1,6 +1,6 @@
 //! No map gives NaN: a typed error or finite values, at every extreme.
 
-use crate::cases::cases;
+use crate::cases::{Case, cases, map};
 use contact_types::{Grid, HeightMap};
 use proptest::prelude::*;
 use std::fmt::Debug;
@@ -13,24 +13,13 @@ use surface_stats::{Edges, Level, StatsError, StatsOptions, SurfaceStatistics, W
 fn closed_forms_at_the_extremes() {
     let cases = cases();
     assert!(cases.len() >= 28, "only {} lines", cases.len());
-    for case in cases {
-        assert!(
-            case.error <= case.limit,
-            "{}: {:e}, limit {:e}",
-            case.what,
-            case.error,
-            case.limit
-        );
+    for Case { what, error, limit } in cases {
+        assert!(error <= limit, "{what}: {error:e}, limit {limit:e}");
     }
 }
 
 fn ripple(iy: usize, ix: usize) -> f64 {
     (0.9 * iy as f64).sin() + (1.7 * ix as f64 + 0.3 * iy as f64).cos()
-}
-
-fn map(shape: [usize; 2], pixel: [f64; 2], height: impl Fn(usize, usize) -> f64) -> HeightMap {
-    let heights = (0..shape[0] * shape[1]).map(|i| height(i / shape[1], i % shape[1])).collect();
-    HeightMap::new(Grid::new(shape, pixel).unwrap(), heights).unwrap()
 }
 
 /// That no number among these is NaN or infinite.

@@ -21,7 +21,6 @@ fn names_are_those_of_the_command() {
     }
     is(&Form::Polynomial(1), "\"plane\"");
     is(&Form::Polynomial(4), "\"polynomial:4\"");
-    is(&Form::Sphere, "\"sphere\"");
     assert!(serde_json::from_str::<Level>("\"Plane\"").is_err());
     assert!(serde_json::from_str::<Form>("\"polynomial:13\"").is_err());
 }

@@ -60,7 +60,8 @@ fn every_cause_is_named() {
     // Oblique lay has equal slopes along both axes: only the tensor sees it.
     let oblique = changed(&map, |h, y, x| h + 0.6 * UM * (0.5 * (x + y) / UM).sin());
     let scale = Scale::RmsHeight(20e-9);
-    let noise = made(SelfAffine { rolloff: 2.0 * UM, cutoff: 2.0 * UM, scale, seed: 9, ..recipe() });
+    let noise =
+        made(SelfAffine { rolloff: 2.0 * UM, cutoff: 2.0 * UM, scale, seed: 9, ..recipe() });
     let at = |y: f64, x: f64| noise.at((y / UM).round() as usize, (x / UM).round() as usize);
     let noisy = changed(&map, |h, y, x| h + at(y, x));
     let worn = changed(&map, |h, _, _| h.min(0.1 * UM));
