@@ -2,7 +2,7 @@
 
 use contact_types::Grid;
 use serde::{Deserialize, Serialize};
-use surface_stats::clean::{Form, OutlierRule, Step};
+use surface_stats::clean::{Form, Step};
 
 /// Cleaning asked for. The order is fixed and is that of the fields: rows first, whose
 /// jumps hide spikes and form, then spikes, because they
@@ -64,10 +64,9 @@ impl Cleaning {
 
     /// The steps in the order in which they are done.
     pub fn steps(&self) -> Vec<Step> {
-        let rule = |threshold| OutlierRule::beyond(threshold);
         [
             self.align_rows.then_some(Step::Rows),
-            self.outliers.map(|threshold| Step::Outliers(rule(threshold))),
+            self.outliers.map(Step::Outliers),
             self.form.map(Step::Form),
             self.s_filter.map(Step::SFilter),
             self.l_filter.map(Step::LFilter),

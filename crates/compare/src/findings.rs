@@ -236,7 +236,7 @@ fn of_pair(pair: &PairOrigin) -> Vec<Finding> {
         let pixels = Some(placed.grids.map(|grid| grid.pixel()));
         found.push(Finding::check_if(matters, Fact::Laid { names: names(), pixels, shares: None }));
     }
-    let shares = placed.shares();
+    let shares = placed.shares;
     // Less than a point in a thousand is no part.
     if shares.iter().any(|share| *share < 0.999) {
         let shares = Some(shares);

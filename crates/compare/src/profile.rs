@@ -139,7 +139,7 @@ pub fn area_interval(
     if exponents.iter().all(|e| e.abs() < 1e-9) {
         return None;
     }
-    let factor = statistics.scatter.factor_of(exponents)?;
+    let factor = statistics.factor_of(exponents)?;
     Some([middle / factor, (middle * factor).min(1.0)])
 }
 
@@ -170,7 +170,7 @@ impl ProfileComparison {
         let ProfileSurface { name, origin, traces, uneven } = surface;
         let refused = |source| StudyError::Statistics { surface: name.clone(), source };
         let (statistics, traces, spectrum) =
-            ProfileStatistics::with_spectrum(&traces, &options).map_err(refused)?;
+            ProfileStatistics::of(&traces, &options).map_err(refused)?;
         let mut inputs = profile_inputs(&statistics, &spectrum, modulus).map_err(refused)?;
         inputs.surface = Some(name.clone());
         let pressures = loads(&settings, modulus, inputs.rms_gradient());

@@ -3,7 +3,7 @@
 use crate::{Origin, PairOrigin};
 use contact_types::HeightMap;
 use serde::Serialize;
-use surface_stats::clean::{OutlierRule, Record, find_outliers};
+use surface_stats::clean::{Record, find_outliers};
 
 /// Robust standard deviations beyond which a point is a spike; the advice names the same number.
 pub const SPIKE_THRESHOLD: f64 = 8.0;
@@ -28,8 +28,7 @@ pub struct Spikes {
 impl Spikes {
     /// Those of `map`; none in a map whose heights cannot be compared.
     pub(crate) fn of(map: &HeightMap) -> Self {
-        let rule = OutlierRule::beyond(SPIKE_THRESHOLD);
-        find_outliers(map.grid(), map.heights(), rule).map_or_else(
+        find_outliers(map.grid(), map.heights(), SPIKE_THRESHOLD).map_or_else(
             |_| Self::default(),
             |found| Self {
                 indices: found.indices,
@@ -43,7 +42,7 @@ impl Spikes {
     /// Those that are left of `map` after these steps of cleaning; of a sum of two bodies, after those of either.
     pub fn left(map: &HeightMap, cleaned: &[Record], pair: Option<&PairOrigin>) -> Self {
         let taken = |record: &Record| match record {
-            Record::Outliers { rule, count, .. } if rule.threshold <= SPIKE_THRESHOLD => *count,
+            Record::Outliers { threshold, count, .. } if *threshold <= SPIKE_THRESHOLD => *count,
             _ => 0,
         };
         let bodies = pair.into_iter().flat_map(|pair| &*pair.bodies).flat_map(Origin::cleaned);
@@ -101,12 +100,8 @@ mod tests {
         let spikes = Spikes::of(&map);
         assert_eq!(spikes.indices, [810, 811]);
         // Taken out at a threshold beyond the one here, others may be left to take.
-        let taken = |threshold, count| Record::Outliers {
-            rule: OutlierRule::beyond(threshold),
-            count,
-            limit: 0.0,
-            largest: 0.0,
-        };
+        let taken =
+            |threshold, count| Record::Outliers { threshold, count, limit: 0.0, largest: 0.0 };
         let cleaned = [taken(8.0, 5), taken(4.0, 3), taken(12.0, 7)];
         assert_eq!(Spikes::left(&map, &cleaned, None), Spikes { taken: 8, ..spikes.clone() });
         let mut pressure = vec![0.0; 1600];

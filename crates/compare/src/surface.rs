@@ -6,7 +6,7 @@ use serde::{Deserialize, Serialize};
 use sha2::{Digest, Sha256};
 use std::fmt::Write as _;
 use surface_stats::clean::Record;
-use surface_stats::pair::{Composite, Independence, PairError, Placed, Placing};
+use surface_stats::pair::{Composite, Independence, Placed, Placing};
 use surface_stats::{Edges, Level, StatsError, StatsOptions};
 
 /// One surface of a study.
@@ -80,7 +80,7 @@ pub struct NoPair {
     /// Their names.
     pub names: [String; 2],
     /// Why not.
-    pub source: PairError,
+    pub source: StatsError,
 }
 
 /// Heights that a program handed over, of which no file and no recipe tells.
@@ -311,7 +311,7 @@ impl Surface {
         let repeats = |body: &Self| body.origin.edges() == Edges::Periodic;
         let is_cell = pair.placed.is_rolled && repeats(self) && repeats(second);
         let edges = if is_cell { Edges::Periodic } else { Edges::Open };
-        let independence = pair.independence(level, edges).map_err(|e| refused(e.into()))?;
+        let independence = Independence::of(&pair, level, edges).map_err(refused)?;
         let origin = Origin::Pair(PairOrigin {
             names: names.clone(),
             placing: *placing,

@@ -9,8 +9,8 @@ use contact_types::{Axis, ContactModulus, Grid, HeightMap, SurfaceError};
 use fft_bem_solver::{
     Iteration, Load, ObserverResult, SetStiffness, Solution, Solver, SolverBuilder, SolverError,
 };
-use surface_stats::StatsError;
-use surface_stats::clean::{mirrored, resample, resample_mirrored};
+use surface_stats::clean::{mirrored, resample};
+use surface_stats::{Edges, StatsError};
 
 /// First row and column of each thinned map.
 const PHASES: [[usize; 2]; 2] = [[0, 0], [1, 1]];
@@ -81,7 +81,7 @@ pub fn thinned(map: &HeightMap, first: [usize; 2]) -> Result<HeightMap, SurfaceE
 /// # Errors
 /// [`StatsError`].
 pub fn regrid(map: &HeightMap, shape: [usize; 2], repeats: bool) -> Result<HeightMap, StatsError> {
-    if repeats { resample(map, shape) } else { resample_mirrored(map, shape) }
+    resample(map, shape, if repeats { Edges::Periodic } else { Edges::Open })
 }
 
 /// Both, with their mirror images if those belong to the map. (Of a map and its images, every second row would be the image of

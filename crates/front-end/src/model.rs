@@ -18,9 +18,7 @@ use std::path::Path;
 use surface_stats::clean::{Record, RowOffsets, row_offsets};
 use surface_stats::profile::ProfileStatistics;
 use surface_stats::spectrum::{amplitudes, radial};
-use surface_stats::{
-    DirectionalMoments, Edges, HeightStatistics, SpectralScales, StatsError, StatsOptions, level,
-};
+use surface_stats::{Edges, SpectralScales, StatsError, StatsOptions, level, moments};
 
 /// What is asked of the model.
 #[derive(Clone, Copy, Debug)]

@@ -3,16 +3,8 @@
 use contact_compare::{Adhesion, Inputs, Level, Scene, WorkOfAdhesion};
 use contact_types::{AsperityStatistics, ContactModulus, HeightMap, SpectralMoments};
 use surface_stats::clean::row_offsets;
-use surface_stats::profile::{Trace, moments};
-use surface_stats::{
-    DirectionalMoments, Edges, HeightStatistics, SpectralScales, StatsError, StatsOptions,
-};
-
-/// Moments of a levelled map by finite differences inside it.
-fn moments_of(map: &HeightMap) -> Result<SpectralMoments, StatsError> {
-    let rms_height = HeightStatistics::of(map).rms_height;
-    Ok(DirectionalMoments::of(map, Edges::Open)?.isotropic(rms_height * rms_height))
-}
+use surface_stats::profile::{self, Trace};
+use surface_stats::{Edges, HeightStatistics, SpectralScales, StatsError, StatsOptions, moments};
 
 /// The scene of a map, or of the section of ridges.
 ///
@@ -31,9 +23,9 @@ pub(crate) fn of(
     if plane_strain {
         // Of ridges the slope of the section is the gradient.
         let trace = Trace::new(map.grid().pixel()[1], map.heights().to_vec())?;
-        return Ok(Scene { gradient: Some(moments(&trace).m2.sqrt()), ..scene });
+        return Ok(Scene { gradient: Some(profile::moments(&trace).m2.sqrt()), ..scene });
     }
-    let moments = moments_of(map)?;
+    let moments = moments(map, Edges::Open)?;
     Ok(Scene {
         gradient: Some(moments.rms_gradient()),
         radius: AsperityStatistics::from_moments(moments).ok().map(|a| a.radius),
@@ -53,7 +45,7 @@ pub(crate) fn adhesion(
     modulus: ContactModulus,
     contacts: &[[f64; 2]],
 ) -> Result<Adhesion, StatsError> {
-    let moments = moments_of(map)?;
+    let moments = moments(map, Edges::Open)?;
     let as_it_is = StatsOptions { level: Level::None, ..StatsOptions::default() };
     let inputs = Inputs {
         moments: Some(moments),

@@ -47,7 +47,8 @@ pub(crate) fn psd<'py>(
     };
     let rings = quietly(py, threads, move || {
         let form = surface.origin.level(form).on(&surface.heights)?;
-        radial_psd(&surface_stats::level(&surface.heights, form)?, window)
+        let levelled = surface_stats::level(&surface.heights, form)?;
+        Ok::<_, StatsError>(PowerSpectrum::of(&levelled, window)?.rings())
     })?;
     let rings = rings.map_err(|e| raise(&Failure::in_file(facts.path(), &e)))?;
     let of = |one: fn(&Ring) -> f64| PyArray1::from_vec(py, rings.iter().map(one).collect());

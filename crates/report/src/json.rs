@@ -254,10 +254,10 @@ pub fn cleaning(records: &[Record]) -> Value {
 
 fn cleaning_step(record: &Record) -> Value {
     let mut object = match *record {
-        Record::Outliers { rule, count, limit, largest } => json!({
+        Record::Outliers { threshold, count, limit, largest } => json!({
             "step": "outliers",
-            "threshold": rule.threshold,
-            "window": 2 * rule.reach + 1,
+            "threshold": threshold,
+            "window": 5,
             "count": count,
             "limit": limit,
             "largest": largest,

@@ -37,15 +37,14 @@ pub fn unevenness(uneven: Option<Unevenness>) -> Value {
 /// Statistics of profiles, with the keys of `stats --json` for a profile.
 pub fn profile_statistics(s: &ProfileStatistics) -> Value {
     let warnings: Vec<Value> = s.warnings.iter().map(warned).collect();
-    let roughness = match (&s.roughness, s.roughness_mean()) {
-        (Ok(all), Some(mean)) => json!({
-            "setting": setting(&all[0].setting),
-            "sections": all[0].sections,
-            "evaluated": all[0].evaluated,
-            "parameters": parameters(&mean),
-        }),
-        _ => Value::Null,
-    };
+    let roughness = s.roughness.as_ref().map_or(Value::Null, |found| {
+        json!({
+            "setting": setting(&found.setting),
+            "sections": found.sections,
+            "evaluated": found.evaluated,
+            "parameters": parameters(&found.parameters),
+        })
+    });
     json!({
         "profile": true,
         "traces": s.traces,
@@ -57,19 +56,19 @@ pub fn profile_statistics(s: &ProfileStatistics) -> Value {
         "l_filter": s.options.cutoff,
         "roughness": roughness,
         "no_roughness_because": s.roughness.as_ref().err().map(ToString::to_string),
-        "primary": parameters(&s.primary_mean()),
+        "primary": parameters(&s.primary),
         "m0": s.moments.m0,
         "m2": s.moments.m2,
         "m4": s.moments.m4,
-        "m0_interval": s.interval(0),
-        "m2_interval": s.interval(1),
-        "m4_interval": s.interval(2),
+        "m0_interval": s.intervals[0],
+        "m2_interval": s.intervals[1],
+        "m4_interval": s.intervals[2],
         "each": s.each,
-        "between_traces": s.scatter.between,
+        "between_traces": s.between,
         "spectral": s.spectral,
         "seen": s.seen,
-        "by_spacing": s.by_spacing.iter().map(|p| json!({
-            "spacing": p.spacing, "m2": p.moments.m2, "m4": p.moments.m4,
+        "by_spacing": s.by_spacing.iter().map(|(distance, m)| json!({
+            "spacing": distance, "m2": m.m2, "m4": m.m4,
         })).collect::<Vec<_>>(),
         "skewness": s.skewness,
         "kurtosis": s.kurtosis,

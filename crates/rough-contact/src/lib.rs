@@ -24,6 +24,6 @@ pub use contact_types::{
 pub use facade::{compare, ladder, solve, statistics};
 pub use fft_bem_solver::{Boundary, Iteration, Load, Solution, Solver, SolverError};
 pub use surface_io::{Fill, FillError, Measurement, ReadError, ReadOptions, read, read_bytes};
-pub use surface_stats::pair::{Composite, Flip, PairError, Placing};
+pub use surface_stats::pair::{Composite, Flip, Placing};
 pub use surface_stats::synthesis;
 pub use surface_stats::{Level, StatsError, StatsOptions, SurfaceStatistics, Warning, level};

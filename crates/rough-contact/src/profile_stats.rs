@@ -33,7 +33,7 @@ fn describe(s: &ProfileStatistics, missing: usize) -> String {
     let _ = writeln!(out, "\nISO 21920-2. {}", plain(&report::setting_words(s)));
     out.push_str(&parameters(s));
     let mut t = TwoColumns::default();
-    let between = |k: usize, value: String| match s.interval(k) {
+    let between = |k: usize, value: String| match s.intervals[k] {
         Some([low, high]) => format!("{value}, 95 % {low:.2e} to {high:.2e}"),
         None => format!("{value}, interval not known: too few waves"),
     };
@@ -57,9 +57,9 @@ fn describe(s: &ProfileStatistics, missing: usize) -> String {
     let _ = write!(out, "\nMoments of {}, finite differences\n{t}", filtered(s));
     if s.by_spacing.len() > 1 {
         let mut columns = Columns::new(&["differences over", "m2", "m4"]);
-        for p in s.by_spacing.iter().take(6) {
-            let [m2, m4] = [p.moments.m2, p.moments.m4].map(|m| format!("{m:.3e}"));
-            columns.row([text::length(p.spacing), m2, m4 + " m⁻²"]);
+        for (distance, m) in s.by_spacing.iter().take(6) {
+            let [m2, m4] = [m.m2, m.m4].map(|m| format!("{m:.3e}"));
+            columns.row([text::length(*distance), m2, m4 + " m⁻²"]);
         }
         let _ = write!(out, "\n{columns}");
     }
@@ -89,15 +89,14 @@ fn parameters(s: &ProfileStatistics) -> String {
         (Some(value), "mr1" | "mr2") => text::percent(value),
         (Some(value), _) => text::length(value),
     };
-    let rough = s.roughness_mean();
     // Of one trace there is no deviation.
     let most = if s.traces > 1 { 2 } else { 1 };
     let heads = [["roughness R", "s"], ["whole trace P", "s"]];
     let heads = heads.iter().flat_map(|pair| &pair[..most]).copied();
     let mut columns = Columns::new(&[""].into_iter().chain(heads).collect::<Vec<_>>());
-    for (k, whole) in s.primary_mean().into_iter().enumerate() {
+    for (k, whole) in s.primary.iter().enumerate() {
         let symbol = whole.symbol.as_str();
-        let rough = rough.as_ref().map(|all| &all[k]);
+        let rough = s.roughness.as_ref().ok().map(|found| &found.parameters[k]);
         let mut cells = vec![symbol[1..].to_owned()];
         let rough = [rough.and_then(|r| r.mean), rough.and_then(|r| r.deviation)];
         for pair in [rough, [whole.mean, whole.deviation]] {

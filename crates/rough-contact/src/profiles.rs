@@ -18,15 +18,15 @@ pub(crate) fn add(
 ) -> Result<(), Failure> {
     if let (Some(a), Some(b)) = (all.traces.first(), other.traces.first()) {
         let same = (b.spacing() / a.spacing() - 1.0).abs() < 1e-6;
-        if a.len() != b.len() || !same {
+        if a.heights().len() != b.heights().len() || !same {
             let message = format!(
                 "{}: {} points {} apart, and {} has {} points {} apart; traces of one sample are alike: \
                  cut them to one length with --crop 0,X0,1,NX, or leave --pool out",
                 file.display(),
-                b.len(),
+                b.heights().len(),
                 text::length(b.spacing()),
                 first.display(),
-                a.len(),
+                a.heights().len(),
                 text::length(a.spacing())
             );
             return Err(Failure::refused("profile", message));

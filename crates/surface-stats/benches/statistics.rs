@@ -1,20 +1,15 @@
-//! Time of statistics and cleaning by number of points. The surface is the same at every size:
-//! a self-affine one in steps of 1 nm, 8 roll-off wavelengths wide.
+//! Time of statistics by number of points. The surface is the same at every size: a self-affine one in
+//! steps of 1 nm, 8 roll-off wavelengths wide.
 #![allow(missing_docs, reason = "criterion's macros make undocumented functions")]
 
 use contact_types::{Grid, HeightMap, Named};
 use criterion::{BenchmarkId, Criterion, Throughput, criterion_group, criterion_main};
 use std::hint::black_box;
-use surface_stats::clean::{Form, OutlierRule, Step, apply, find_outliers};
-use surface_stats::iso25178::{Hybrid, MaterialRatioCurve, Spatial};
-use surface_stats::spectrum::{Window, amplitudes, radial, radial_psd};
 use surface_stats::synthesis::{Scale, SelfAffine};
-use surface_stats::{
-    DirectionalMoments, Edges, Level, StatsOptions, Summits, SurfaceStatistics, level,
-};
+use surface_stats::{Edges, Level, StatsOptions, SurfaceStatistics};
 
-fn recipe(n: usize) -> SelfAffine {
-    SelfAffine {
+fn surface(n: usize) -> HeightMap {
+    let recipe = SelfAffine {
         grid: Grid::new([n, n], [1e-6, 1e-6]).expect("a grid of positive pixels"),
         hurst: 0.8,
         rolloff: n as f64 / 8.0 * 1e-6,
@@ -22,11 +17,8 @@ fn recipe(n: usize) -> SelfAffine {
         scale: Scale::RmsHeight(0.5e-6),
         seed: 1,
         quantise: Some(1e-9),
-    }
-}
-
-fn surface(n: usize) -> HeightMap {
-    recipe(n).generate().expect("a sound recipe")
+    };
+    recipe.generate().expect("a sound recipe")
 }
 
 /// Everything a model can ask, at three sizes.
@@ -46,44 +38,5 @@ fn whole(c: &mut Criterion) {
     group.finish();
 }
 
-/// The parts, and the cleaning steps, at one size.
-fn parts(c: &mut Criterion) {
-    let n = 1024;
-    let map = surface(n);
-    let (grid, open) = (map.grid(), Edges::Open);
-    let mut group = c.benchmark_group("statistics/parts");
-    group.sample_size(10);
-    group.throughput(Throughput::Elements((n * n) as u64));
-    group.bench_function("level-plane", |b| b.iter(|| level(black_box(&map), Level::Plane)));
-    group.bench_function("differences", |b| {
-        b.iter(|| DirectionalMoments::of(black_box(&map), open));
-    });
-    group.bench_function("summits", |b| b.iter(|| Summits::of(black_box(&map), open)));
-    group.bench_function("radial-spectrum", |b| b.iter(|| radial(black_box(&map))));
-    group.bench_function("windowed-psd", |b| {
-        b.iter(|| radial_psd(black_box(&map), Window::Hann));
-    });
-    group.bench_function("amplitudes", |b| b.iter(|| amplitudes(black_box(&map))));
-    group.bench_function("hybrid", |b| b.iter(|| Hybrid::of(black_box(&map))));
-    group.bench_function("material-ratio", |b| {
-        b.iter(|| MaterialRatioCurve::of(black_box(&map)).map(|curve| curve.core()));
-    });
-    group.bench_function("autocorrelation", |b| b.iter(|| Spatial::of(black_box(&map), open)));
-    group.bench_function("outliers", |b| {
-        b.iter(|| find_outliers(grid, black_box(map.heights()), OutlierRule::default()));
-    });
-    for (name, step, edges) in [
-        ("sphere", Step::Form(Form::Sphere), open),
-        ("gaussian-open-25-pixels", Step::SFilter(25e-6), open),
-        ("gaussian-periodic", Step::SFilter(25e-6), Edges::Periodic),
-    ] {
-        group.bench_function(name, |b| {
-            b.iter(|| apply(grid, &mut black_box(map.heights()).to_vec(), &[step], edges));
-        });
-    }
-    group.bench_function("synthesis", |b| b.iter(|| recipe(black_box(n)).generate()));
-    group.finish();
-}
-
-criterion_group!(benches, whole, parts);
+criterion_group!(benches, whole);
 criterion_main!(benches);

@@ -21,8 +21,7 @@ pub struct ByDistance {
     pub autocorrelation: Option<f64>,
 }
 
-/// Along x, then along y, at distances of 1, 2, 3, 4, 6, 8, 12, … points up to half of the side. Pairs lie within the
-/// map: nothing is repeated beyond its edges. The pairs of long distances are few and not independent.
+/// Along x, then along y, at distances of 1, 2, 3, 4, 6, 8, 12, … points up to half of the side, by pairs within the map.
 pub fn by_distance(map: &HeightMap) -> [Vec<ByDistance>; 2] {
     let ([ny, nx], [dy, dx]) = (map.grid().shape(), map.grid().pixel());
     let z = map.heights();
@@ -90,21 +89,17 @@ mod tests {
         let map = HeightMap::new(grid, (0..4 * n).map(height).collect()).unwrap();
         let [along_x, along_y] = by_distance(&map);
         let lags: Vec<f64> = along_x.iter().map(|d| (d.distance / pixel).round()).collect();
-        assert_eq!(
-            lags,
-            [1.0, 2.0, 3.0, 4.0, 6.0, 8.0, 12.0, 16.0, 24.0, 32.0, 48.0, 64.0, 96.0, 128.0]
-        );
-        assert_eq!(along_y.len(), 2);
+        assert_eq!(lags[..7], [1.0, 2.0, 3.0, 4.0, 6.0, 8.0, 12.0]);
+        assert_eq!((lags.len(), lags[13], along_y.len()), (14, 128.0, 2));
         for d in along_x.iter().filter(|d| d.distance < 64.5 * pixel) {
             let half = PI * waves * d.distance / (n as f64 * pixel);
             let slope = 2.0_f64.sqrt() * amplitude * half.sin().abs() / d.distance;
             let curvature = 8.0_f64.sqrt() * amplitude * half.sin().powi(2) / d.distance.powi(2);
-            assert!((d.slope - slope).abs() < 1e-9, "{d:?} {slope}");
-            assert!(
-                (d.curvature.unwrap() - curvature).abs() < 1e-9 * amplitude / pixel.powi(2),
-                "{d:?}"
-            );
-            assert!((d.autocorrelation.unwrap() - (2.0 * half).cos()).abs() < 1e-9, "{d:?}");
+            let found = [d.slope, d.curvature.unwrap(), d.autocorrelation.unwrap()];
+            let scale = [1.0, amplitude / pixel.powi(2), 1.0];
+            for (k, exact) in [slope, curvature, (2.0 * half).cos()].into_iter().enumerate() {
+                assert!((found[k] - exact).abs() < 1e-9 * scale[k], "{d:?} {exact}");
+            }
         }
     }
 

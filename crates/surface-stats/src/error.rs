@@ -20,7 +20,7 @@ pub enum StatsError {
         /// The smallest `[ny, nx]` that has an answer.
         needed: [usize; 2],
     },
-    /// A length of the surface is so large or small that its moments leave the range of a double.
+    /// A length of the surface whose moments leave the range of a double.
     #[error(
         "{quantity} = {value:e} m is outside {:e} to {:e} m, where moments can be computed: \
          check the unit of heights and pixels",
@@ -45,6 +45,14 @@ pub enum StatsError {
         /// What it must be.
         requirement: &'static str,
     },
+    /// A text names no form.
+    #[error("'{text}' {why}")]
+    UnknownForm {
+        /// The text.
+        text: String,
+        /// What is wrong with it, and what there is.
+        why: &'static str,
+    },
     /// A range of wavelengths holds no waves of the map.
     #[error(
         "0 waves between {:e} m and {:e} m, at least 1 are needed: the map resolves wavelengths from \
@@ -57,7 +65,7 @@ pub enum StatsError {
         /// The wavelengths the map has (m).
         resolved: [f64; 2],
     },
-    /// Two fields that belong together differ in size, or a field does not fit its grid.
+    /// Fields that belong together differ in size, or one does not fit its grid.
     #[error("{what}: expected {expected} values, found {found}")]
     Shape {
         /// Which fields.
@@ -101,6 +109,32 @@ pub enum StatsError {
         form: &'static str,
         /// Iterations spent.
         iterations: usize,
+    },
+    /// Two maps hardly meet.
+    #[error(
+        "with the second map moved by {shift:e} m, {found} rows or columns of the two lie on each other, \
+         and at least 2 must; shift less"
+    )]
+    TooLittle {
+        /// How far the second was moved (m).
+        shift: f64,
+        /// Points in common along the axis.
+        found: f64,
+    },
+    /// The coarser of two maps has too few points where the other lies.
+    #[error(
+        "the points are {:e} m apart in the first map and {:e} m in the second, so that the part in \
+         common has {own:.1} points of the {}, and at least 4 are needed; measure the two at like \
+         point spacings",
+        pixels[0], pixels[1], ["first", "second"][*which]
+    )]
+    TooCoarse {
+        /// Which map is the coarser, 0 or 1.
+        which: usize,
+        /// Its points in the common part along the axis.
+        own: f64,
+        /// Point spacing of both along that axis (m).
+        pixels: [f64; 2],
     },
     /// The surface itself cannot be built.
     #[error(transparent)]

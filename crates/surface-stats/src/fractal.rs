@@ -37,8 +37,7 @@ struct LogBin {
 }
 
 impl LogBin {
-    /// ln of a mean of n exponential variables scatters by 1/n; real spectra stray from a power
-    /// law by some 20 % anyway, so that no bin counts more than 25 waves would.
+    /// ln of a mean of n exponential variables scatters by 1/n; real spectra stray from a power law by some 20 % anyway.
     fn weight(&self) -> f64 {
         1.0 / (1.0 / self.waves + 0.04)
     }
@@ -91,6 +90,7 @@ impl PowerLaw {
         Self { slope: exponent, intercept, ..*self }.fractal_of_profile()
     }
 
+    /// `None` of less than four bins or one octave with waves.
     fn of(points: &[LogBin]) -> Option<Self> {
         let (first, last) = (points.first()?, points.last()?);
         let span = (last.ln_frequency - first.ln_frequency).exp();
@@ -103,8 +103,7 @@ impl PowerLaw {
     }
 }
 
-/// Fits a power law to the radial PSD between two wavelengths (m), over logarithmic bins so that
-/// every octave counts alike. `None` if they hold less than four bins or one octave with waves.
+/// Fits a power law to the radial PSD between two wavelengths (m), over logarithmic bins.
 pub(crate) fn fit_radial(rings: &[Ring], range: [f64; 2]) -> Option<PowerLaw> {
     PowerLaw::of(&radial_points(rings, range))
 }
@@ -134,9 +133,8 @@ pub(crate) fn cutoff(rings: &[Ring], shortest: f64) -> Option<f64> {
 }
 
 /// Roll-off wavelength (m), beyond which the PSD is flat: least squares of
-/// `ln C = c - 2 (1 + H) max(0, ln q/q0)` over c, H and q0, down to the wavelength `shortest`.
-/// `None` unless the bend improves the fit by more than three standard deviations and leaves at
-/// least three bins on its flat side.
+/// `ln C = c - 2 (1 + H) max(0, ln q/q0)` over c, H and q0, down to the wavelength `shortest`. `None` unless
+/// the bend improves the fit by more than three standard deviations and leaves three bins on its flat side.
 pub(crate) fn rolloff(rings: &[Ring], shortest: f64) -> Option<f64> {
     let points = radial_points(rings, [shortest, f64::INFINITY]);
     let (first, last) = (points.first()?.ln_frequency, points.last()?.ln_frequency);

@@ -35,12 +35,13 @@ pub use contact_types::{
 };
 
 pub use by_distance::{ByDistance, by_distance};
-pub use differences::{DirectionalMoments, Edges};
+use differences::DirectionalMoments;
+pub use differences::{Edges, moments};
 pub use error::StatsError;
 pub use heights::HeightStatistics;
 pub use level::{Level, level, tilted};
 pub use options::StatsOptions;
-pub use seam::{MOST_SEAM_JUMP, repeats, seam_jump};
+pub use seam::{repeats, seam_jump};
 pub use spectral_scales::SpectralScales;
 pub use statistics::{FIELDS, Field, Spectra, SurfaceStatistics};
 pub use steps::height_step;

@@ -7,23 +7,13 @@ const RANK_TOLERANCE: f64 = 1e-12;
 /// Sums `b bᵀ` and `b r` over points with basis values `b` and residuals `r`.
 pub(crate) struct NormalEquations {
     /// Rows of the lower triangle.
-    matrix: Vec<Vec<f64>>,
-    right: Vec<f64>,
+    pub(crate) matrix: Vec<Vec<f64>>,
+    pub(crate) right: Vec<f64>,
 }
 
 impl NormalEquations {
     pub(crate) fn new(terms: usize) -> Self {
         Self { matrix: vec![vec![0.0; terms]; terms], right: vec![0.0; terms] }
-    }
-
-    /// Adds to one entry of the lower triangle of the matrix.
-    pub(crate) fn add_product(&mut self, row: usize, column: usize, product: f64) {
-        self.matrix[row][column] += product;
-    }
-
-    /// Adds to one entry of the right-hand side.
-    pub(crate) fn add_right(&mut self, row: usize, product: f64) {
-        self.right[row] += product;
     }
 
     /// Adds one point.

@@ -28,18 +28,25 @@ pub(crate) struct NoiseFloor {
     pub(crate) reliable: Option<f64>,
 }
 
-/// Whether a PSD with these means over the lower and the upper half of its last octave has stopped
-/// falling there: d ln(PSD) / d ln(frequency) is `flat` or more.
-pub(crate) fn is_flat([lower, upper]: [f64; 2], flat: f64) -> bool {
+/// Mean PSD of values with their numbers of waves.
+fn mean(values: &[[f64; 2]]) -> f64 {
+    let waves: f64 = values.iter().map(|[_, waves]| waves).sum();
+    values.iter().map(|[psd, waves]| waves * psd).sum::<f64>() / waves
+}
+
+/// The mean PSD over the upper half of a last octave, given as values with their numbers of waves. `None` if it still falls
+/// there, d ln(PSD) / d ln(frequency) being less than `flat`, and of fewer than 8 values.
+pub(crate) fn last_octave(values: &[[f64; 2]], flat: f64) -> Option<f64> {
+    let (low, high) = values.split_at(values.len() / 2);
+    let (lower, upper) = (mean(low), mean(high));
     // The halves of the octave are centred at 5/8 and 7/8 of its end.
     let slope = (upper / lower).ln() / (0.875f64 / 0.625).ln();
-    upper > 0.0 && slope >= flat
+    (values.len() >= 8 && upper > 0.0 && slope >= flat).then_some(upper)
 }
 
 impl Warning {
-    /// Whether slopes and curvatures are those of the instrument: of the height step (m) if it
-    /// explains the noise, else of the noise. Rounding to steps of height Q is white noise of rms
-    /// Q/√12, if the relief changes by a step or more from pixel to pixel.
+    /// Whether slopes and curvatures are those of the instrument: of the height step (m) if it explains the noise, else of
+    /// the noise. Rounding to steps of height Q is white noise of rms Q/√12.
     pub(crate) fn of_noise(
         moments: SpectralMoments,
         pixel: [f64; 2],
@@ -66,35 +73,23 @@ impl Warning {
 
 impl NoiseFloor {
     /// Reads the floor off the last octave of the radial PSD before the Nyquist wavenumber of the
-    /// coarser pixel side. `None` if the PSD still falls there faster than 1/q, or if the map has
-    /// too few waves (fewer than 8 rings in that octave).
-    ///
-    /// Noise that the instrument has smoothed is not white and is not seen.
+    /// coarser pixel side. Noise that the instrument has smoothed is not white and is not seen.
     pub(crate) fn of(rings: &[Ring], [dy, dx]: [f64; 2]) -> Option<Self> {
         let nyquist = PI / dy.max(dx);
-        let last_octave: Vec<&Ring> = rings
+        let value = |r: &Ring| [r.psd, r.waves as f64];
+        let octave: Vec<[f64; 2]> = rings
             .iter()
             .filter(|r| r.wavenumber > 0.5 * nyquist && r.wavenumber <= nyquist)
+            .map(value)
             .collect();
-        if last_octave.len() < 8 {
-            return None;
-        }
-        let mean = |rings: &[&Ring]| {
-            let waves: f64 = rings.iter().map(|r| r.waves as f64).sum();
-            rings.iter().map(|r| r.waves as f64 * r.psd).sum::<f64>() / waves
-        };
-        let (low, high) = last_octave.split_at(last_octave.len() / 2);
-        let psd = mean(high);
-        if !is_flat([mean(low), psd], FLAT_SLOPE) {
-            return None;
-        }
+        let psd = last_octave(&octave, FLAT_SLOPE)?;
         // Averaged over three rings, so that a single strong wave of noise does not count. In the octave that was found flat
         // the middle one of five: a line there, as where every second column is off, is no surface.
         let is_signal = |r: &&[Ring]| {
             if r[2].wavenumber > 0.5 * nyquist {
                 r.iter().filter(|r| r.psd >= SIGNAL * psd).count() > r.len() / 2
             } else {
-                mean(&[&r[1], &r[2], &r[3]]) >= SIGNAL * psd
+                mean(&[value(&r[1]), value(&r[2]), value(&r[3])]) >= SIGNAL * psd
             }
         };
         let reliable = rings.windows(5).rfind(is_signal).map(|r| TAU / r[2].wavenumber);
@@ -107,71 +102,50 @@ mod tests {
     use super::*;
     use crate::spectrum::{PowerSpectrum, Window};
     use crate::synthesis::rough;
-    use crate::{DirectionalMoments, Edges};
+    use crate::{Edges, moments};
     use approx::assert_relative_eq;
     use contact_types::{Grid, HeightMap};
+    use rand_pcg::Pcg64;
+    use rand_pcg::rand_core::Rng;
 
-    fn surface(cutoff: f64, rms: f64, seed: u64) -> HeightMap {
+    fn floor(map: &HeightMap) -> Option<NoiseFloor> {
+        let rings = PowerSpectrum::of(map, Window::None).unwrap().rings();
+        NoiseFloor::of(&rings, map.grid().pixel())
+    }
+
+    /// White noise of 3 nm has the moments that are said of it. Under a surface that ends at 8 µm its level is found, and
+    /// the end of the reliable band; also with every second column off by as much as the noise, a line at the shortest
+    /// wave, which is no surface.
+    #[test]
+    fn white_noise_is_found_under_a_surface() {
         let grid = Grid::new([300, 256], [1e-6, 1.2e-6]).unwrap();
-        rough(grid, 0.8, [if cutoff > 5e-6 { 40e-6 } else { cutoff }, cutoff], rms, seed)
-    }
-
-    fn white(rms: f64) -> HeightMap {
-        let noise = surface(2.4e-6, rms, 5);
-        // The recipe cuts the corners of the wavenumber plane; alternate signs put the waves it
-        // has at the corners, and both together cover the plane evenly enough for 5 %.
-        let [_, nx] = noise.grid().shape();
-        let mirrored = surface(2.4e-6, rms, 6);
-        let heights = (0..noise.heights().len())
-            .map(|i| {
-                let sign = if (i / nx + i % nx).is_multiple_of(2) { 1.0 } else { -1.0 };
-                (noise.heights()[i] + sign * mirrored.heights()[i]) / 2f64.sqrt()
-            })
-            .collect();
-        HeightMap::new(noise.grid(), heights).unwrap()
-    }
-
-    #[test]
-    fn moments_of_white_noise() {
-        let map = white(3e-9);
-        let [m2, m4] = white_noise_moments(3e-9, map.grid().pixel());
-        let m = DirectionalMoments::of(&map, Edges::Periodic).unwrap().isotropic(9e-18);
-        assert_relative_eq!(m.m2, m2, max_relative = 0.1);
-        assert_relative_eq!(m.m4, m4, max_relative = 0.1);
-    }
-
-    /// Noise of 2 nm under a surface that ends at 8 um: level and end of the reliable band; also
-    /// with every second column off by as much as the noise, a line at the shortest wave, which is
-    /// no surface.
-    #[test]
-    fn finds_the_floor_and_where_it_begins() {
-        let (clean, noise) = (surface(8e-6, 200e-9, 1), surface(2.4e-6, 2e-9, 2));
-        let (pixel, [_, nx]) = (clean.grid().pixel(), clean.grid().shape());
-        let floor = |map: &HeightMap| {
-            let rings = PowerSpectrum::of(map, Window::None).unwrap().rings();
-            NoiseFloor::of(&rings, pixel).unwrap()
+        let (mut random, rms) = (Pcg64::new(5, 1), 3e-9);
+        let mut uniform = || (f64::from(random.next_u32()) + 0.5) / 4_294_967_296.0 - 0.5;
+        let noise: Vec<f64> = (0..grid.len()).map(|_| rms * 12f64.sqrt() * uniform()).collect();
+        let map = |height: &dyn Fn(usize) -> f64| {
+            HeightMap::new(grid, (0..grid.len()).map(height).collect()).unwrap()
         };
-        for line in [0.0, 2e-9] {
-            let both = clean.heights().iter().zip(noise.heights()).enumerate();
-            let heights =
-                both.map(|(i, (a, b))| a + b + if i % nx % 2 == 0 { line } else { -line });
-            let floor = floor(&HeightMap::new(clean.grid(), heights.collect()).unwrap());
-            assert_relative_eq!(floor.reliable.unwrap(), 8e-6, max_relative = 0.05);
+        let white = map(&|i| noise[i]);
+        let ([m2, m4], found) =
+            (white_noise_moments(rms, grid.pixel()), moments(&white, Edges::Periodic).unwrap());
+        assert_relative_eq!(found.m2, m2, max_relative = 0.03);
+        assert_relative_eq!(found.m4, m4, max_relative = 0.03);
+        assert_eq!(floor(&white).unwrap().reliable, None);
+
+        let clean = rough(grid, 0.8, [40e-6, 8e-6], 200e-9, 1);
+        for line in [0.0, rms] {
+            let sign = |i: usize| if (i % 256).is_multiple_of(2) { line } else { -line };
+            let found = floor(&map(&|i| clean.heights()[i] + noise[i] + sign(i))).unwrap();
+            assert_relative_eq!(found.reliable.unwrap(), 8e-6, max_relative = 0.05);
             if line <= 0.0 {
-                // The noise fills a circle of radius 2 pi / 2.4 um of the plane (2 pi)² / (dy dx).
-                let q = TAU / 2.4e-6;
-                let psd = 4e-18 / (PI * q * q);
-                assert_relative_eq!(floor.rms, TAU * (psd / 1.2e-12).sqrt(), max_relative = 0.025);
+                assert_relative_eq!(found.rms, rms, max_relative = 0.025);
             }
         }
-        assert_eq!(floor(&noise).reliable, None);
     }
 
     #[test]
     fn a_falling_spectrum_has_no_floor() {
         let grid = Grid::new([256, 256], [1e-6, 1e-6]).unwrap();
-        let map = rough(grid, 0.3, [40e-6, 2e-6], 1e-7, 3);
-        let rings = PowerSpectrum::of(&map, Window::None).unwrap().rings();
-        assert_eq!(NoiseFloor::of(&rings, [1e-6, 1e-6]), None);
+        assert_eq!(floor(&rough(grid, 0.3, [40e-6, 2e-6], 1e-7, 3)), None);
     }
 }

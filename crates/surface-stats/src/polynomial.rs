@@ -1,8 +1,7 @@
 //! Least-squares polynomial surfaces through the valid points of a map.
 //!
-//! Written in Legendre polynomials of coordinates scaled to -1..1, so that the normal equations
-//! are well conditioned at every degree offered, and repeated on the residual, so that a form a
-//! million times higher than the roughness leaves no trace of its own rounding.
+//! In Legendre polynomials of coordinates scaled to -1..1, which condition the normal equations, and repeated on the
+//! residual, so that a form a million times higher than the roughness leaves no trace of its own rounding.
 
 use crate::linear::NormalEquations;
 use crate::{StatsError, scale};
@@ -22,8 +21,7 @@ pub(crate) struct Polynomial {
 
 impl Polynomial {
     /// Fits all terms up to total degree `degree` (0 mean, 1 plane, 2 quadratic, ...) to the
-    /// points of `heights` (m, row-major) that are not NaN. Combinations of terms that these
-    /// points cannot determine (a tilt across a single row) are left at zero.
+    /// points of `heights` (m, row-major) that are not NaN. Terms that these cannot determine are left at zero.
     pub(crate) fn fit(grid: Grid, heights: &[f64], degree: usize) -> Result<Self, StatsError> {
         let (setting, holds) = ("degree of the polynomial", degree <= MAX_DEGREE);
         StatsError::require(setting, degree as f64, holds, "must be at most 12")?;
@@ -43,53 +41,22 @@ impl Polynomial {
         Ok(fit)
     }
 
-    /// Replaces every valid height by its distance above the polynomial.
-    ///
-    /// # Panics
-    /// If `heights` does not have the pixels of the grid that was fitted.
+    /// Replaces every valid height of the grid that was fitted by its distance above the polynomial.
     pub(crate) fn remove_from(&self, heights: &mut [f64]) {
-        assert_eq!(heights.len(), self.grid.len(), "heights of another grid");
         let [ny, nx] = self.grid.shape();
         let columns = columns(nx, self.degree);
         for (iy, row) in heights.chunks_exact_mut(nx).enumerate() {
-            let along = self.along_row(&legendre(scaled(iy, ny)));
+            // Along the row the form is the sum of `along[k] P_k`.
+            let (rows, mut along) = (legendre(scaled(iy, ny)), [0.0; MAX_DEGREE + 1]);
+            for ([ky, kx], coefficient) in terms(self.degree).zip(&self.coefficients) {
+                along[kx] += coefficient * rows[ky];
+            }
             for (ix, h) in row.iter_mut().enumerate() {
-                *h = (*h - self.origin) - value(&along, &columns, ix);
+                let form =
+                    along.iter().zip(&columns).map(|(a, column)| a * column[ix]).sum::<f64>();
+                *h = (*h - self.origin) - form;
             }
         }
-    }
-
-    /// The share of the height variance that the form explains: 1 - (variance of the residual)/
-    /// (variance of the heights), over the valid points. 0 for a flat map.
-    pub(crate) fn explained(&self, heights: &[f64]) -> f64 {
-        let [ny, nx] = self.grid.shape();
-        let columns = columns(nx, self.degree);
-        let (mut residual, mut total) = ([0.0; 3], [0.0; 3]);
-        for (iy, row) in heights.chunks_exact(nx).enumerate() {
-            let along = self.along_row(&legendre(scaled(iy, ny)));
-            for (ix, h) in row.iter().enumerate().filter(|(_, h)| !h.is_nan()) {
-                let z = h - self.origin;
-                for (sums, z) in [(&mut total, z), (&mut residual, z - value(&along, &columns, ix))]
-                {
-                    sums[0] += 1.0;
-                    sums[1] += z;
-                    sums[2] += z * z;
-                }
-            }
-        }
-        let variance = |s: [f64; 3]| s[2] - s[1] * s[1] / s[0];
-        let (kept, all) = (variance(residual), variance(total));
-        if all > 0.0 { (1.0 - kept / all).clamp(0.0, 1.0) } else { 0.0 }
-    }
-
-    /// Coefficients of the polynomial along the row where the Legendre polynomials of y have
-    /// these values: the form is `sum_k a_k P_k(u)` there.
-    fn along_row(&self, rows: &[f64]) -> [f64; MAX_DEGREE + 1] {
-        let mut along = [0.0; MAX_DEGREE + 1];
-        for ([ky, kx], coefficient) in terms(self.degree).zip(&self.coefficients) {
-            along[kx] += coefficient * rows[ky];
-        }
-        along
     }
 
     /// Coefficients that fit what the present ones leave over.
@@ -98,27 +65,23 @@ impl Polynomial {
         let columns = columns(nx, self.degree);
         let complete = products(&columns, &(0..nx));
         let mut equations = NormalEquations::new(self.coefficients.len());
+        let mut residual = heights.to_vec();
+        self.remove_from(&mut residual);
         // Along a row only the polynomials of x vary: sum over it first, then over rows.
-        for (iy, row) in heights.chunks_exact(nx).enumerate() {
-            let rows = legendre(scaled(iy, ny));
-            let along = self.along_row(&rows);
-            let (mut sums, mut missing) = ([0.0; MAX_DEGREE + 1], false);
-            for (ix, h) in row.iter().enumerate() {
-                if h.is_nan() {
-                    missing = true;
-                    continue;
-                }
-                let residual = (h - self.origin) - value(&along, &columns, ix);
+        for (iy, row) in residual.chunks_exact(nx).enumerate() {
+            let (rows, mut sums) = (legendre(scaled(iy, ny)), [0.0; MAX_DEGREE + 1]);
+            for (ix, z) in row.iter().enumerate().filter(|(_, z)| !z.is_nan()) {
                 for (sum, column) in sums.iter_mut().zip(&columns) {
-                    *sum += column[ix] * residual;
+                    *sum += column[ix] * z;
                 }
             }
-            let own = missing.then(|| products(&columns, &(0..nx).filter(|&ix| !row[ix].is_nan())));
+            let valid = (0..nx).filter(|&ix| !row[ix].is_nan());
+            let own = row.iter().any(|z| z.is_nan()).then(|| products(&columns, &valid));
             let gram = own.as_ref().unwrap_or(&complete);
             for (i, [ky, kx]) in terms(self.degree).enumerate() {
-                equations.add_right(i, rows[ky] * sums[kx]);
+                equations.right[i] += rows[ky] * sums[kx];
                 for (j, [my, mx]) in terms(self.degree).enumerate().take(i + 1) {
-                    equations.add_product(i, j, rows[ky] * rows[my] * gram[kx * k + mx]);
+                    equations.matrix[i][j] += rows[ky] * rows[my] * gram[kx * k + mx];
                 }
             }
         }
@@ -135,10 +98,6 @@ fn columns(nx: usize, degree: usize) -> Vec<Vec<f64>> {
 fn products(columns: &[Vec<f64>], pixels: &(impl Iterator<Item = usize> + Clone)) -> Vec<f64> {
     let pairs = columns.iter().flat_map(|a| columns.iter().map(move |b| (a, b)));
     pairs.map(|(a, b)| pixels.clone().map(|ix| a[ix] * b[ix]).sum()).collect()
-}
-
-fn value(along: &[f64], columns: &[Vec<f64>], ix: usize) -> f64 {
-    along.iter().zip(columns).map(|(a, column)| a * column[ix]).sum()
 }
 
 /// Exponent pairs `[ky, kx]` of all terms up to a total degree.

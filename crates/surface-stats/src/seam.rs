@@ -3,7 +3,7 @@
 use contact_types::HeightMap;
 
 /// Jump across the seam over those inside up to which a map counts as one that repeats.
-pub const MOST_SEAM_JUMP: f64 = 2.0;
+pub(crate) const MOST_SEAM_JUMP: f64 = 2.0;
 
 /// Whether opposite edges meet: the jump across them is of the size of those inside.
 pub fn repeats(map: &HeightMap) -> bool {

@@ -28,10 +28,8 @@ pub struct SpectralScales {
 }
 
 impl SpectralScales {
-    /// Levels and transforms a map for these scales alone: all that the model of Majumdar and
-    /// Bhushan needs, without the moments, summits and profiles of
-    /// [`SurfaceStatistics`](crate::SurfaceStatistics). Same numbers as there. Needs the memory of
-    /// two further copies of the map.
+    /// Levels and transforms a map for these scales alone, the same as in [`SurfaceStatistics`](crate::SurfaceStatistics):
+    /// all that the model of Majumdar and Bhushan needs. Needs the memory of two further copies of the map.
     ///
     /// # Errors
     /// As [`SurfaceStatistics::of`](crate::SurfaceStatistics::of), but no map is too small.
@@ -95,21 +93,13 @@ impl SpectralScales {
 mod tests {
     use super::*;
     use crate::SurfaceStatistics;
-    use crate::synthesis::{Scale, SelfAffine};
+    use crate::synthesis::rough;
 
     /// Alone or among all statistics: the same numbers, on a crop, with every level.
     #[test]
     fn the_scales_alone_are_those_of_all_statistics() {
-        let recipe = SelfAffine {
-            grid: Grid::new([90, 128], [1.5e-6, 1e-6]).unwrap(),
-            hurst: 0.7,
-            rolloff: 30e-6,
-            cutoff: 4e-6,
-            scale: Scale::RmsHeight(1e-6),
-            seed: 3,
-            quantise: Some(1e-8),
-        };
-        let map = recipe.generate().unwrap();
+        let grid = Grid::new([90, 128], [1.5e-6, 1e-6]).unwrap();
+        let map = rough(grid, 0.7, [30e-6, 4e-6], 1e-6, 3);
         for edges in [Edges::Open, Edges::Periodic] {
             for level in [crate::Level::None, crate::Level::Quadratic] {
                 let options = StatsOptions { level, edges, ..StatsOptions::default() };

@@ -6,11 +6,9 @@ use std::cmp::Ordering;
 
 /// Summits found pixel by pixel.
 ///
-/// A *summit* is a pixel higher than all its eight neighbours. A *plateau* is a connected patch
-/// of two or more pixels of exactly equal height (eight neighbours) with nothing higher and
-/// something lower around it. On data stored in steps the flat tops are plateaus; they are
-/// counted apart, because neither their height nor their curvature is known to better than a
-/// step, and because their number depends on the step and not on the surface. On an open map the
+/// A *summit* is a pixel higher than all its eight neighbours. A *plateau* is a connected patch of two or more pixels of
+/// exactly equal height with nothing higher and something lower around it; on data stored in steps the flat tops are
+/// plateaus. They are counted apart, since their number depends on the step and not on the surface. On an open map the
 /// outermost pixels are never summits, and a plateau that reaches them is not counted.
 #[derive(Debug, Clone, Copy, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize))]
@@ -32,10 +30,7 @@ pub struct Summits {
 
 impl Summits {
     /// Counts on a map whose heights are distances from its mean plane.
-    ///
-    /// # Errors
-    /// [`StatsError::TooSmall`] below 3 x 3 pixels.
-    pub fn of(map: &HeightMap, edges: Edges) -> Result<Self, StatsError> {
+    pub(crate) fn of(map: &HeightMap, edges: Edges) -> Result<Self, StatsError> {
         let ([ny, nx], [dy, dx]) = (map.grid().shape(), map.grid().pixel());
         StatsError::require_shape("a pixel with eight neighbours", [ny, nx], [3, 3])?;
         let around = Neighbours { map, edges };
@@ -81,20 +76,17 @@ struct Neighbours<'a> {
 }
 
 impl Neighbours<'_> {
-    /// Indices of the pixels around (iy, ix): eight, fewer on the rim of an open map.
+    /// Indices of the eight pixels around (iy, ix) of the map as it repeats. On the rim of an open map, where nothing is
+    /// counted, they do not matter.
     fn around(&self, iy: usize, ix: usize) -> impl Iterator<Item = usize> {
         let [ny, nx] = self.map.grid().shape();
-        let periodic = self.edges == Edges::Periodic;
-        let step = move |i: usize, d: usize, n: usize| match (i + d, periodic) {
-            (0, true) => Some(n - 1),
-            (0, false) => None,
-            (j, true) if j == n + 1 => Some(0),
-            (j, false) if j == n + 1 => None,
-            (j, _) => Some(j - 1),
+        let before = |i: usize, n: usize| match i {
+            0 => n - 1,
+            i if i > n => 0,
+            i => i - 1,
         };
-        (0..9)
-            .filter(|&k| k != 4)
-            .filter_map(move |k| Some(step(iy, k / 3, ny)? * nx + step(ix, k % 3, nx)?))
+        let others = (0..9).filter(|&k| k != 4);
+        others.map(move |k| before(iy + k / 3, ny) * nx + before(ix + k % 3, nx))
     }
 
     /// How the pixel stands to the highest of those around it.

@@ -20,8 +20,7 @@ pub enum Scale {
     RmsHeight(f64),
     /// Rms gradient of the map by its spectrum (-).
     RmsGradient(f64),
-    /// Rms gradient expected of the PSD (-): maps of different seeds scatter about it, as
-    /// different places on one surface do.
+    /// Rms gradient expected of the PSD (-): maps of different seeds scatter about it.
     ExpectedRmsGradient(f64),
 }
 
@@ -33,10 +32,8 @@ pub enum Scale {
 /// q_1 = \frac{2\pi}{\text{cutoff}}
 /// ```
 ///
-/// White Gaussian noise is filtered, so that phases and amplitudes of the waves are random; the
-/// map is then scaled to have exactly the rms height or gradient asked for. The same recipe
-/// gives the same map with every version and on every machine up to the last digits of `sin`,
-/// `cos` and `ln`.
+/// White Gaussian noise is filtered, then scaled to have exactly the rms height or gradient asked for. The same recipe
+/// gives the same map with every version and on every machine up to the last digits of `sin`, `cos` and `ln`.
 #[derive(Debug, Clone, Copy, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub struct SelfAffine {
@@ -52,8 +49,7 @@ pub struct SelfAffine {
     pub scale: Scale,
     /// Another seed, another map.
     pub seed: u64,
-    /// Step the heights are rounded to (m), as instruments do; rms height and gradient then
-    /// differ a little from those asked for.
+    /// Step the heights are rounded to (m) in the end, as instruments do.
     pub quantise: Option<f64>,
 }
 
@@ -82,15 +78,13 @@ impl SelfAffine {
         let mut fft = GridFft::new(self.grid.shape());
         let mut waves = fft.new_spectrum();
         fft.forward(&heights, &mut waves);
-        let mut has_waves = false;
         let mut expected = 0.0; // sum of filter² q² over the full plane
         for (wave, (q, weight)) in waves.iter_mut().zip(self.half_plane()) {
             let filter = self.filter(q);
             *wave *= filter;
-            has_waves |= filter > 0.0;
             expected += weight * (filter * q).powi(2);
         }
-        if !has_waves {
+        if expected <= 0.0 {
             let [dy, dx] = self.grid.pixel();
             let [ly, lx] = self.grid.size();
             return Err(StatsError::EmptyBand {
@@ -203,8 +197,7 @@ impl SelfAffine {
         }
     }
 
-    /// Independent normal deviates by Box and Muller's transform of a PCG generator, whose stream
-    /// is fixed by its definition (O'Neill 2014) and not by a library's choice.
+    /// Independent normal deviates by Box and Muller's transform of a PCG generator (O'Neill 2014).
     fn white_noise(&self) -> Vec<f64> {
         let mut generator = Pcg64::new(u128::from(self.seed), 0x0073_7572_6661_6365);
         // (0, 1]: the 53 leading bits, plus one so that the logarithm exists.

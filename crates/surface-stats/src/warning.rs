@@ -186,7 +186,7 @@ impl Warning {
             Self::NotGaussian { skewness, kurtosis } => worded(
                 format!(
                     "Heights are not normal: skewness {}, kurtosis {}.",
-                    significant(skewness, 2).replace('-', "\u{2212}"),
+                    ratio(skewness),
                     ratio(kurtosis)
                 ),
                 "The closed forms assume 0 and 3; beyond ±0.2 and ±0.3 none of them is safe.",
@@ -202,8 +202,7 @@ impl Warning {
             ),
             Self::Stepped { step, m2_share, m4_share } => worded(
                 format!(
-                    "Height steps of {} make {} of m₂ and {} of \
-                     m₄.",
+                    "Height steps of {} make {} of m₂ and {} of m₄.",
                     quantity(step, METRES, 2),
                     percent(m2_share),
                     percent(m4_share)

@@ -9,8 +9,8 @@ use contact_front_end::{Failure, shown};
 use contact_report::numbers::significant;
 use serde_json::{Value, json};
 use surface_io::Measurement;
-use surface_stats::clean::{OutlierRule, Outliers, find_outliers, row_offsets};
-use surface_stats::{MOST_SEAM_JUMP, SurfaceStatistics, Warning, seam_jump};
+use surface_stats::clean::{Outliers, find_outliers, row_offsets};
+use surface_stats::{SurfaceStatistics, Warning, repeats, seam_jump};
 
 /// A tilt is worth a word from this many times the roughness on.
 const TILTED: f64 = 1.0;

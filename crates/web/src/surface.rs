@@ -6,7 +6,7 @@ use contact_compare::{FileOrigin, Level, Surface, built_in_recipes, sha256_hex};
 use contact_front_end::{Failure, complete};
 use contact_types::HeightMap;
 use surface_io::Measurement;
-use surface_stats::{DirectionalMoments, Edges, HeightStatistics, StatsError};
+use surface_stats::{Edges, StatsError, moments};
 
 /// The measurement in a file.
 pub(crate) fn measurement(request: &Request, file: &[u8]) -> Result<Measurement, Trouble> {
@@ -88,10 +88,7 @@ pub(crate) struct RoughnessNumbers {
 impl RoughnessNumbers {
     pub(crate) fn of(map: &HeightMap) -> Result<Self, Trouble> {
         let refused = |e: StatsError| Trouble::Refused(Failure::from_error(&e));
-        let slopes = DirectionalMoments::of(map, Edges::Open).map_err(refused)?;
-        Ok(Self {
-            height: HeightStatistics::of(map).rms_height,
-            gradient: (slopes.m2_x + slopes.m2_y).sqrt(),
-        })
+        let moments = moments(map, Edges::Open).map_err(refused)?;
+        Ok(Self { height: moments.rms_height(), gradient: moments.rms_gradient() })
     }
 }

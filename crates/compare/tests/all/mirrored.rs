@@ -11,7 +11,7 @@ use fft_bem_solver::{Load, Solution, Solver};
 use std::f64::consts::PI;
 use surface_stats::clean::{mirrored, resample};
 use surface_stats::synthesis::{Scale, SelfAffine};
-use surface_stats::{Level, level};
+use surface_stats::{Edges, Level, level};
 
 fn solve(map: &HeightMap, load: Load, tolerance: f64) -> Solution {
     let modulus = ContactModulus::from_pascals(1e9).unwrap();
@@ -78,7 +78,7 @@ fn the_intervals_hold() {
             quantise: None,
         };
         let whole = recipe.generate().unwrap();
-        let eighths = resample(&whole, [16 * n, 16 * n]).unwrap();
+        let eighths = resample(&whole, [16 * n, 16 * n], Edges::Periodic).unwrap();
         // `factor` points to a pixel, their pixels together those of the crop.
         let crop = |factor: usize| {
             let side = 16 * n;

@@ -32,7 +32,7 @@ fn the_interval_of_an_area_is_that_of_its_moments() {
     let found = study(1);
     let persson = found.models.iter().find(|m| m.card.name == "persson").unwrap();
     let [low, high] = persson.intervals[0].unwrap();
-    let [m2_low, m2_high] = found.statistics.interval(1).unwrap();
+    let [m2_low, m2_high] = found.statistics.intervals[1].unwrap();
     let expected = (m2_high / m2_low).sqrt();
     assert!((high / low / expected - 1.0).abs() < 0.02, "{low} {high} {expected}");
     // p / (E* h') with the true h' = 0.1: erf(sqrt(2) p/(E* h')).

@@ -41,7 +41,7 @@ pub(crate) fn lying(pair: &PairOrigin) -> String {
     let [py, px] = placed.common.pixel().map(|d| chosen(d, METRES));
     let pixel = if px == py { px } else { format!("{px} × {py}") };
     text += &format!("; {nx} × {ny} points of {pixel} in common");
-    let shares = placed.shares();
+    let shares = placed.shares;
     if shares.iter().any(|share| *share < 0.999) {
         let [a, b] = shares.map(percent);
         text += &format!(", {a} of {first} and {b} of {second}");

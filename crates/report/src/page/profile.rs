@@ -97,7 +97,7 @@ fn pictures(study: &ProfileComparison, numbers: &mut Numbering, h: &str, id: &st
     }
     let n = numbers.next_figure();
     let points = study.spectrum.smoothed();
-    let points = thinned(&points.iter().map(|b| [1.0 / b.frequency, b.psd]).collect::<Vec<_>>());
+    let points = thinned(&points.iter().map(|[f, psd]| [1.0 / f, *psd]).collect::<Vec<_>>());
     let fit = s.hurst.zip(s.fractal_range);
     let mut two = String::new();
     let psd = Spectrum { points, fit, is_profile: true };

@@ -15,7 +15,8 @@ pub(crate) fn key_numbers(study: &ProfileComparison) -> String {
     let s = &study.statistics;
     let m = s.moments;
     let ends = |k: usize| {
-        let factor = s.interval(k).and_then(|[low, high]| (low > 0.0).then(|| (high / low).sqrt()));
+        let factor =
+            s.intervals[k].and_then(|[low, high]| (low > 0.0).then(|| (high / low).sqrt()));
         spread(factor)
     };
     let height = unit_for(m.rms_height(), METRES);
@@ -107,11 +108,11 @@ fn meaning(symbol: &str) -> &'static str {
 
 /// Which waves are roughness and how long a part was evaluated: plain text.
 pub fn setting_words(s: &ProfileStatistics) -> String {
-    let all = match &s.roughness {
-        Ok(all) => all,
+    let found = match &s.roughness {
+        Ok(found) => found,
         Err(error) => return format!("No roughness parameters: {error}."),
     };
-    let (setting, sections) = (all[0].setting, all[0].sections);
+    let (setting, sections) = (found.setting, found.sections);
     let why = match setting.source {
         SettingSource::Asked => "as asked for".to_owned(),
         SettingSource::Class(n) => format!("setting class Sc{n} of ISO 21920-3, by Ra"),
@@ -133,8 +134,6 @@ pub fn setting_words(s: &ProfileStatistics) -> String {
 
 pub(crate) fn roughness(study: &ProfileComparison) -> String {
     let s = &study.statistics;
-    let primary = s.primary_mean();
-    let rough = s.roughness_mean();
     let several = s.traces > 1;
     let line = |(k, whole): (usize, &ParameterMean)| {
         let symbol = whole.symbol.as_str();
@@ -161,7 +160,7 @@ pub(crate) fn roughness(study: &ProfileComparison) -> String {
 /// m2 and m4 over longer distances.
 pub(crate) fn sampling(study: &ProfileComparison) -> String {
     let s = &study.statistics;
-    let Some(first) = s.by_spacing.first() else { return String::new() };
+    let Some((_, first)) = s.by_spacing.first() else { return String::new() };
     let ratio = |value: f64, of: f64| if of > 0.0 { percent(value / of) } else { "–".into() };
     let line = |p: &AtSpacing| {
         let (m, of) = (p.moments, first.moments);

@@ -111,7 +111,8 @@ fn surface(plan: &Plan, surface: Surface, take: &mut dyn FnMut(TradeoffRow)) -> 
     let seconds = statistics_seconds(&map)?;
     take(TradeoffRow { method: STATISTICS.into(), seconds, ..blank.clone() });
 
-    let finer = |times: usize| resample(&map, map.grid().shape().map(|n| times * n));
+    let finer =
+        |times: usize| resample(&map, map.grid().shape().map(|n| times * n), Edges::Periodic);
     let (half_way, finest) = (finer(plan.refine / 2)?, finer(plan.refine)?);
     for &load in plan.loads {
         let pressure = load * MODULUS * inputs.rms_gradient();
@@ -332,7 +333,7 @@ impl Job<'_> {
         let map = if self.map.grid().shape() == [self.points; 2] {
             self.map
         } else {
-            coarse = resample(self.map, [self.points; 2])?;
+            coarse = resample(self.map, [self.points; 2], Edges::Periodic)?;
             &coarse
         };
         let builder = Solver::builder().method(method).precision(precision).tolerance(tolerance);

@@ -19,7 +19,7 @@ use std::io::Cursor;
 use std::ops::ControlFlow;
 use surface_io::{Fill, HeightUnit, ReadOptions};
 use surface_stats::spectrum::{amplitudes, radial};
-use surface_stats::{DirectionalMoments, Edges, SpectralScales, StatsOptions, SurfaceStatistics};
+use surface_stats::{Edges, SpectralScales, StatsOptions, SurfaceStatistics, moments};
 
 /// One call and what it took from the allocator, on one thread.
 pub(crate) struct Case {
@@ -171,7 +171,7 @@ fn statistics(map: &HeightMap) -> Vec<Case> {
     };
     vec![
         Case::on(package, "m2 and m4 (for GW, BGT, elliptical)", map, || {
-            black_box(DirectionalMoments::of(map, Edges::Open).expect("a surface"));
+            black_box(moments(map, Edges::Open).expect("a surface"));
         }),
         Case::on(package, "radial spectrum (for Persson)", map, || {
             black_box(radial(map).expect("a surface"));

@@ -31,35 +31,31 @@ pub enum Form {
     Cylinder,
 }
 
-/// A text that names no form, with the names that there are.
-#[derive(Debug, Clone, PartialEq, Eq, thiserror::Error)]
-#[error("{0}")]
-pub struct FormNameError(String);
-
 impl FromStr for Form {
-    type Err = FormNameError;
+    type Err = StatsError;
 
     /// `plane`, `quadratic`, `polynomial:N`, `sphere` or `cylinder`.
-    fn from_str(text: &str) -> Result<Self, FormNameError> {
+    fn from_str(text: &str) -> Result<Self, StatsError> {
         let text = text.trim();
-        let degree = match text {
-            "plane" => Ok(1),
-            "quadratic" => Ok(2),
-            "sphere" => return Ok(Self::Sphere),
-            "cylinder" => return Ok(Self::Cylinder),
-            _ => text.strip_prefix("polynomial:").map(str::parse).ok_or_else(|| {
-                FormNameError(format!(
-                    "'{text}' is no form; write plane, quadratic, polynomial:N with N from 0 to \
-                     {MAX_DEGREE}, sphere or cylinder"
-                ))
-            })?,
-        };
-        let degree = degree.ok().filter(|degree| *degree <= MAX_DEGREE);
-        degree.map(Self::Polynomial).ok_or_else(|| {
-            FormNameError(format!(
-                "'{text}' has no degree from 0 to {MAX_DEGREE}; write for example polynomial:4"
-            ))
-        })
+        let unknown = |why| StatsError::UnknownForm { text: text.to_owned(), why };
+        match text {
+            "plane" => Ok(Self::Polynomial(1)),
+            "quadratic" => Ok(Self::Polynomial(2)),
+            "sphere" => Ok(Self::Sphere),
+            "cylinder" => Ok(Self::Cylinder),
+            _ => {
+                let degree = text.strip_prefix("polynomial:").ok_or_else(|| {
+                    unknown(
+                        "is no form; write plane, quadratic, polynomial:N with N from 0 to 12, sphere or \
+                         cylinder",
+                    )
+                })?;
+                let degree = degree.parse::<usize>().ok().filter(|degree| *degree <= MAX_DEGREE);
+                degree.map(Self::Polynomial).ok_or_else(|| {
+                    unknown("has no degree from 0 to 12; write for example polynomial:4")
+                })
+            }
+        }
     }
 }
 
@@ -76,9 +72,9 @@ impl fmt::Display for Form {
 }
 
 impl TryFrom<String> for Form {
-    type Error = FormNameError;
+    type Error = StatsError;
 
-    fn try_from(text: String) -> Result<Self, FormNameError> {
+    fn try_from(text: String) -> Result<Self, StatsError> {
         text.parse()
     }
 }
@@ -135,17 +131,13 @@ pub(super) fn take_form_off(
     if points < needed {
         return Err(StatsError::TooFewPoints { what: "this form", needed, found: points });
     }
+    if let Form::Polynomial(degree) = form {
+        Polynomial::fit(grid, heights, degree)?.remove_from(heights);
+        return Ok((FormParameters::Polynomial { degree }, points));
+    }
     let origin = heights.iter().copied().find(|h| !h.is_nan()).unwrap_or(0.0);
     let frame = CentredGrid::of(grid);
-    let across = match form {
-        Form::Polynomial(degree) => {
-            Polynomial::fit(grid, heights, degree)?.remove_from(heights);
-            return Ok((FormParameters::Polynomial { degree }, points));
-        }
-        Form::Sphere => None,
-        Form::Cylinder => Some(Round::direction_across(&frame, heights, origin)),
-    };
-    let round = Round::fit(&frame, heights, origin, across)?;
+    let round = Round::fit(&frame, heights, origin, form == Form::Cylinder)?;
     for (i, h) in heights.iter_mut().enumerate() {
         let (x, y) = frame.position(i);
         // A missing point may lie beyond the sphere; NaN stays NaN.
@@ -190,9 +182,9 @@ impl CentredGrid {
 #[derive(Clone, Copy)]
 struct Round {
     origin: f64,
+    is_cylinder: bool,
     /// A, B, C, E; for a cylinder also the direction of u.
-    p: [f64; 4],
-    across: Option<f64>,
+    p: [f64; 5],
 }
 
 impl Round {
@@ -200,9 +192,10 @@ impl Round {
         frame: &CentredGrid,
         heights: &[f64],
         origin: f64,
-        across: Option<f64>,
+        is_cylinder: bool,
     ) -> Result<Self, StatsError> {
-        let mut fit = Self { origin, p: [0.0; 4], across };
+        let across = if is_cylinder { Self::direction_across(frame, heights, origin) } else { 0.0 };
+        let mut fit = Self { origin, is_cylinder, p: [0.0, 0.0, 0.0, 0.0, across] };
         let mut error = fit.misfit(frame, heights).unwrap_or(f64::INFINITY);
         let valid = || frame.points(heights, origin);
         let least = 1e-6 + origin.abs() / frame.unit;
@@ -214,7 +207,8 @@ impl Round {
             // Shorten the step until every point lies below the equator and the fit is better.
             let (mut fraction, mut beyond_equator) = (1.0, false);
             let next = loop {
-                let trial = fit.moved(&step, fraction);
+                let mut trial = fit;
+                trial.p.iter_mut().zip(&step).for_each(|(p, d)| *p += fraction * d);
                 let misfit = trial.misfit(frame, heights);
                 match misfit {
                     Some(e) if e <= error => break Some((trial, e)),
@@ -235,23 +229,23 @@ impl Round {
                 return Ok(fit);
             }
         }
-        let form = if across.is_some() { "cylinder" } else { "sphere" };
+        let form = if is_cylinder { "cylinder" } else { "sphere" };
         Err(StatsError::NotConverged { form, iterations: MAX_ITERATIONS })
     }
 
     /// Coordinates across and along the axis: for a sphere simply x and y.
     fn turned(&self, x: f64, y: f64) -> (f64, f64) {
-        let (sin, cos) = self.across.unwrap_or(0.0).sin_cos();
+        let (sin, cos) = self.p[4].sin_cos();
         (x * cos + y * sin, y * cos - x * sin)
     }
 
     /// Height over the frame's unit; `None` beyond the equator.
     fn height(&self, x: f64, y: f64) -> Option<f64> {
-        let [a, b, c, e] = self.p;
+        let [a, b, c, e, _] = self.p;
         let (u, w) = self.turned(x, y);
-        let (bent, tilt) = if self.across.is_some() { (0.0, c * w) } else { (w * w, 0.0) };
-        let inner = if self.across.is_some() { 0.0 } else { c * w };
-        let q = a * (u * u + bent) + b * u + inner + e;
+        let (square, inner, tilt) =
+            if self.is_cylinder { (u * u, 0.0, c * w) } else { (u * u + w * w, c * w, 0.0) };
+        let q = a * square + b * u + inner + e;
         let root = 1.0 - 4.0 * a * q;
         (root > 0.0).then(|| 2.0 * q / (1.0 + root.sqrt()) + tilt)
     }
@@ -263,35 +257,21 @@ impl Round {
 
     /// Step of all parameters that fits the residual to first order.
     fn gauss_newton(&self, frame: &CentredGrid, heights: &[f64]) -> Vec<f64> {
-        let [a, b, c, _] = self.p;
-        let terms = if self.across.is_some() { 5 } else { 4 };
+        let [a, b, c, ..] = self.p;
+        let terms = if self.is_cylinder { 5 } else { 4 };
         let mut equations = NormalEquations::new(terms);
         for (x, y, height) in frame.points(heights, self.origin) {
             let Some(z) = self.height(x, y) else { continue };
-            let residual = height - z;
             let (u, w) = self.turned(x, y);
-            if self.across.is_some() {
-                let g = z - c * w;
-                let s = 1.0 - 2.0 * a * g;
-                // Turning the axis by one radian moves u by w and w by -u.
-                let turn = w * (2.0 * a * u + b) / s - c * u;
-                equations.add_point(&[(g * g + u * u) / s, u / s, w, 1.0 / s, turn], residual);
-            } else {
-                let s = 1.0 - 2.0 * a * z;
-                let square = z * z + u * u + w * w;
-                equations.add_point(&[square / s, u / s, w / s, 1.0 / s], residual);
-            }
+            let (g, along) = if self.is_cylinder { (z - c * w, 0.0) } else { (z, w * w) };
+            let s = 1.0 - 2.0 * a * g;
+            let inner = if self.is_cylinder { w } else { w / s };
+            // Turning the axis by one radian moves u by w and w by -u.
+            let turn = w * (2.0 * a * u + b) / s - c * u;
+            let basis = [(g * g + u * u + along) / s, u / s, inner, 1.0 / s, turn];
+            equations.add_point(&basis[..terms], height - z);
         }
         equations.solve()
-    }
-
-    fn moved(&self, step: &[f64], fraction: f64) -> Self {
-        let mut moved = *self;
-        for (p, d) in moved.p.iter_mut().zip(step) {
-            *p += fraction * d;
-        }
-        moved.across = self.across.map(|angle| angle + fraction * step[4]);
-        moved
     }
 
     /// Direction of the strongest curvature of the least-squares quadratic.
@@ -307,12 +287,12 @@ impl Round {
     }
 
     fn parameters(&self, frame: &CentredGrid) -> FormParameters {
-        let [a, b, c, e] = self.p;
+        let [a, b, c, e, across] = self.p;
         // Centre (-B/2A, -C/2A, 1/2A); R² = (1 + B² + C²)/4A² - E/A. A < 0 is convex.
-        let slope_square = if self.across.is_some() { b * b } else { b * b + c * c };
+        let slope_square = if self.is_cylinder { b * b } else { b * b + c * c };
         let radius = -0.5 * (1.0 + slope_square - 4.0 * a * e).sqrt() / a * frame.unit;
         let radius = if radius.is_finite() { radius } else { f64::INFINITY };
-        if let Some(across) = self.across {
+        if self.is_cylinder {
             // The axis has no sense of direction: report 0 to pi and the slope that goes with it.
             let half_turns = ((across + FRAC_PI_2) / PI).floor();
             let direction = across + FRAC_PI_2 - half_turns * PI;
@@ -343,18 +323,19 @@ mod tests {
         (0..grid().len()).map(|i| z((i / 80) as f64 * 2e-6, (i % 80) as f64 * 1e-6)).collect()
     }
 
+    /// How far a circle of this signed radius has fallen at a distance from its apex.
+    fn sag(r: f64, square: f64) -> f64 {
+        square / (r + r.signum() * (r * r - square).sqrt())
+    }
+
     /// Ball and bowl, off centre, deep and shallow, with a missing corner: radius and apex come
     /// back and nothing is left.
     #[test]
     fn spheres_of_all_depths() {
+        let apex = [50e-6, 30e-6];
         for radius in [120e-6, -120e-6, 5e-3, -1.0] {
-            let apex = [50e-6, 30e-6];
-            let z = |y: f64, x: f64| {
-                let r2 = (x - apex[1]).powi(2) + (y - apex[0]).powi(2);
-                let r: f64 = radius;
-                76e-3 - r2 / (r + r.signum() * (r * r - r2).sqrt())
-            };
-            let mut h = heights(z);
+            let distance = |y: f64, x: f64| (x - apex[1]).powi(2) + (y - apex[0]).powi(2);
+            let mut h = heights(|y, x| 76e-3 - sag(radius, distance(y, x)));
             h[..500].fill(f64::NAN);
             let (parameters, points) = take_form_off(grid(), &mut h, Form::Sphere).unwrap();
             let FormParameters::Sphere { radius: found, apex: at } = parameters else {
@@ -362,8 +343,9 @@ mod tests {
             };
             assert_eq!(points, 60 * 80 - 500);
             assert_relative_eq!(found, radius, max_relative = 1e-6);
-            assert_abs_diff_eq!(at[0], apex[0], epsilon = 1e-9 * (1.0 + radius.abs() / 1e-3));
-            assert_abs_diff_eq!(at[1], apex[1], epsilon = 1e-9 * (1.0 + radius.abs() / 1e-3));
+            for (at, apex) in at.iter().zip(apex) {
+                assert_abs_diff_eq!(*at, apex, epsilon = 1e-9 * (1.0 + radius.abs() / 1e-3));
+            }
             assert_eq!(h.iter().filter(|h| h.is_nan()).count(), 500);
             assert!(h.iter().all(|h| h.is_nan() || h.abs() < 1e-15));
         }
@@ -374,13 +356,11 @@ mod tests {
         for (radius, direction, tilt) in
             [(200e-6, 0.4, 0.0), (-200e-6, 2.0, 0.05), (3e-3, 1.57, -0.01), (1e-3, 0.0, 0.0)]
         {
-            let z = |y: f64, x: f64| {
-                let (sin, cos) = f64::sin_cos(direction);
-                let (along, across) = (x * cos + y * sin, y * cos - x * sin - 20e-6);
-                let r: f64 = radius;
-                tilt * along - across * across / (r + r.signum() * (r * r - across * across).sqrt())
-            };
-            let mut h = heights(z);
+            let (sin, cos) = f64::sin_cos(direction);
+            let mut h = heights(|y, x| {
+                let across = y * cos - x * sin - 20e-6;
+                tilt * (x * cos + y * sin) - sag(radius, across * across)
+            });
             let (parameters, _) = take_form_off(grid(), &mut h, Form::Cylinder).unwrap();
             let FormParameters::Cylinder { radius: found, direction: angle, tilt: slope } =
                 parameters
@@ -395,22 +375,18 @@ mod tests {
         }
     }
 
-    /// A plane is a sphere of infinite radius, and a rough plane does not trap the fit.
+    /// A plane is a sphere or a cylinder of infinite radius, and a rough plane does not trap the fit.
     #[test]
     fn flat_and_rough_planes() {
-        let mut h = heights(|y, x| 0.1 * x - 0.2 * y);
-        take_form_off(grid(), &mut h, Form::Sphere).unwrap();
-        assert!(h.iter().all(|h| h.abs() < 1e-15));
-        for form in [Form::Sphere, Form::Cylinder] {
+        for form in [Form::Sphere, Form::Cylinder, Form::Polynomial(4)] {
+            for plane in [|y, x| 0.1 * x - 0.2 * y, |_, _| 5.0] {
+                let mut h = heights(plane);
+                take_form_off(grid(), &mut h, form).unwrap();
+                assert!(h.iter().all(|h| h.abs() < 1e-15), "{form:?}");
+            }
             let mut h = heights(|y, x| 1e-7 * ((1e6 * x).sin() * (2.3e6 * y).cos() + 1e4 * y));
             take_form_off(grid(), &mut h, form).unwrap();
             assert!(h.iter().all(|h| h.is_finite()));
-        }
-        let flat = vec![5.0; 60 * 80];
-        for form in [Form::Sphere, Form::Cylinder, Form::Polynomial(4)] {
-            let mut h = flat.clone();
-            take_form_off(grid(), &mut h, form).unwrap();
-            assert!(h.iter().all(|h| h.abs() < 1e-15), "{form:?}");
         }
     }
 

@@ -10,9 +10,9 @@ mod plan;
 mod resample;
 mod rows;
 
-pub use form::{Form, FormNameError, FormParameters};
+pub use form::{Form, FormParameters};
 pub(crate) use gaussian::{gaussian_filter, short_waves};
-pub use outliers::{OutlierRule, Outliers, find_outliers};
+pub use outliers::{Outliers, find_outliers};
 pub use plan::{Record, Step, apply};
-pub use resample::{mirrored, resample, resample_mirrored};
+pub use resample::{mirrored, resample};
 pub use rows::{RowOffsets, row_offsets};

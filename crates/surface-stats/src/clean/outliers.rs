@@ -3,30 +3,8 @@
 use crate::{StatsError, height_step, scale};
 use contact_types::Grid;
 
-/// When a point is a spike.
-#[derive(Debug, Clone, Copy, PartialEq)]
-#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
-#[non_exhaustive]
-pub struct OutlierRule {
-    /// Half width of the square window of neighbours, in pixels; 2 sees spikes up to 3 x 3.
-    pub reach: usize,
-    /// How many robust standard deviations a point must be off.
-    pub threshold: f64,
-}
-
-impl OutlierRule {
-    /// Points more than `threshold` robust standard deviations off, the rest as by default.
-    pub fn beyond(threshold: f64) -> Self {
-        Self { threshold, ..Self::default() }
-    }
-}
-
-impl Default for OutlierRule {
-    /// A 5 x 5 window and eight standard deviations: on Gaussian relief, one point in 10¹⁵.
-    fn default() -> Self {
-        Self { reach: 2, threshold: 8.0 }
-    }
-}
+/// Half width of the square window of neighbours (pixels): it sees spikes up to 3 x 3.
+const REACH: usize = 2;
 
 /// What was found; nothing has been changed.
 #[derive(Debug, Clone, PartialEq)]
@@ -41,23 +19,11 @@ pub struct Outliers {
     pub largest: f64,
 }
 
-impl Outliers {
-    /// Makes the spikes missing points (NaN), to be filled like others.
-    ///
-    /// # Panics
-    /// If `heights` are fewer than those searched.
-    pub(crate) fn remove_from(&self, heights: &mut [f64]) {
-        for &index in &self.indices {
-            heights[index] = f64::NAN;
-        }
-    }
-}
-
 /// Points whose distances give the standard deviation, with a standard error of 1 to 2 %.
 const SAMPLE: usize = 8_000;
 
-/// Parts of a Gaussian's distances and how many standard deviations they stay within. Where half of a map is flat, as worn
-/// tops are or heights in coarse steps, the median says nothing of the rest.
+/// Parts of a Gaussian's distances and how many standard deviations they stay within. Where half of a map is flat, the
+/// median says nothing of the rest.
 const WITHIN: [(f64, f64); 2] = [(0.5, 1.0 / 1.4826), (0.9, 1.644_853_6)];
 
 /// Robust standard deviation of these distances: by the first of the parts that is not all zero.
@@ -78,40 +44,33 @@ fn spread(distances: &mut [f64]) -> f64 {
 /// How far a point is off is the smaller of two distances: from the median of its valid
 /// neighbours, which is small beside a step, and from the means of opposite neighbours (the lower
 /// median over all pairs, and lines through two points at the rim), which is small on a slope. The
-/// standard deviation is 1.4826 times the median of this distance over the map, which neither
-/// spikes nor steps can raise; where that is zero, what nine in ten stay within over 1.645.
+/// standard deviation is 1.4826 times the median of this distance; where that is zero, what nine in ten stay
+/// within over 1.645. On Gaussian relief one point in 10¹⁵ is off by more than eight.
 ///
 /// # Errors
 /// [`StatsError::Shape`]; [`StatsError::Surface`] for infinite heights; [`StatsError::OutOfRange`];
-/// [`StatsError::BadSetting`] for a reach of 0 or above 20 or a threshold
-/// that is not positive.
-pub fn find_outliers(
-    grid: Grid,
-    heights: &[f64],
-    rule: OutlierRule,
-) -> Result<Outliers, StatsError> {
+/// [`StatsError::BadSetting`] for a threshold that is not positive.
+pub fn find_outliers(grid: Grid, heights: &[f64], threshold: f64) -> Result<Outliers, StatsError> {
     scale::check_measured(grid, heights)?;
-    let OutlierRule { reach, threshold } = rule;
-    let setting = "reach of the outlier window";
-    let within = (1..=20).contains(&reach);
-    StatsError::require(setting, reach as f64, within, "must be 1 to 20 pixels")?;
     let positive = threshold.is_finite() && threshold > 0.0;
     let requirement = "must be finite and greater than 0";
     StatsError::require("outlier threshold", threshold, positive, requirement)?;
-    let mut window = Neighbourhood::new(grid, heights, reach);
+    let (window, mut scratch) = (Neighbourhood::new(grid, heights), Vec::new());
     // An odd stride, so that the sample does not run down a few columns.
     let stride = (heights.len() / SAMPLE) | 1;
-    let mut sample: Vec<f64> =
-        (0..heights.len()).step_by(stride).filter_map(|i| window.distance(i)).collect();
+    let mut sample: Vec<f64> = (0..heights.len())
+        .step_by(stride)
+        .filter_map(|i| window.distance(i, &mut scratch))
+        .collect();
     let spread = spread(&mut sample);
     // Neither a height step nor rounding is a spike, where the relief is flat.
-    let magnitude = heights.iter().filter(|h| !h.is_nan()).fold(0.0f64, |m, h| m.max(h.abs()));
+    let magnitude = heights.iter().fold(0.0f64, |m, h| m.max(h.abs())); // `max` passes over NaN
     let limit = (threshold * spread)
         .max(height_step(heights).unwrap_or(0.0))
         .max(16.0 * f64::EPSILON * magnitude);
     let (mut indices, mut largest) = (Vec::new(), 0.0f64);
     for index in 0..heights.len() {
-        if let Some(distance) = window.distance_beyond(index, limit) {
+        if let Some(distance) = window.distance_beyond(index, limit, &mut scratch) {
             indices.push(index);
             largest = largest.max(distance);
         }
@@ -120,116 +79,77 @@ pub fn find_outliers(
 }
 
 /// The neighbours of a point.
-struct Neighbourhood<'a> {
-    heights: &'a [f64],
-    shape: [isize; 2],
-    reach: isize,
-    /// One of every two opposite offsets, `[y, x]`, and how far on in the list of heights it leads.
-    half: Vec<([isize; 2], isize)>,
-    values: Vec<f64>,
+struct Neighbourhood {
+    /// The map with a rim of missing points, as wide as two neighbours in line are away.
+    heights: Vec<f64>,
+    /// Columns of the map.
+    nx: usize,
+    /// How far on in `heights` one of every two opposite neighbours is.
+    half: Vec<isize>,
 }
 
-impl<'a> Neighbourhood<'a> {
-    fn new(grid: Grid, heights: &'a [f64], reach: usize) -> Self {
-        let reach = reach.cast_signed();
-        let offsets = (-reach..=reach).flat_map(|y| (-reach..=reach).map(move |x| [y, x]));
-        let shape = grid.shape().map(usize::cast_signed);
-        let half = offsets.filter(|&[y, x]| y > 0 || (y == 0 && x > 0));
-        let half = half.map(|[y, x]| ([y, x], y * shape[1] + x)).collect();
-        Self { heights, shape, reach, half, values: Vec::new() }
-    }
+impl Neighbourhood {
+    const RIM: usize = 2 * REACH;
 
-    /// Whether the whole window of a point lies on the map.
-    fn is_whole(&self, [iy, ix]: [isize; 2]) -> bool {
-        let within = |i: isize, n: isize| i >= self.reach && i + self.reach < n;
-        within(iy, self.shape[0]) && within(ix, self.shape[1])
-    }
-
-    /// Heights to both sides of a point, whose window `is_whole` or not; `None` where missing or outside.
-    fn sides(
-        &self,
-        index: usize,
-        is_whole: bool,
-        &(offset, step): &([isize; 2], isize),
-    ) -> [Option<f64>; 2] {
-        if is_whole {
-            let height = |step| Some(self.heights[index.wrapping_add_signed(step)]);
-            [step, -step].map(|step| height(step).filter(|h| !h.is_nan()))
-        } else {
-            [1, -1].map(|side| self.neighbour(self.position(index), offset, side))
+    fn new(grid: Grid, heights: &[f64]) -> Self {
+        let [ny, nx] = grid.shape();
+        let width = nx + 2 * Self::RIM;
+        let mut padded = vec![f64::NAN; (ny + 2 * Self::RIM) * width];
+        let rows = padded.chunks_exact_mut(width).skip(Self::RIM);
+        for (row, own) in rows.zip(heights.chunks_exact(nx)) {
+            row[Self::RIM..Self::RIM + nx].copy_from_slice(own);
         }
+        let (reach, width) = (REACH.cast_signed(), width.cast_signed());
+        let offsets = (0..=reach).flat_map(|y| (-reach..=reach).map(move |x| [y, x]));
+        let half = offsets.filter(|&[y, x]| y > 0 || x > 0).map(|[y, x]| y * width + x).collect();
+        Self { heights: padded, nx, half }
     }
 
-    /// Height at `times` an offset from a point; `None` if missing or outside.
-    fn neighbour(&self, [iy, ix]: [isize; 2], [dy, dx]: [isize; 2], times: isize) -> Option<f64> {
-        let ([ny, nx], y, x) = (self.shape, iy + times * dy, ix + times * dx);
-        let inside = (0..ny).contains(&y) && (0..nx).contains(&x);
-        let height = || self.heights[(y * nx + x).cast_unsigned()];
-        inside.then(height).filter(|h| !h.is_nan())
-    }
-
-    fn position(&self, index: usize) -> [isize; 2] {
-        let index = index.cast_signed();
-        [index / self.shape[1], index % self.shape[1]]
+    /// Height `step` after a point of the map; NaN where missing or outside.
+    fn at(&self, index: usize) -> impl Fn(isize) -> f64 {
+        let (row, column) = (index / self.nx + Self::RIM, index % self.nx + Self::RIM);
+        let index = row * (self.nx + 2 * Self::RIM) + column;
+        move |step| self.heights[index.wrapping_add_signed(step)]
     }
 
     /// How far a valid point is off; `None` for a missing or lonely one.
-    fn distance(&mut self, index: usize) -> Option<f64> {
-        let (here, at) = (self.heights[index], self.position(index));
-        if here.is_nan() {
-            return None;
-        }
-        let is_whole = self.is_whole(at);
-        let mut values = std::mem::take(&mut self.values);
+    fn distance(&self, index: usize, values: &mut Vec<f64>) -> Option<f64> {
         values.clear();
-        for offset in &self.half {
-            if let [Some(a), Some(b)] = self.sides(index, is_whole, offset) {
-                values.push((here - f64::midpoint(a, b)).abs());
-            }
-        }
+        let at = self.at(index);
+        let here = at(0);
+        let pairs = self.half.iter().map(|&k| (here - f64::midpoint(at(k), at(-k))).abs());
+        values.extend(pairs.filter(|d| !d.is_nan()));
+        let around = || self.half.iter().flat_map(|&k| [k, -k]);
         if values.len() < 3 {
-            for &(offset, _) in &self.half {
-                for side in [1, -1] {
-                    let line = [1, 2].map(|k| self.neighbour(at, offset, k * side));
-                    if let [Some(near), Some(far)] = line {
-                        values.push((here - (2.0 * near - far)).abs());
-                    }
-                }
-            }
+            let lines = around().map(|k| (here - (2.0 * at(k) - at(2 * k))).abs());
+            values.extend(lines.filter(|d| !d.is_nan()));
         }
         let lower = values.len().saturating_sub(1) / 2;
-        let from_pairs = select(&mut values, lower).unwrap_or(f64::INFINITY);
+        let from_pairs = select(values, lower).unwrap_or(f64::INFINITY);
 
         values.clear();
-        for offset in &self.half {
-            values.extend(self.sides(index, is_whole, offset).into_iter().flatten());
-        }
+        values.extend(around().map(&at).filter(|h| !h.is_nan()));
         let middle = values.len() / 2;
         let far = |side: f64| values.iter().filter(|h| side * (here - **h) >= from_pairs).count();
         // Where the median is among those that are farther off, it need not be found.
         let is_nearer = far(1.0) <= middle && far(-1.0) + middle < values.len();
-        let median = is_nearer.then(|| select(&mut values, middle)).flatten();
+        let median = is_nearer.then(|| select(values, middle)).flatten();
         let distance = median.map_or(from_pairs, |m| (here - m).abs().min(from_pairs));
-        let found = (!values.is_empty()).then_some(distance);
-        self.values = values;
-        found
+        (!here.is_nan() && !values.is_empty()).then_some(distance)
     }
 
-    /// The distance, if it exceeds `limit`. Most points are done without sorting: if more than
-    /// half of the neighbours are within the limit, so is their median.
-    fn distance_beyond(&mut self, index: usize, limit: f64) -> Option<f64> {
-        let (here, is_whole) = (self.heights[index], self.is_whole(self.position(index)));
-        let mut near = 0;
-        for offset in &self.half {
-            for h in self.sides(index, is_whole, offset).into_iter().flatten() {
-                near += usize::from((here - h).abs() <= limit);
-            }
+    /// The distance, if it exceeds `limit`, which it does not if more than half of the neighbours are within it.
+    fn distance_beyond(&self, index: usize, limit: f64, scratch: &mut Vec<f64>) -> Option<f64> {
+        let at = self.at(index);
+        let (here, mut near) = (at(0), 0);
+        for &k in &self.half {
+            near += [k, -k].into_iter().filter(|&k| (here - at(k)).abs() <= limit).count();
             // Already more than half of all that there may be.
             if near > self.half.len() {
                 return None;
             }
         }
-        self.distance(index).filter(|&d| d > limit)
+        self.distance(index, scratch).filter(|&d| d > limit)
     }
 }
 
@@ -241,41 +161,39 @@ fn select(values: &mut [f64], rank: usize) -> Option<f64> {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::synthesis::{Scale, SelfAffine};
+    use crate::synthesis;
 
     fn rough(quantise: Option<f64>) -> (Grid, Vec<f64>) {
         let grid = Grid::new([90, 120], [1e-6, 1e-6]).unwrap();
-        let recipe = SelfAffine {
-            grid,
-            hurst: 0.7,
-            rolloff: 30e-6,
-            cutoff: 5e-6,
-            scale: Scale::RmsHeight(1e-7),
-            seed: 4,
-            quantise,
-        };
-        (grid, recipe.generate().unwrap().into_heights())
+        let mut heights = synthesis::rough(grid, 0.7, [30e-6, 5e-6], 1e-7, 4).into_heights();
+        if let Some(step) = quantise {
+            for h in &mut heights {
+                *h = (*h / step).round() * step;
+            }
+        }
+        (grid, heights)
     }
 
     fn spikes(grid: Grid, heights: &[f64]) -> Vec<usize> {
-        find_outliers(grid, heights, OutlierRule::default()).unwrap().indices
+        find_outliers(grid, heights, 8.0).unwrap().indices
     }
 
-    /// Planted spikes, one of them a pair, one beside missing points, are found and nothing else.
+    /// Planted spikes, one of them a pair, one beside missing points, are found and nothing else; also on a slope of a
+    /// hundred times the relief, up to the corners.
     #[test]
     fn finds_what_was_planted_and_nothing_else() {
-        for quantise in [None, Some(1e-8)] {
+        for (quantise, slope) in [(None, 0.0), (Some(1e-8), 0.0), (None, 1e-7)] {
             let (grid, mut heights) = rough(quantise);
-            assert!(spikes(grid, &heights).is_empty());
-            heights[3000..3003].fill(f64::NAN);
-            for index in [0, 777, 778, 3003, 10_799] {
-                heights[index] += 2e-6;
+            for (i, h) in heights.iter_mut().enumerate() {
+                *h += slope * (3.0 * (i % 120) as f64 - 5.0 * (i / 120) as f64);
             }
-            heights[5000] -= 1e-6;
-            let found = find_outliers(grid, &heights, OutlierRule::default()).unwrap();
-            assert_eq!(found.indices, [0, 777, 778, 3003, 5000, 10_799]);
-            found.remove_from(&mut heights);
-            assert_eq!(heights.iter().filter(|h| h.is_nan()).count(), 9);
+            assert_eq!(spikes(grid, &heights), [0; 0]);
+            heights[3000..3003].fill(f64::NAN);
+            let planted = [0, 119, 777, 778, 3003, 5000, 10_799];
+            for index in planted {
+                heights[index] += if index == 5000 { -2e-6 } else { 4e-6 };
+            }
+            assert_eq!(spikes(grid, &heights), planted, "{quantise:?} {slope:e}");
         }
     }
 
@@ -284,31 +202,16 @@ mod tests {
     fn a_distance_is_the_smaller_of_both() {
         let (grid, heights) = rough(None);
         let nx = grid.shape()[1];
-        let rank = |mut values: Vec<f64>, rank: usize| {
-            *values.select_nth_unstable_by(rank, f64::total_cmp).1
-        };
-        let mut window = Neighbourhood::new(grid, &heights, 2);
+        let rank = |mut values: Vec<f64>, rank: usize| select(&mut values, rank).unwrap();
+        let window = Neighbourhood::new(grid, &heights);
         for index in (2..88).flat_map(|iy| (2..118).map(move |ix| iy * nx + ix)) {
             let around: Vec<f64> =
                 (0..25).map(|k| heights[index + k / 5 * nx + k % 5 - 2 * nx - 2]).collect();
             let off = |k: usize| (around[12] - f64::midpoint(around[k], around[24 - k])).abs();
             let median = rank([&around[..12], &around[13..]].concat(), 12);
             let expected = (around[12] - median).abs().min(rank((0..12).map(off).collect(), 5));
-            assert_eq!(window.distance(index), Some(expected));
+            assert_eq!(window.distance(index, &mut Vec::new()), Some(expected));
         }
-    }
-
-    /// A slope of a hundred times the relief, up to the corners.
-    #[test]
-    fn a_steep_slope_has_no_spikes_and_hides_none() {
-        let (grid, mut heights) = rough(None);
-        for (i, h) in heights.iter_mut().enumerate() {
-            *h += 3e-7 * (i % 120) as f64 - 5e-7 * (i / 120) as f64;
-        }
-        assert_eq!(spikes(grid, &heights), [0; 0]);
-        heights[6060] += 2e-6;
-        heights[119] -= 4e-6;
-        assert_eq!(spikes(grid, &heights), [119, 6060]);
     }
 
     #[test]
@@ -347,10 +250,10 @@ mod tests {
     }
 
     #[test]
-    fn senseless_rules_are_refused() {
+    fn senseless_thresholds_are_refused() {
         let grid = Grid::new([2, 2], [1.0, 1.0]).unwrap();
-        for (reach, threshold) in [(0, 8.0), (21, 8.0), (2, 0.0), (2, f64::NAN)] {
-            let error = find_outliers(grid, &[0.0; 4], OutlierRule { reach, threshold });
+        for threshold in [0.0, f64::NAN] {
+            let error = find_outliers(grid, &[0.0; 4], threshold);
             assert!(matches!(error, Err(StatsError::BadSetting { .. })));
         }
     }

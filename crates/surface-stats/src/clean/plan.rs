@@ -2,24 +2,21 @@
 
 use super::form::take_form_off;
 use super::{
-    Form, FormParameters, OutlierRule, find_outliers, gaussian_filter, row_offsets, short_waves,
+    Form, FormParameters, Outliers, RowOffsets, find_outliers, gaussian_filter, row_offsets,
+    short_waves,
 };
+use crate::numbers::{METRES, plain, quantity};
 use crate::{Edges, StatsError};
 use contact_types::Grid;
 use std::fmt;
 
 /// One step, as asked for.
 #[derive(Debug, Clone, Copy, PartialEq)]
-#[cfg_attr(
-    feature = "serde",
-    derive(serde::Serialize, serde::Deserialize),
-    serde(rename_all = "kebab-case")
-)]
 pub enum Step {
     /// Rows that stand at heights of their own are put in line.
     Rows,
-    /// Spikes become missing points.
-    Outliers(OutlierRule),
+    /// Spikes, beyond this number of robust standard deviations, become missing points.
+    Outliers(f64),
     /// The fitted form is taken off.
     Form(Form),
     /// Waves shorter than this are taken off (m).
@@ -41,8 +38,8 @@ pub enum Record {
     },
     /// Spikes found and made missing.
     Outliers {
-        /// The rule.
-        rule: OutlierRule,
+        /// Robust standard deviations beyond which a point is a spike.
+        threshold: f64,
         /// Spikes.
         count: usize,
         /// Distance from the local median beyond which a point was a spike (m).
@@ -84,16 +81,21 @@ pub fn apply(
     for &step in steps {
         records.push(match step {
             Step::Rows => {
-                let found = row_offsets(grid, heights)?;
-                found.remove_from(heights);
-                let largest = found.offsets.iter().fold(0.0f64, |m, o| m.max(o.abs()));
-                Record::Rows { jump: found.jump, largest }
+                let RowOffsets { offsets, jump, .. } = row_offsets(grid, heights)?;
+                for (row, offset) in heights.chunks_exact_mut(grid.shape()[1]).zip(&offsets) {
+                    for h in row {
+                        *h -= offset;
+                    }
+                }
+                let largest = offsets.iter().fold(0.0f64, |m, o| m.max(o.abs()));
+                Record::Rows { jump, largest }
             }
-            Step::Outliers(rule) => {
-                let found = find_outliers(grid, heights, rule)?;
-                found.remove_from(heights);
-                let (count, limit, largest) = (found.indices.len(), found.limit, found.largest);
-                Record::Outliers { rule, count, limit, largest }
+            Step::Outliers(threshold) => {
+                let Outliers { indices, limit, largest } = find_outliers(grid, heights, threshold)?;
+                for &i in &indices {
+                    heights[i] = f64::NAN;
+                }
+                Record::Outliers { threshold, count: indices.len(), limit, largest }
             }
             Step::Form(form) => {
                 let (parameters, points) = take_form_off(grid, heights, form)?;
@@ -114,14 +116,7 @@ pub fn apply(
 
 /// A radius with four digits, in the unit that suits it.
 fn shown(radius: f64) -> String {
-    let units = [(1e3, "km"), (1.0, "m"), (1e-3, "mm"), (1e-6, "µm"), (1e-9, "nm")];
-    let fits = |(scale, _): &(f64, &str)| radius >= 0.99995 * scale;
-    let Some((scale, unit)) = units.into_iter().find(fits).filter(|_| radius < 1e7) else {
-        return format!("{radius:.3e} m");
-    };
-    let value = radius / scale;
-    let digits = (3 - value.log10().floor() as i32).max(0) as usize;
-    format!("{value:.digits$} {unit}")
+    if radius < 1e7 { plain(&quantity(radius, METRES, 4)) } else { format!("{radius:.3e} m") }
 }
 
 impl fmt::Display for Record {
@@ -134,12 +129,9 @@ impl fmt::Display for Record {
                 1e6 * jump,
                 1e6 * largest
             ),
-            Self::Outliers { rule, count, limit, largest } => {
-                let (limit, largest, width) = (1e6 * limit, 1e6 * largest, 2 * rule.reach + 1);
-                let rule = format!(
-                    "({} robust standard deviations, {width} × {width} pixels)",
-                    rule.threshold
-                );
+            Self::Outliers { threshold, count, limit, largest } => {
+                let (limit, largest) = (1e6 * limit, 1e6 * largest);
+                let rule = format!("({threshold} robust standard deviations, 5 × 5 pixels)");
                 if count == 0 {
                     let text = "no spikes: no point is more than";
                     return write!(f, "{text} {limit:.4} µm off its neighbours {rule}");
@@ -170,18 +162,15 @@ impl fmt::Display for Record {
                 }
                 write!(f, " fitted to {points} points and taken off")
             }
-            Self::SFilter { nesting_index } => write!(
-                f,
-                "S-filter: waves shorter than {:.4} µm taken off (Gaussian, ISO 16610-61)",
-                1e6 * nesting_index
-            ),
-            Self::LFilter { nesting_index } => write!(
-                f,
-                "L-filter: waves longer than {:.4} µm taken off (Gaussian, ISO 16610-61)",
-                1e6 * nesting_index
-            ),
+            Self::SFilter { nesting_index } => filter(f, "S-filter: waves shorter", nesting_index),
+            Self::LFilter { nesting_index } => filter(f, "L-filter: waves longer", nesting_index),
         }
     }
+}
+
+fn filter(f: &mut fmt::Formatter<'_>, what: &str, nesting_index: f64) -> fmt::Result {
+    let micrometres = 1e6 * nesting_index;
+    write!(f, "{what} than {micrometres:.4} µm taken off (Gaussian, ISO 16610-61)")
 }
 
 fn way(radius: f64) -> &'static str {
@@ -195,9 +184,8 @@ mod tests {
 
     #[test]
     fn a_radius_has_four_digits() {
-        assert_eq!(shown(0.322_694_106), "322.7 mm");
-        assert_eq!(shown(2e-3), "2.000 mm");
-        assert_eq!(shown(2.3e3), "2.300 km");
+        let shown = [0.322_694_106, 2e-3, 2.3e3, 3e7, f64::INFINITY].map(shown);
+        assert_eq!(shown, ["322.7 mm", "2.000 mm", "2.300 km", "3.000e7 m", "inf m"]);
     }
 
     /// A rough ball with a spike and a hole: after spike, form and S-filter the relief is that of
@@ -213,8 +201,7 @@ mod tests {
         let mut heights: Vec<f64> = rough.iter().enumerate().map(|(i, h)| h + ball(i)).collect();
         heights[4040] += 3e-6;
         heights[500..520].fill(f64::NAN);
-        let steps =
-            [Step::Outliers(OutlierRule::default()), Step::Form(Form::Sphere), Step::SFilter(6e-6)];
+        let steps = [Step::Outliers(8.0), Step::Form(Form::Sphere), Step::SFilter(6e-6)];
         let records = apply(grid, &mut heights, &steps, Edges::Open).unwrap();
         assert!(matches!(records[0], Record::Outliers { count: 1, .. }));
         let Record::Form { parameters: FormParameters::Sphere { radius, .. }, points } = records[1]
@@ -232,31 +219,5 @@ mod tests {
         let text: Vec<String> = records.iter().map(ToString::to_string).collect();
         assert!(text[0].starts_with("1 spike removed: more than "), "{text:?}");
         assert!(text[1].contains("(convex) fitted to 11979 points"), "{text:?}");
-    }
-
-    /// Rows of a smooth map, each at a height of its own, stand in line afterwards.
-    #[test]
-    fn rows_come_into_line() {
-        let grid = Grid::new([40, 50], [1e-6, 1e-6]).unwrap();
-        let wave = |i: usize| 1e-8 * (0.5 * (i % 50) as f64).sin();
-        let offset = |iy: usize| if iy.is_multiple_of(3) { 4e-8 } else { -2e-8 };
-        let mut heights: Vec<f64> = (0..2000).map(|i| wave(i) + offset(i / 50)).collect();
-        let records = apply(grid, &mut heights, &[Step::Rows], Edges::Open).unwrap();
-        let Record::Rows { jump, largest } = records[0] else { panic!("{records:?}") };
-        assert!(jump > 4e-8 && largest > 3.9e-8, "{jump:e} {largest:e}");
-        assert!(!row_offsets(grid, &heights).unwrap().rows_jump());
-        for row in heights.chunks(50).skip(1) {
-            for (h, first) in row.iter().zip(&heights[..50]) {
-                assert!((h - first).abs() < 1e-8, "{h:e} {first:e}"); // a tilt stays
-            }
-        }
-    }
-
-    #[test]
-    fn nothing_asked_nothing_done() {
-        let grid = Grid::new([2, 2], [1.0, 1.0]).unwrap();
-        let mut heights = vec![1.0, 2.0, 3.0, 9.0];
-        assert!(apply(grid, &mut heights, &[], Edges::Open).unwrap().is_empty());
-        assert_eq!(heights, [1.0, 2.0, 3.0, 9.0]);
     }
 }

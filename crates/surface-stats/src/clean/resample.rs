@@ -1,22 +1,39 @@
 //! The same area on another number of points, and maps continued by their mirror images.
 
-use crate::StatsError;
+use crate::{Edges, StatsError};
 use contact_types::{Grid, HeightMap};
 use grid_fft::{Complex, GridFft};
 use std::cmp::Ordering;
 use std::f64::consts::PI;
 
-/// The same area, `ny dy` by `nx dx`, on another number of points, for a map that repeats. Waves
-/// that both grids hold are kept exactly, others are dropped; nothing is smoothed.
+/// The same area, `ny dy` by `nx dx`, on another number of points. Waves that both grids hold are kept exactly, others are
+/// dropped; nothing is smoothed.
+///
+/// A map that repeats has Fourier waves. An open one is continued by its mirror images, which have no jump, and has
+/// cosines; its point i stands for the pixel from `i dx` to `(i + 1) dx`, so that pixels stay inside the area.
 ///
 /// # Errors
 /// [`StatsError::Surface`] for an empty or too large shape.
-pub fn resample(map: &HeightMap, shape: [usize; 2]) -> Result<HeightMap, StatsError> {
+pub fn resample(map: &HeightMap, shape: [usize; 2], edges: Edges) -> Result<HeightMap, StatsError> {
     let [ly, lx] = map.grid().size();
     let grid = Grid::new(shape, [ly / shape[0].max(1) as f64, lx / shape[1].max(1) as f64])?;
-    let [ny, nx] = map.grid().shape();
-    let mean = map.mean();
+    let ([ny, nx], mean) = (map.grid().shape(), map.mean());
     let field: Vec<f64> = map.heights().iter().map(|h| h - mean).collect();
+    let mut heights = match edges {
+        Edges::Periodic => repeated(field, [ny, nx], shape),
+        Edges::Open => {
+            let wide = transpose(&along_rows(&field, nx, shape[1]), ny, shape[1]);
+            transpose(&along_rows(&wide, ny, shape[0]), shape[1], shape[0])
+        }
+    };
+    for h in &mut heights {
+        *h += mean;
+    }
+    Ok(HeightMap::new(grid, heights)?)
+}
+
+/// A field that repeats on another number of points.
+fn repeated(field: Vec<f64>, [ny, nx]: [usize; 2], shape: [usize; 2]) -> Vec<f64> {
     let mut from = GridFft::new([ny, nx]);
     let mut old = from.new_spectrum();
     from.forward(&field, &mut old);
@@ -24,7 +41,8 @@ pub fn resample(map: &HeightMap, shape: [usize; 2]) -> Result<HeightMap, StatsEr
     let mut to = GridFft::new(shape);
     let mut new = to.new_spectrum();
     let (old_nq, new_nq) = (nx / 2 + 1, shape[1] / 2 + 1);
-    let scale = grid.len() as f64 / map.grid().len() as f64;
+    let points = shape[0] * shape[1];
+    let scale = points as f64 / (ny * nx) as f64;
     for kx in 0..=(nx.min(shape[1]) / 2) {
         for ky in 0..=(ny.min(shape[0]) / 2) {
             let kept = kept(nx, shape[1], kx) * kept(ny, shape[0], ky);
@@ -34,12 +52,9 @@ pub fn resample(map: &HeightMap, shape: [usize; 2]) -> Result<HeightMap, StatsEr
             }
         }
     }
-    let mut heights = vec![0.0; grid.len()];
+    let mut heights = vec![0.0; points];
     to.inverse(&mut new, &mut heights);
-    for h in &mut heights {
-        *h += mean;
-    }
-    Ok(HeightMap::new(grid, heights)?)
+    heights
 }
 
 /// How much of wave k of `n` points goes to wave k of `m` points. A wave of two pixels stands for
@@ -52,29 +67,6 @@ fn kept(n: usize, m: usize, k: usize) -> f64 {
         _ if n < m => 0.5,
         _ => 0.0,
     }
-}
-
-/// The same area on another number of points, for a map that does not repeat.
-///
-/// The pixels stay inside the area: point i stands for the pixel from `i dx` to `(i + 1) dx`. The
-/// map is continued by its mirror images, which have no jump, so that no wave of the seam rings
-/// into the map as it does with [`resample`] of a periodic one. Cosines that both
-/// grids hold are kept exactly, shorter ones are dropped.
-///
-/// # Errors
-/// [`StatsError::Surface`] for an empty or too large shape.
-pub fn resample_mirrored(map: &HeightMap, shape: [usize; 2]) -> Result<HeightMap, StatsError> {
-    let [ly, lx] = map.grid().size();
-    let grid = Grid::new(shape, [ly / shape[0].max(1) as f64, lx / shape[1].max(1) as f64])?;
-    let [ny, nx] = map.grid().shape();
-    let mean = map.mean();
-    let field: Vec<f64> = map.heights().iter().map(|h| h - mean).collect();
-    let wide = transpose(&along_rows(&field, nx, shape[1]), ny, shape[1]);
-    let mut heights = transpose(&along_rows(&wide, ny, shape[0]), shape[1], shape[0]);
-    for h in &mut heights {
-        *h += mean;
-    }
-    Ok(HeightMap::new(grid, heights)?)
 }
 
 /// The map and its mirror images, `[2 ny, 2 nx]` points: a map that repeats without a jump at its
@@ -157,7 +149,7 @@ mod tests {
     #[test]
     fn cosines_that_both_grids_hold_are_kept() {
         for (from, to) in [([8, 7], [16, 21]), ([12, 10], [6, 5]), ([9, 9], [9, 9])] {
-            let found = resample_mirrored(&cosines(from), to).unwrap();
+            let found = resample(&cosines(from), to, Edges::Open).unwrap();
             let expected = cosines(to);
             assert_eq!(found.grid(), expected.grid());
             for (a, b) in found.heights().iter().zip(expected.heights()) {
@@ -172,11 +164,11 @@ mod tests {
     fn a_ramp_keeps_its_range() {
         let grid = Grid::new([4, 64], [1.0, 1.0]).unwrap();
         let ramp = HeightMap::from_fn(grid, |_, x| x).unwrap();
-        let (low, high) = resample_mirrored(&ramp, [4, 256]).unwrap().range();
+        let (low, high) = resample(&ramp, [4, 256], Edges::Open).unwrap().range();
         assert!(low > -0.6 && high < 63.6, "{low} {high}");
-        let periodic = resample(&ramp, [4, 256]).unwrap();
+        let periodic = resample(&ramp, [4, 256], Edges::Periodic).unwrap();
         assert!(periodic.range().1 > 66.0);
-        assert!(resample(&ramp, [0, 5]).is_err());
+        assert!(resample(&ramp, [0, 5], Edges::Open).is_err());
     }
 
     proptest! {
@@ -195,7 +187,7 @@ mod tests {
             };
             let map = HeightMap::from_fn(grid([ny, nx]), wave).unwrap();
             let expected = HeightMap::from_fn(grid([my, mx]), wave).unwrap();
-            let found = resample(&map, [my, mx]).unwrap();
+            let found = resample(&map, [my, mx], Edges::Periodic).unwrap();
             for (a, b) in found.heights().iter().zip(expected.heights()) {
                 prop_assert!((a - b).abs() < 1e-13);
             }
@@ -209,7 +201,7 @@ mod tests {
             let grid = Grid::new(shape, [1.0, 1.0]).unwrap();
             let heights = (0..grid.len()).map(|i| (1.7 * (i * i) as f64).sin()).collect();
             let map = HeightMap::new(grid, heights).unwrap();
-            let fine = resample(&map, [3 * shape[0], 2 * shape[1]]).unwrap();
+            let fine = resample(&map, [3 * shape[0], 2 * shape[1]], Edges::Periodic).unwrap();
             for iy in 0..shape[0] {
                 for ix in 0..shape[1] {
                     assert_abs_diff_eq!(fine.at(3 * iy, 2 * ix), map.at(iy, ix), epsilon = 1e-14);

@@ -3,18 +3,14 @@
 use crate::{StatsError, scale};
 use contact_types::Grid;
 
-/// How rows of a map stand against each other.
-///
-/// Neighbouring rows are compared by the median of their differences, which holes and summits hardly
-/// move. A probe that loses or catches something between two rows, or drifts, makes that median jump
-/// from row to row, while a surface makes it small (its slopes cancel along a row) or smooth (a lay
-/// along the rows, sampled by several of them).
+/// How rows of a map stand against each other, by the median of the differences of neighbouring rows. A probe that loses
+/// or catches something between two rows, or drifts, makes that median jump from row to row; a surface makes it small
+/// (its slopes cancel along a row) or smooth (a lay along the rows, sampled by several of them).
 #[derive(Debug, Clone, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize))]
 #[non_exhaustive]
 pub struct RowOffsets {
-    /// Height of each row (m), by the sum of the medians, less the straight line through them: that is
-    /// a tilt and stays.
+    /// Height of each row (m): the sum of the medians, less the straight line through them, a tilt, which stays.
     pub(super) offsets: Vec<f64>,
     /// Rms of the jumps from row to row (m).
     pub jump: f64,
@@ -22,11 +18,10 @@ pub struct RowOffsets {
     pub share: f64,
     /// The same between neighbouring columns \[-\].
     share_of_columns: f64,
-    /// How many rows jump: (sum of the squares of the jumps)² over the sum of their fourth powers \[-\]. 1
-    /// for a single step edge, a third of the rows for jumps that are normally distributed.
+    /// How many rows jump: (Σ jump²)² / Σ jump⁴ \[-\]. 1 for a single step edge, a third of the rows for normal jumps.
     jumping: f64,
     /// Mean square change of the jump from row to row over the mean square jump \[-\]: near 0 for
-    /// waves of many rows, 2 for jumps that do not know of each other, 3 for rows that do not.
+    /// waves of many rows, 2 for independent jumps, 3 for independent rows.
     roughness: f64,
 }
 
@@ -72,29 +67,14 @@ pub fn row_offsets(grid: Grid, heights: &[f64]) -> Result<RowOffsets, StatsError
 }
 
 impl RowOffsets {
-    /// Whether the rows jump: their offsets make a good part of the slope across them, far more than
-    /// those of columns do along them, are no wave that several rows show, and no few edges. A lay along
-    /// the rows that is as fine as the rows looks the same.
+    /// Whether the rows jump: their offsets make a good part of the slope across them, far more than those of columns, and
+    /// are neither waves nor a few edges. A lay along the rows that is as fine as the rows looks the same.
     pub fn rows_jump(&self) -> bool {
         self.offsets.len() >= FEWEST
             && self.share >= LEAST_SHARE
             && self.share >= LEAST_RATIO * self.share_of_columns
             && self.roughness >= LEAST_ROUGHNESS
             && self.jumping >= LEAST_JUMPING
-    }
-
-    /// Takes the offsets off.
-    ///
-    /// # Panics
-    /// If `heights` are not those compared.
-    pub(crate) fn remove_from(&self, heights: &mut [f64]) {
-        let nx = heights.len() / self.offsets.len();
-        assert_eq!(nx * self.offsets.len(), heights.len(), "whole rows");
-        for (row, offset) in heights.chunks_exact_mut(nx).zip(&self.offsets) {
-            for h in row {
-                *h -= offset;
-            }
-        }
     }
 }
 
@@ -162,6 +142,8 @@ fn median(values: &mut [f64]) -> Option<f64> {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::Edges;
+    use crate::clean::{Record, Step, apply};
     use crate::synthesis::rough;
     use approx::assert_abs_diff_eq;
 
@@ -172,7 +154,7 @@ mod tests {
         (grid, rough(grid, 0.8, [40e-6, 4e-6], 20e-9, seed).into_heights())
     }
 
-    /// Numbers between -1 and 1 that do not know of each other.
+    /// Independent numbers between -1 and 1.
     fn noise(i: usize) -> f64 {
         let x = (i as f64 * 12.9898).sin() * 43758.5453;
         2.0 * (x - x.floor()) - 1.0
@@ -182,9 +164,13 @@ mod tests {
     #[test]
     fn planted_offsets_come_off() {
         let (grid, mut heights) = relief(3);
-        let before = row_offsets(grid, &heights).unwrap();
-        assert!(!before.rows_jump(), "{:?} {}", before.share, before.roughness);
-        before.remove_from(&mut heights); // what the medians see of the relief itself
+        assert!(!row_offsets(grid, &heights).unwrap().rows_jump());
+        let align = |heights: &mut Vec<f64>| {
+            let records = apply(grid, heights, &[Step::Rows], Edges::Open).unwrap();
+            let Record::Rows { jump, largest } = records[0] else { panic!("{records:?}") };
+            [jump, largest]
+        };
+        align(&mut heights); // what the medians see of the relief itself
         let nx = SHAPE[1];
         let wanted = heights.clone();
         for (iy, row) in heights.chunks_exact_mut(nx).enumerate() {
@@ -193,21 +179,22 @@ mod tests {
             }
         }
         heights[5000..5100].fill(f64::NAN);
-        let found = row_offsets(grid, &heights).unwrap();
-        assert!(found.rows_jump(), "{found:?}");
-        found.remove_from(&mut heights);
+        assert!(row_offsets(grid, &heights).unwrap().rows_jump());
+        let [jump, largest] = align(&mut heights);
+        // The difference of two numbers between -1 and 1 has the variance 2/3.
+        assert!((jump / 30e-9 - (2.0f64 / 3.0).sqrt()).abs() < 0.1, "{jump:e}");
+        assert!((25e-9..45e-9).contains(&largest), "{largest:e}");
         // What is left differs from the relief by a tilt, which is not ours to take.
         let left: Vec<f64> = (0..SHAPE[0]).map(|iy| heights[iy * nx] - wanted[iy * nx]).collect();
         let mut bent = left.clone();
         take_line_off(&mut bent);
         for (i, (h, w)) in heights.iter().zip(&wanted).enumerate() {
-            let iy = i / nx;
             if (5000..5100).contains(&i) {
                 assert!(h.is_nan());
             } else {
                 // The median of the rows with missing points is that of fewer points.
-                assert_abs_diff_eq!(bent[iy], 0.0, epsilon = 1e-9);
-                assert_abs_diff_eq!(*h, w + left[iy], epsilon = 1e-15);
+                assert_abs_diff_eq!(bent[i / nx], 0.0, epsilon = 1e-9);
+                assert_abs_diff_eq!(*h, w + left[i / nx], epsilon = 1e-15);
             }
         }
         assert!(!row_offsets(grid, &heights).unwrap().rows_jump());

@@ -14,9 +14,8 @@ const DIRECTIONS: usize = 360;
 
 /// Normalised autocorrelation of the heights about their mean.
 ///
-/// Periodic maps are correlated as they repeat. Open maps are continued by zeros and each shift
-/// is divided by the area that overlaps, so that no shift is favoured; shifts beyond half the map
-/// are not used.
+/// Open maps are continued by zeros and each shift is divided by the area that overlaps; shifts beyond half the map are not
+/// used.
 struct Autocorrelation {
     grid: Grid,
     values: Vec<f64>,
@@ -39,11 +38,18 @@ pub struct Spatial {
 impl Spatial {
     /// By the autocorrelation of a map, along rays half a degree apart; both are `None` on a flat
     /// map. An open map needs four times its memory, twice.
-    ///
-    /// # Errors
-    /// [`StatsError::OutOfRange`]; [`StatsError::Surface`] if the continued map is too large.
-    pub fn of(map: &HeightMap, edges: Edges) -> Result<Self, StatsError> {
-        Ok(Autocorrelation::of(map, edges)?.spatial())
+    pub(super) fn of(map: &HeightMap, edges: Edges) -> Result<Self, StatsError> {
+        let correlation = Autocorrelation::of(map, edges)?;
+        if correlation.values[0] <= 0.0 {
+            return Ok(Self { autocorrelation_length: None, texture_aspect_ratio: None });
+        }
+        let rays: Vec<Option<f64>> =
+            (0..DIRECTIONS).map(|k| correlation.decay(PI * k as f64 / DIRECTIONS as f64)).collect();
+        let shortest = rays.iter().flatten().copied().min_by(f64::total_cmp);
+        let longest = rays.into_iter().collect::<Option<Vec<f64>>>();
+        let longest = longest.and_then(|rays| rays.into_iter().max_by(f64::total_cmp));
+        let texture_aspect_ratio = shortest.zip(longest).map(|(short, long)| short / long);
+        Ok(Self { autocorrelation_length: shortest, texture_aspect_ratio })
     }
 }
 
@@ -101,22 +107,6 @@ impl Autocorrelation {
         Some((1.0 - fy) * row(0.0) + fy * row(1.0))
     }
 
-    /// Sal and Str.
-    fn spatial(&self) -> Spatial {
-        if self.values[0] <= 0.0 {
-            return Spatial { autocorrelation_length: None, texture_aspect_ratio: None };
-        }
-        let rays: Vec<Option<f64>> =
-            (0..DIRECTIONS).map(|k| self.decay(PI * k as f64 / DIRECTIONS as f64)).collect();
-        let shortest = rays.iter().flatten().copied().min_by(f64::total_cmp);
-        let longest = rays.iter().copied().collect::<Option<Vec<f64>>>();
-        let longest = longest.and_then(|r| r.into_iter().max_by(f64::total_cmp));
-        Spatial {
-            autocorrelation_length: shortest,
-            texture_aspect_ratio: shortest.zip(longest).map(|(short, long)| short / long),
-        }
-    }
-
     /// Shift in direction `angle` (rad, from x towards y) at which the autocorrelation first
     /// falls to 0.2.
     fn decay(&self, angle: f64) -> Option<f64> {
@@ -137,13 +127,9 @@ impl Autocorrelation {
     }
 }
 
-/// Std: direction of the strongest waves in degrees from the x axis towards y, 0 to 180: the
-/// maximum of the power within five degrees of each direction. The lay runs at right angles to
-/// it. `None` for a flat map.
-///
-/// # Errors
-/// [`StatsError::OutOfRange`].
-pub fn texture_direction(map: &HeightMap) -> Result<Option<f64>, StatsError> {
+/// Std: direction of the strongest waves in degrees from the x axis towards y, 0 to 180: the maximum of the power within
+/// five degrees. The lay runs at right angles to it. `None` for a flat map.
+pub(super) fn texture_direction(map: &HeightMap) -> Result<Option<f64>, StatsError> {
     let power = PowerSpectrum::of(map, crate::spectrum::Window::None)?;
     let mut angular = [0.0; 180];
     power.for_each(|[qy, qx], weight, variance| {
@@ -174,30 +160,24 @@ mod tests {
     #[test]
     fn a_wave_by_its_own_autocorrelation() {
         let grid = Grid::new([240, 256], [1.5, 1.0]).unwrap();
-        let (ky, kx) = (7.0, 8.6);
-        let q = [TAU * ky / 360.0, TAU * kx / 256.0];
-        let map = HeightMap::from_fn(grid, |y, x| (q[0] * y + q[1] * x).cos()).unwrap();
-        let s = Spatial::of(&map, Edges::Open).unwrap();
+        let q = [TAU * 7.0 / 360.0, TAU * 9.0 / 256.0];
+        let map = HeightMap::from_fn(grid, |y, x| 5.0 + (q[0] * y + q[1] * x).cos()).unwrap();
         let expected = 0.2f64.acos() / q[0].hypot(q[1]);
-        assert_relative_eq!(s.autocorrelation_length.unwrap(), expected, max_relative = 0.003);
-        assert_eq!(s.texture_aspect_ratio, None);
+        for edges in [Edges::Open, Edges::Periodic] {
+            let s = Spatial::of(&map, edges).unwrap();
+            assert_relative_eq!(s.autocorrelation_length.unwrap(), expected, max_relative = 0.003);
+            assert_eq!(s.texture_aspect_ratio, None);
+        }
         let direction = texture_direction(&map).unwrap().unwrap();
         assert_relative_eq!(direction, q[0].atan2(q[1]).to_degrees(), epsilon = 1.0);
-    }
-
-    /// Periodic: exactly cos(q x), to the straight lines between pixels.
-    #[test]
-    fn periodic_autocorrelation_is_exact() {
-        let grid = Grid::new([16, 40], [1.0, 1.0]).unwrap();
-        let q = TAU * 3.0 / 40.0;
-        let map = HeightMap::from_fn(grid, |_, x| 5.0 + (q * x).sin()).unwrap();
+        // Periodic: exactly the cosine, to the straight lines between pixels; not beyond half the map.
         let correlation = Autocorrelation::of(&map, Edges::Periodic).unwrap();
         for shift in -20..=20 {
-            let x = f64::from(shift);
-            let value = correlation.at(3.0, x).unwrap();
-            assert_relative_eq!(value, (q * x).cos(), epsilon = 1e-13);
+            let (y, x) = (3.0, f64::from(shift));
+            let value = correlation.at(y, x).unwrap();
+            assert_relative_eq!(value, (q[0] * y + q[1] * x).cos(), epsilon = 1e-13);
         }
-        assert_eq!(correlation.at(9.0, 0.0), None);
+        assert_eq!(correlation.at(181.0, 0.0), None);
     }
 
     #[test]

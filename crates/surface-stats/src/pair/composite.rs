@@ -1,11 +1,41 @@
 //! The sum of the heights of two maps that face each other.
 
-use super::independence::Independence;
-use super::overlay::{Overlap, Placed, common, interpolated};
-use super::placing::{Flip, PairError, Placing};
+use super::overlay::{Placed, common, interpolated};
 use crate::clean::resample;
-use crate::{Edges, Level, StatsError, repeats};
-use contact_types::{Grid, HeightMap};
+use crate::{Edges, StatsError, repeats};
+use contact_types::{Grid, HeightMap, Named};
+
+/// How the second body is turned over to lie face down on the first, which mirrors its map as seen from above.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
+#[cfg_attr(
+    feature = "serde",
+    derive(serde::Serialize, serde::Deserialize),
+    serde(rename_all = "kebab-case")
+)]
+pub enum Flip {
+    /// As a book is closed, the maps being its two open pages: the first column meets the last.
+    #[default]
+    Columns,
+    /// As a page of a wall calendar is turned: the first row meets the last.
+    Rows,
+    /// Not at all: the map already shows the body as it lies on the first.
+    None,
+}
+
+impl Named for Flip {
+    const NAMES: &'static [(Self, &'static str)] =
+        &[(Self::Columns, "columns"), (Self::Rows, "rows"), (Self::None, "none")];
+}
+
+/// How the second body is laid on the first.
+#[derive(Debug, Clone, Copy, PartialEq, Default)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
+pub struct Placing {
+    /// How it is turned over.
+    pub flip: Flip,
+    /// How far it is moved then along `[y, x]` (m), towards higher rows and columns of the first.
+    pub shift: [f64; 2],
+}
 
 /// Two bodies as one rough surface against a smooth flat.
 #[derive(Debug, Clone)]
@@ -22,35 +52,31 @@ pub struct Composite {
 impl Composite {
     /// The second map turned over, moved and added to the first.
     ///
-    /// The shift is made in whole points of the finer map: no height is interpolated for it. Where both
-    /// maps [repeat](repeats) and are equally large, what moves out on one side comes in on the
-    /// other. Otherwise their centres lie on each other before the shift, and only the part in common is
-    /// kept. Of maps with different point spacings, the coarser is interpolated at the points of the
-    /// finer: exactly for its waves if both repeat, else by cubic convolution, which is exact for
-    /// quadratics. That adds no wave that was not measured.
+    /// The shift is made in whole points of the finer map. Where both maps [repeat](repeats) and are equally large, what
+    /// moves out on one side comes in on the other. Otherwise their centres lie on each other before the shift, and only the
+    /// part in common is kept. The coarser map is interpolated at the points of the finer: exactly for its waves if both
+    /// repeat, else by cubic convolution, which is exact for quadratics.
     ///
     /// # Errors
-    /// [`PairError`].
-    pub fn of(first: &HeightMap, second: &HeightMap, placing: &Placing) -> Result<Self, PairError> {
+    /// [`StatsError::TooLittle`], [`StatsError::TooCoarse`], [`StatsError::TooSmall`] for a map to be interpolated.
+    pub fn of(
+        first: &HeightMap,
+        second: &HeightMap,
+        placing: &Placing,
+    ) -> Result<Self, StatsError> {
         let second = turned_over(second, placing.flip)?;
         let grids = [first.grid(), second.grid()];
-        let (parts, placed) = if are_one_cell(grids) && repeats(first) && repeats(&second) {
-            rolled(first, &second, placing.shift)?
-        } else {
-            cut(first, &second, placing.shift)?
-        };
+        let is_rolled = are_one_cell(grids) && repeats(first) && repeats(&second);
+        let lay = if is_rolled { rolled } else { cut };
+        let (parts, shift, resampled) = lay(first, &second, placing.shift)?;
+        let common = parts[0].grid();
+        let shares = grids.map(|grid| (common.area() / grid.area()).min(1.0));
+        let [p, q] = grids.map(|grid| grid.pixel());
+        let pixel_ratio = (0..2).map(|k| p[k].max(q[k]) / p[k].min(q[k])).fold(1.0, f64::max);
+        let placed = Placed { shift, is_rolled, grids, common, resampled, shares, pixel_ratio };
         let [a, b] = &parts;
         let sum = a.heights().iter().zip(b.heights()).map(|(a, b)| a + b).collect();
-        let map = HeightMap::new(a.grid(), sum).map_err(StatsError::from)?;
-        Ok(Self { map, parts, placed })
-    }
-
-    /// How far the moments of the two, each without its `form` and with these edges, are from adding up.
-    ///
-    /// # Errors
-    /// [`StatsError::TooSmall`] below 3 x 3 points, [`StatsError::OutOfRange`].
-    pub fn independence(&self, form: Level, edges: Edges) -> Result<Independence, StatsError> {
-        Independence::of([&self.parts[0], &self.parts[1]], &self.map, form, edges)
+        Ok(Self { map: HeightMap::new(a.grid(), sum)?, parts, placed })
     }
 }
 
@@ -71,20 +97,21 @@ fn are_one_cell([a, b]: [Grid; 2]) -> bool {
     (0..2).all(|k| (a.size()[k] - b.size()[k]).abs() <= 0.5 * a.pixel()[k].min(b.pixel()[k]))
 }
 
-type Laid = ([HeightMap; 2], Placed);
+/// Both bodies on the points of their common part, how far the second was moved (m), and which were resampled.
+type Laid = ([HeightMap; 2], [f64; 2], [bool; 2]);
 
-fn rolled(first: &HeightMap, second: &HeightMap, shift: [f64; 2]) -> Result<Laid, PairError> {
+fn rolled(first: &HeightMap, second: &HeightMap, shift: [f64; 2]) -> Result<Laid, StatsError> {
     let grids = [first.grid(), second.grid()];
     let shape = [0, 1].map(|k| grids[0].shape()[k].max(grids[1].shape()[k]));
     let resampled = grids.map(|grid| grid.shape() != shape);
     let on_grid = |map: &HeightMap, is_new: bool| {
-        if is_new { resample(map, shape) } else { Ok(map.clone()) }
+        if is_new { resample(map, shape, Edges::Periodic) } else { Ok(map.clone()) }
     };
     let (a, b) = (on_grid(first, resampled[0])?, on_grid(second, resampled[1])?);
     let common = a.grid();
     let points = [0, 1].map(|k| (shift[k] / common.pixel()[k]).round());
     if let Some(k) = points.iter().position(|n| !n.is_finite()) {
-        return Err(PairError::TooLittle { shift: shift[k], found: 0.0 });
+        return Err(StatsError::TooLittle { shift: shift[k], found: 0.0 });
     }
     let shift = [0, 1].map(|k| points[k] * common.pixel()[k]);
     // Whole turns change nothing; a remainder is exact.
@@ -92,17 +119,16 @@ fn rolled(first: &HeightMap, second: &HeightMap, shift: [f64; 2]) -> Result<Laid
     let mut heights = b.into_heights();
     heights.rotate_right(turned(0) * shape[1]);
     heights.chunks_exact_mut(shape[1]).for_each(|row| row.rotate_right(turned(1)));
-    let b = HeightMap::new(common, heights).map_err(StatsError::from)?;
-    Ok(([a, b], Placed { shift, is_rolled: true, grids, common, resampled }))
+    let b = HeightMap::new(common, heights)?;
+    Ok(([a, b], shift, resampled))
 }
 
-fn cut(first: &HeightMap, second: &HeightMap, shift: [f64; 2]) -> Result<Laid, PairError> {
+fn cut(first: &HeightMap, second: &HeightMap, shift: [f64; 2]) -> Result<Laid, StatsError> {
     let grids = [first.grid(), second.grid()];
-    let [y, x] =
-        [0, 1].map(|k| common(grids.map(|g| g.shape()[k]), grids.map(|g| g.pixel()[k]), shift[k]));
-    let axes: [Overlap; 2] = [y?, x?];
-    let grid = Grid::new(axes.map(|a| a.along[0].count), axes.map(|a| a.pixel))
-        .map_err(StatsError::from)?;
+    let along =
+        |k: usize| common(grids.map(|g| g.shape()[k]), grids.map(|g| g.pixel()[k]), shift[k]);
+    let axes = [along(0)?, along(1)?];
+    let grid = Grid::new(axes.map(|a| a.along[0].count), axes.map(|a| a.pixel))?;
     let resampled = [0, 1].map(|which| axes.iter().any(|a| a.between == Some(which)));
     let part = |which: usize, map: &HeightMap| {
         let along = axes.map(|a| a.along[which]);
@@ -114,9 +140,7 @@ fn cut(first: &HeightMap, second: &HeightMap, shift: [f64; 2]) -> Result<Laid, P
             let [y, x] = along.map(|a| a.first as usize..a.first as usize + a.count);
             y.flat_map(|iy| map.heights()[iy * nx..][x.clone()].iter().copied()).collect()
         };
-        HeightMap::new(grid, heights).map_err(StatsError::from)
+        Ok::<_, StatsError>(HeightMap::new(grid, heights)?)
     };
-    let parts = [part(0, first)?, part(1, second)?];
-    let shift = axes.map(|a| a.shift);
-    Ok((parts, Placed { shift, is_rolled: false, grids, common: grid, resampled }))
+    Ok(([part(0, first)?, part(1, second)?], axes.map(|a| a.shift), resampled))
 }

@@ -1,8 +1,9 @@
 //! Whether two surfaces know of each other.
 
+use super::Composite;
 use crate::spectrum::{PowerSpectrum, Window};
-use crate::{DirectionalMoments, Edges, HeightStatistics, Level, StatsError, level, repeats};
-use contact_types::{HeightMap, SpectralMoments};
+use crate::{Edges, Level, StatsError, level, moments, repeats};
+use contact_types::SpectralMoments;
 
 /// Moments of two bodies and of their sum. Those of independent surfaces add.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -21,15 +22,13 @@ pub struct Independence {
 }
 
 impl Independence {
-    /// Of two bodies on the same points and their sum, each without its `form`.
-    pub(super) fn of(
-        parts: [&HeightMap; 2],
-        sum: &HeightMap,
-        form: Level,
-        edges: Edges,
-    ) -> Result<Self, StatsError> {
-        let form = form.on(sum)?; // the same for all three: they add
-        let [a, b] = [level(parts[0], form)?, level(parts[1], form)?];
+    /// Of both bodies and their sum, each without its `form` and with these edges.
+    ///
+    /// # Errors
+    /// [`StatsError::TooSmall`] below 3 x 3 points, [`StatsError::OutOfRange`].
+    pub fn of(pair: &Composite, form: Level, edges: Edges) -> Result<Self, StatsError> {
+        let form = form.on(&pair.map)?; // the same for all three: they add
+        let [a, b] = [level(&pair.parts[0], form)?, level(&pair.parts[1], form)?];
         let window = if repeats(&a) && repeats(&b) { Window::None } else { Window::Hann };
         let spread = if a.is_flat() || b.is_flat() {
             [0.0; 3]
@@ -39,7 +38,7 @@ impl Independence {
         };
         let bodies = [moments(&a, edges)?, moments(&b, edges)?];
         drop([a, b]);
-        let composite = moments(&level(sum, form)?, edges)?;
+        let composite = moments(&level(&pair.map, form)?, edges)?;
         let parts = |m: SpectralMoments| [m.m0, m.m2, m.m4];
         let sums = [0, 1, 2].map(|k| parts(bodies[0])[k] + parts(bodies[1])[k]);
         let share = |k: usize, of: f64| if sums[k] > 0.0 { of / sums[k] } else { 0.0 };
@@ -54,18 +53,11 @@ impl Independence {
         SpectralMoments { m0: a.m0 + b.m0, m2: a.m2 + b.m2, m4: a.m4 + b.m4 }
     }
 
-    /// Whether the moments add: each to 5 %, or to three times what chance makes of them, but not to
-    /// worse than a half. Of a few waves chance can make anything; then too the contact is another
-    /// at another place.
+    /// Whether the moments add: each to 5 %, or to three times what chance makes of them, but not worse than a half.
     pub fn holds(&self) -> bool {
         let adds = |(excess, chance): (&f64, &f64)| excess.abs() <= (3.0 * chance).clamp(0.05, 0.5);
         self.excess.iter().zip(&self.chance).all(adds)
     }
-}
-
-fn moments(map: &HeightMap, edges: Edges) -> Result<SpectralMoments, StatsError> {
-    let rms = HeightStatistics::of(map).rms_height;
-    Ok(DirectionalMoments::of(map, edges)?.isotropic(rms * rms))
 }
 
 /// Standard deviation of m0, m2, m4 of a sum whose two parts have waves of random phase. A wave of

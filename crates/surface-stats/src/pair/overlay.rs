@@ -1,6 +1,6 @@
 //! Which points of two maps lie on each other.
 
-use super::placing::PairError;
+use crate::StatsError;
 use contact_types::Grid;
 
 /// How two maps were laid on each other.
@@ -19,20 +19,10 @@ pub struct Placed {
     pub common: Grid,
     /// Which of them were put on the points of the other.
     pub resampled: [bool; 2],
-}
-
-impl Placed {
     /// Part of the area of each map that lies on the other \[-\].
-    pub fn shares(&self) -> [f64; 2] {
-        self.grids.map(|grid| (self.common.area() / grid.area()).min(1.0))
-    }
-
+    pub shares: [f64; 2],
     /// Larger over smaller distance of points, of the axis where they differ most \[-\].
-    pub fn pixel_ratio(&self) -> f64 {
-        let [a, b] = self.grids.map(|grid| grid.pixel());
-        let ratio = |k: usize| if a[k] > b[k] { a[k] / b[k] } else { b[k] / a[k] };
-        ratio(0).max(ratio(1))
-    }
+    pub pixel_ratio: f64,
 }
 
 /// The part of two maps that lies on each other along one axis, in points of each.
@@ -52,11 +42,11 @@ pub(super) struct Overlap {
 const FEWEST: f64 = 4.0;
 
 /// Along one axis, centres on each other and the second moved by `shift`, in whole points of the finer.
-pub(super) fn common(n: [usize; 2], d: [f64; 2], shift: f64) -> Result<Overlap, PairError> {
+pub(super) fn common(n: [usize; 2], d: [f64; 2], shift: f64) -> Result<Overlap, StatsError> {
     let pixel = d[0].min(d[1]);
     let whole = (shift / pixel).round();
     let shift = whole * pixel;
-    let too_little = |found| Err(PairError::TooLittle { shift, found });
+    let too_little = |found| Err(StatsError::TooLittle { shift, found });
     // Points that drift apart by less than half of one over the smaller map lie on each other.
     if (d[0] - d[1]).abs() * n[0].min(n[1]) as f64 <= 0.5 * pixel {
         let offset = ((n[0] as f64 - n[1] as f64) / 2.0).floor() + whole;
@@ -84,7 +74,7 @@ pub(super) fn common(n: [usize; 2], d: [f64; 2], shift: f64) -> Result<Overlap, 
     let step = pixel / d[coarse];
     let own = (count - 1.0) * step + 1.0;
     if own < FEWEST {
-        return Err(PairError::TooCoarse { which: coarse, own, pixels: d });
+        return Err(StatsError::TooCoarse { which: coarse, own, pixels: d });
     }
     let at = ((start[fine] + first * pixel - start[coarse]) / d[coarse]).max(0.0);
     let mut along = [AxisPoints { first, step: 1.0, count: count as usize }; 2];
@@ -173,51 +163,41 @@ mod tests {
         }
     }
 
-    fn along(n: [usize; 2], d: [f64; 2], shift: f64) -> Overlap {
-        common(n, d, shift).unwrap()
-    }
-
+    /// Points and spacings of both, the shift asked for: first points of each, their number, who is interpolated.
     #[test]
-    fn equal_points_are_taken_whole() {
-        let c = along([8, 8], [1.0, 1.0], 2.4);
-        assert_eq!((c.along[0].first, c.along[1].first, c.along[0].count), (2.0, 0.0, 6));
-        assert!((c.shift - 2.0).abs() < 1e-15 && c.between.is_none());
-        let back = along([8, 8], [1.0, 1.0], -2.6);
-        assert_eq!((back.along[0].first, back.along[1].first, back.along[0].count), (0.0, 3.0, 5));
-        // Centres on each other: two points stand over on each side.
-        let c = along([8, 4], [1.0, 1.0], 0.0);
-        assert_eq!((c.along[0].first, c.along[1].first, c.along[0].count), (2.0, 0.0, 4));
-        // A pixel that is off by a thousandth drifts by 0.1 points over 100, by one over 1000.
-        assert!(along([100, 100], [1.0, 1.001], 0.0).between.is_none());
-        assert_eq!(along([1000, 1000], [1.0, 1.001], 0.0).between, Some(1));
-    }
-
-    /// Nine points at −4…4 and seven at −6, −4 … 6: the second's places 1, 1.5 … 5.
-    #[test]
-    fn the_finer_points_are_kept() {
-        let c = along([9, 7], [1.0, 2.0], 0.0);
-        assert_eq!(c.between, Some(1));
-        assert_eq!((c.along[0].first, c.along[0].count), (0.0, 9));
-        assert!((c.along[1].first - 1.0).abs() < 1e-12 && (c.along[1].step - 0.5).abs() < 1e-15);
-        // Moved to −3…9.
-        let moved = along([9, 7], [1.0, 2.0], 3.0);
-        assert!((moved.along[0].first - 1.0).abs() < 1e-12, "{moved:?}");
-        assert!(moved.along[1].first.abs() < 1e-12 && moved.along[0].count == 8, "{moved:?}");
-        // The coarser first.
-        let swapped = along([7, 9], [2.0, 1.0], -3.0);
-        assert_eq!(swapped.between, Some(0));
-        assert!((swapped.along[1].first - 1.0).abs() < 1e-12, "{swapped:?}");
-        assert!(swapped.along[0].first.abs() < 1e-12 && swapped.along[1].count == 8, "{swapped:?}");
+    fn what_lies_on_each_other() {
+        for (n, d, shift, first, count, between) in [
+            // Equal points are taken whole.
+            ([8, 8], [1.0, 1.0], 2.4, [2.0, 0.0], 6, None),
+            ([8, 8], [1.0, 1.0], -2.6, [0.0, 3.0], 5, None),
+            // Centres on each other: two points stand over on each side.
+            ([8, 4], [1.0, 1.0], 0.0, [2.0, 0.0], 4, None),
+            // A pixel that is off by a thousandth drifts by 0.1 points over 100, by one over 1000.
+            ([100, 100], [1.0, 1.001], 0.0, [0.0, 0.0], 100, None),
+            // Nine points at −4…4 and seven at −6, −4 … 6: the second's places 1, 1.5 … 5.
+            ([9, 7], [1.0, 2.0], 0.0, [0.0, 1.0], 9, Some(1)),
+            // Moved to −3…9, and the coarser first.
+            ([9, 7], [1.0, 2.0], 3.0, [1.0, 0.0], 8, Some(1)),
+            ([7, 9], [2.0, 1.0], -3.0, [0.0, 1.0], 8, Some(0)),
+        ] {
+            let found = common(n, d, shift).unwrap();
+            assert_eq!((found.along.map(|a| a.count), found.between), ([count; 2], between));
+            for (axis, first) in found.along.iter().zip(first) {
+                assert!((axis.first - first).abs() < 1e-12, "{found:?}");
+            }
+            assert!((found.shift - shift.round()).abs() < 1e-15, "{found:?}");
+            let step = between.map_or(1.0, |coarse| found.along[coarse].step / 0.5);
+            assert!((step - 1.0).abs() < 1e-15, "{found:?}");
+        }
+        assert_eq!(common([1000; 2], [1.0, 1.001], 0.0).unwrap().between, Some(1));
     }
 
     #[test]
     fn too_little_in_common_is_refused() {
         for shift in [7.0, -7.0, 8.0, 1e6] {
-            assert!(matches!(common([8, 8], [1.0, 1.0], shift), Err(PairError::TooLittle { .. })));
+            assert!(matches!(common([8, 8], [1.0, 1.0], shift), Err(StatsError::TooLittle { .. })));
         }
-        assert!(matches!(
-            common([50, 50], [1.0, 100.0], 0.0),
-            Err(PairError::TooCoarse { which: 1, .. })
-        ));
+        let coarse = common([50, 50], [1.0, 100.0], 0.0);
+        assert!(matches!(coarse, Err(StatsError::TooCoarse { which: 1, .. })));
     }
 }

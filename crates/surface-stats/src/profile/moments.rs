@@ -12,32 +12,19 @@ use contact_types::SpectralMoments;
 /// m_4 = \Big\langle \Big(\frac{z_{i+1}-2z_i+z_{i-1}}{\Delta^2}\Big)^2 \Big\rangle
 /// ```
 ///
-/// the same stencils as those of a row of a map. They are the moments of the surface, in the
-/// sense of Nayak (1971), if it is isotropic: there `m2 = <|grad h|²>/2` and
+/// They are the moments of the surface, in the sense of Nayak (1971), if it is isotropic: there `m2 = <|grad h|²>/2` and
 /// `m4 = 3 <(laplace h)²>/8` are the mean squares of slope and second derivative along any line.
 /// The trace must be levelled.
 pub fn moments(trace: &Trace) -> SpectralMoments {
     at(trace, 1)
 }
 
-/// Moments of a trace as if its points stood further apart.
-#[derive(Debug, Clone, Copy, PartialEq)]
-pub struct AtSpacing {
-    /// The distance over which differences are taken (m).
-    pub spacing: f64,
-    /// m0 of the trace; m2 and m4 by differences over this distance.
-    pub moments: SpectralMoments,
-}
-
-/// m2 and m4 by differences over 1, 2, 4, 8, ... points, as long as sixteen of them fit.
-pub(super) fn moments_by_spacing(trace: &Trace) -> Vec<AtSpacing> {
+/// m2 and m4 by differences over 1, 2, 4, 8, ... points, as long as sixteen of them fit: the distance (m) and the moments.
+pub(super) fn moments_by_spacing(trace: &Trace) -> Vec<(f64, SpectralMoments)> {
     let doubled = std::iter::successors(Some(1_usize), |every| every.checked_mul(2));
     doubled
-        .take_while(|every| *every == 1 || 16 * every <= trace.len())
-        .map(|every| AtSpacing {
-            spacing: every as f64 * trace.spacing(),
-            moments: at(trace, every),
-        })
+        .take_while(|every| *every == 1 || 16 * every <= trace.heights().len())
+        .map(|every| (every as f64 * trace.spacing(), at(trace, every)))
         .collect()
 }
 
@@ -48,7 +35,7 @@ fn at(trace: &Trace, every: usize) -> SpectralMoments {
     let middle = |w: &[f64]| w[2 * every] - w[every] - (w[every] - w[0]);
     let curvature = mean_square(z.windows(2 * every + 1).map(middle));
     SpectralMoments {
-        m0: HeightStatistics::of(trace.as_map()).rms_height.powi(2),
+        m0: HeightStatistics::of(trace).rms_height.powi(2),
         m2: slope / square,
         m4: curvature / square / square,
     }
@@ -73,11 +60,11 @@ mod tests {
         let q = TAU * periods / (f64::from(n) * 1e-6);
         let trace = Trace::new(1e-6, (0..n).map(|i| a * (q * f64::from(i) * 1e-6).cos()).collect())
             .unwrap();
-        for p in moments_by_spacing(&trace).iter().take(6) {
-            let factor = (2.0 * (0.5 * q * p.spacing).sin() / p.spacing).powi(2);
-            assert_relative_eq!(p.moments.m0, 0.5 * a * a, max_relative = 1e-9);
-            assert_relative_eq!(p.moments.m2, 0.5 * a * a * factor, max_relative = 5e-3);
-            assert_relative_eq!(p.moments.m4, 0.5 * a * a * factor * factor, max_relative = 5e-3);
+        for (distance, found) in moments_by_spacing(&trace).into_iter().take(6) {
+            let factor = (2.0 * (0.5 * q * distance).sin() / distance).powi(2);
+            assert_relative_eq!(found.m0, 0.5 * a * a, max_relative = 1e-9, epsilon = 0.0);
+            assert_relative_eq!(found.m2, 0.5 * a * a * factor, max_relative = 5e-3);
+            assert_relative_eq!(found.m4, 0.5 * a * a * factor * factor, max_relative = 5e-3);
         }
     }
 }

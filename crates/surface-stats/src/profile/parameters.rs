@@ -1,4 +1,4 @@
-//! Parameters of ISO 21920-2 of one roughness profile.
+//! Parameters of ISO 21920-2 of a roughness profile.
 
 use super::Trace;
 use crate::StatsError;
@@ -9,19 +9,46 @@ const THRESHOLD: f64 = 0.1;
 
 /// Symbol, without its first letter R (roughness profile) or P (primary profile), and value of each
 /// parameter, in the order of the standard: lengths in m, slopes and shares as numbers.
-pub(super) type ProfileParameters = [(&'static str, Option<f64>); 15];
+type ProfileParameters = [(&'static str, Option<f64>); 15];
+
+/// A parameter of ISO 21920-2 over several traces.
+#[derive(Debug, Clone, PartialEq)]
+pub struct ParameterMean {
+    /// Its symbol, `Ra`.
+    pub symbol: String,
+    /// Its mean (m, or a number); absent where a trace does not have it.
+    pub mean: Option<f64>,
+    /// Its standard deviation from trace to trace, of two or more.
+    pub deviation: Option<f64>,
+}
+
+/// Parameters of profiles that are `sections` section lengths long, with the first letter of their symbols.
+pub(super) fn means(
+    profiles: &[Trace],
+    sections: usize,
+    letter: char,
+) -> Result<Vec<ParameterMean>, StatsError> {
+    let all = profiles.iter().map(|profile| parameters(profile, sections));
+    let all = all.collect::<Result<Vec<ProfileParameters>, _>>()?;
+    let n = all.len() as f64;
+    let one = |k: usize| {
+        let values: Option<Vec<f64>> = all.iter().map(|p| p[k].1).collect();
+        let mean = values.as_ref().map(|v| v.iter().sum::<f64>() / n);
+        let deviation = values.zip(mean).filter(|_| all.len() > 1).map(|(values, mean)| {
+            let squares = values.iter().map(|v| (v - mean) * (v - mean)).sum::<f64>();
+            (squares / (n - 1.0)).sqrt()
+        });
+        ParameterMean { symbol: format!("{letter}{}", all[0][k].0), mean, deviation }
+    };
+    Ok((0..15).map(one).collect())
+}
 
 /// Parameters of a profile that is `sections` section lengths long (ISO 21920-2:2021).
 ///
-/// Ra, Rq, Rsk, Rku, Rt, Rdq, RSm and the Rk family are of the evaluation length; Rp, Rv and Rz are
-/// means over its section lengths. Heights are ordinates of the profile, counted from its mean
-/// line: what the filter λc leaves at 0, for P the form that was taken off. The mean over the
-/// evaluation length is not subtracted.
-pub(super) fn parameters(
-    profile: &Trace,
-    sections: usize,
-) -> Result<ProfileParameters, StatsError> {
-    let n = profile.len();
+/// Rp, Rv and Rz are means over the section lengths, the others of the evaluation length. Heights count from the mean
+/// line: what the filter λc leaves at 0, for P the form that was taken off. The mean over the evaluation length stays.
+fn parameters(profile: &Trace, sections: usize) -> Result<ProfileParameters, StatsError> {
+    let n = profile.heights().len();
     // In units of the largest ordinate, so that fourth powers stay in range.
     let reach = profile.heights().iter().fold(0.0, |reach: f64, z| reach.max(z.abs()));
     let mean = |power: &dyn Fn(f64) -> f64| {
@@ -36,9 +63,9 @@ pub(super) fn parameters(
         peak += section.iter().copied().fold(f64::NEG_INFINITY, f64::max);
         pit -= section.iter().copied().fold(f64::INFINITY, f64::min);
     }
-    let (low, high) = profile.as_map().range();
+    let (low, high) = profile.range();
     let (peak, pit) = (peak / sections as f64, pit / sections as f64);
-    let core = MaterialRatioCurve::of(profile.as_map())?.core();
+    let core = MaterialRatioCurve::of(profile)?.core();
     Ok([
         ("a", Some(reach * mean(&f64::abs))),
         ("q", Some(reach * rms)),
@@ -82,9 +109,8 @@ fn rms_slope(profile: &Trace) -> f64 {
 /// ISO 21920-2:2021, crossing-the-line segmentation; thresholds as in ISO 21920-3:2021.
 fn element_width(trace: &Trace, peak: f64, pit: f64) -> Option<f64> {
     let (high, low) = (THRESHOLD * peak, -THRESHOLD * pit);
-    // Borders in points: `true` from dale to hill.
-    let mut borders: Vec<(bool, f64)> = Vec::new();
-    let mut state: Option<bool> = None;
+    let mut borders: Vec<f64> = Vec::new(); // in points
+    let mut state: Option<bool> = None; // whether on a hill
     let mut crossings: Option<[f64; 2]> = None;
     let heights = trace.heights();
     for (i, &z) in heights.iter().enumerate() {
@@ -93,31 +119,22 @@ fn element_width(trace: &Trace, peak: f64, pit: f64) -> Option<f64> {
             let at = (i - 1) as f64 + before / (before - z);
             crossings = Some([crossings.map_or(at, |c| c[0]), at]);
         }
-        let now = if z > high {
-            true
-        } else if z < low {
-            false
-        } else {
+        if low <= z && z <= high {
             continue;
-        };
-        match (state, crossings) {
-            (Some(was), Some([first, last])) if was != now => {
-                borders.push((now, f64::midpoint(first, last)));
-            }
-            _ => {}
         }
-        state = Some(now);
+        let now = z > high;
+        if let (Some(was), Some([first, last])) = (state.replace(now), crossings)
+            && was != now
+        {
+            borders.push(f64::midpoint(first, last));
+        }
         crossings = None;
     }
-    let widths = |kind: bool| {
-        let of_kind = borders.iter().filter(move |b| b.0 == kind).map(|b| b.1);
-        let (first, last) = (of_kind.clone().next(), of_kind.clone().next_back());
-        let count = of_kind.count().saturating_sub(1);
-        (count, first.zip(last).map_or(0.0, |(a, b)| b - a))
-    };
-    let ((rising, rise), (falling, fall)) = (widths(true), widths(false));
-    let count = rising + falling;
-    (count > 0).then(|| (rise + fall) / count as f64 * trace.spacing())
+    // Hills and dales follow each other in turn: borders of one kind are two apart.
+    let last = borders.len().checked_sub(1)?;
+    let count = last.checked_sub(1).filter(|count| *count > 0)?;
+    let [a, b] = [0, 1].map(|first| borders[last - (last - first) % 2] - borders[first]);
+    Some((a + b) / count as f64 * trace.spacing())
 }
 
 #[cfg(test)]
@@ -126,65 +143,66 @@ mod tests {
     use approx::assert_relative_eq;
     use std::f64::consts::{PI, SQRT_2, TAU};
 
-    fn value(found: &ProfileParameters, symbol: &str) -> f64 {
-        found.iter().find(|(name, _)| *name == symbol).unwrap().1.unwrap()
-    }
-
     fn profile(n: usize, z: impl Fn(f64) -> f64) -> Trace {
         Trace::new(1e-6, (0..n).map(|i| z(i as f64 * 1e-6)).collect()).unwrap()
     }
 
-    /// A sine over whole waves and five sections: Ra = 2A/π, Rq = A/√2, Rz = Rt = 2A, Rsk = 0,
-    /// Rku = 3/2, Rdq = √2 π A/λ, RSm = λ.
-    #[test]
-    fn a_sine_by_hand() {
-        let (a, wavelength) = (1.5e-6, 100e-6);
-        let p = profile(4000, |x| a * (TAU * (x + 0.5e-6) / wavelength).sin());
-        let r = parameters(&p, 5).unwrap();
-        assert_relative_eq!(value(&r, "a"), 2.0 * a / PI, max_relative = 2e-4);
-        assert_relative_eq!(value(&r, "q"), a / SQRT_2, max_relative = 1e-9);
-        assert_relative_eq!(value(&r, "z"), 2.0 * a, max_relative = 1e-3);
-        assert_relative_eq!(value(&r, "t"), 2.0 * a, max_relative = 1e-3);
-        assert!(value(&r, "sk").abs() < 1e-9);
-        assert_relative_eq!(value(&r, "ku"), 1.5, max_relative = 1e-9);
-        // Three points at both ends, 1.5 per mille, have no slope of their own.
-        assert_relative_eq!(value(&r, "dq"), SQRT_2 * PI * a / wavelength, max_relative = 1.5e-3);
-        assert_relative_eq!(value(&r, "Sm"), wavelength, max_relative = 1e-6);
-    }
+    /// Symbol, value, and its relative error; the absolute one of 0.
+    type Expected = [(&'static str, f64, f64)];
 
-    /// Ordinates count from the mean line of the filter, not from their own mean: one high point of 1 in ten of 0 has
-    /// Rp = 1, Rv = 0, Ra = 0.1, Rq = √0.1, Rsk = √10; about its own mean it would be 0.9, 0.1, 0.18, 0.3, 2.67.
+    /// Five sections of shapes that are known: a sine and a triangle over whole waves; ordinates that count from the mean
+    /// line of the filter and not from their own mean, as one high point of 1 in ten of 0 shows; and peaks of 1 to 5, one
+    /// in each section over a flat of -1, of whose heights Rz is the mean and Rt the range.
     #[test]
-    fn the_mean_of_the_evaluated_length_stays() {
-        let r = parameters(
-            &profile(100, |x| if (x * 1e6).round() as u32 % 10 == 3 { 1e-6 } else { 0.0 }),
-            5,
-        );
-        let r = r.unwrap();
-        assert_relative_eq!(value(&r, "p"), 1e-6, max_relative = 1e-12);
-        assert!(value(&r, "v").abs() < 1e-18);
-        assert_relative_eq!(value(&r, "a"), 0.1e-6, max_relative = 1e-12);
-        assert_relative_eq!(value(&r, "q"), 0.1f64.sqrt() * 1e-6, max_relative = 1e-12);
-        assert_relative_eq!(value(&r, "sk"), 10f64.sqrt(), max_relative = 1e-12);
-    }
-
-    /// A triangle of amplitude A: Ra = A/2, Rq = A/√3, Rku = 9/5, RSm = λ, and its heights are spread
-    /// evenly: a straight material ratio curve, Rk = 2A, no peaks and no valleys.
-    #[test]
-    fn a_triangle_by_hand() {
-        let (a, wavelength) = (0.8e-6, 200e-6);
-        let z = |x: f64| {
-            let t = (x + 0.5e-6).rem_euclid(wavelength) / wavelength;
-            a * (4.0 * (t - 0.5).abs() - 1.0)
-        };
-        let r = parameters(&profile(4000, z), 5).unwrap();
-        assert_relative_eq!(value(&r, "a"), a / 2.0, max_relative = 1e-3);
-        assert_relative_eq!(value(&r, "q"), a / 3f64.sqrt(), max_relative = 1e-3);
-        assert_relative_eq!(value(&r, "ku"), 1.8, max_relative = 1e-3);
-        assert_relative_eq!(value(&r, "Sm"), wavelength, max_relative = 1e-6);
-        assert_relative_eq!(value(&r, "k"), 2.0 * a, max_relative = 1e-2);
-        assert!(value(&r, "pk") < 1e-2 * a && value(&r, "vk") < 1e-2 * a);
-        assert_relative_eq!(value(&r, "dq"), 4.0 * a / wavelength, max_relative = 2e-2);
+    fn shapes_by_hand() {
+        let (a, slope) = (1e-6, 1e-6 / 200e-6);
+        let at = |x: f64| (1e6 * x).round() as usize;
+        let phase = |x: f64| (x + 0.5e-6).rem_euclid(200e-6) / 200e-6;
+        let sine: &Expected = &[
+            ("a", 2.0 * a / PI, 2e-4),
+            ("q", a / SQRT_2, 1e-9),
+            ("z", 2.0 * a, 1e-3),
+            ("t", 2.0 * a, 1e-3),
+            ("sk", 0.0, 1e-9),
+            ("ku", 1.5, 1e-9),
+            // Three points at both ends, 1.5 per mille, have no slope of their own.
+            ("dq", SQRT_2 * PI * slope, 1.5e-3),
+            ("Sm", 200e-6, 1e-6),
+        ];
+        // Heights spread evenly: a straight material ratio curve.
+        let triangle: &Expected = &[
+            ("a", a / 2.0, 1e-3),
+            ("q", a / 3f64.sqrt(), 1e-3),
+            ("ku", 1.8, 1e-3),
+            ("dq", 4.0 * slope, 2e-2),
+            ("Sm", 200e-6, 1e-6),
+            ("k", 2.0 * a, 1e-2),
+            ("pk", 0.0, 1e-2 * a),
+            ("vk", 0.0, 1e-2 * a),
+        ];
+        let (rms, skew) = (0.1f64.sqrt() * a, 10f64.sqrt());
+        let points: &Expected = &[
+            ("p", a, 1e-12),
+            ("v", 0.0, 1e-18),
+            ("a", 0.1 * a, 1e-12),
+            ("q", rms, 1e-12),
+            ("sk", skew, 1e-12),
+        ];
+        let peaks: &Expected = &[("z", 4.0 * a, 1e-12), ("t", 6.0 * a, 1e-12)];
+        let shapes: [(&dyn Fn(f64) -> f64, &Expected); 4] = [
+            (&|x| a * (TAU * phase(x)).sin(), sine),
+            (&|x| a * (4.0 * (phase(x) - 0.5).abs() - 1.0), triangle),
+            (&|x| if at(x) % 10 == 3 { a } else { 0.0 }, points),
+            (&|x| if at(x) % 800 == 500 { a * (at(x) / 800 + 1) as f64 } else { -a }, peaks),
+        ];
+        for (shape, expected) in shapes {
+            let found = means(&[profile(4000, shape)], 5, 'R').unwrap();
+            for &(symbol, value, error) in expected {
+                let found = found.iter().find(|p| p.symbol[1..] == *symbol).unwrap().mean.unwrap();
+                let allowed = error * if value > 0.0 { value } else { 1.0 };
+                assert!((found - value).abs() <= allowed, "R{symbol}: {found:e}, not {value:e}");
+            }
+        }
     }
 
     /// A known Abbott curve, its heights in any order: a core of slope 1 µm between peaks on 10 % and
@@ -197,36 +215,16 @@ mod tests {
         let n = 40_009; // prime: multiples of 7919 meet every point once
         let heights =
             (0..n).map(|i| 1e-6 * z(f64::from(i * 7919 % n) / f64::from(n - 1))).collect();
-        let r = parameters(&Trace::new(1e-6, heights).unwrap(), 5).unwrap();
-        assert_relative_eq!(value(&r, "k"), 1e-6, max_relative = 1e-9);
-        assert_relative_eq!(value(&r, "mr1"), 0.08, max_relative = 1e-4);
-        assert_relative_eq!(value(&r, "mr2"), 0.85, max_relative = 1e-4);
-        assert_relative_eq!(value(&r, "pk"), 0.4e-6, max_relative = 1e-3);
-        assert_relative_eq!(value(&r, "vk"), 0.6e-6, max_relative = 1e-3);
-    }
-
-    /// Peaks of 1 to 5 µm, one in each of five sections, over a flat of -1 µm: Rz is the mean of the
-    /// section heights, Rt the whole range.
-    #[test]
-    fn sections_are_averaged_and_the_total_is_not() {
-        let heights = (0..5000)
-            .map(|i| if i % 1000 == 500 { f64::from(i / 1000 + 1) * 1e-6 } else { -1e-6 })
-            .collect();
-        let r = parameters(&Trace::new(1e-6, heights).unwrap(), 5).unwrap();
-        assert_relative_eq!(value(&r, "z"), 4e-6, max_relative = 1e-12);
-        assert_relative_eq!(value(&r, "t"), 6e-6, max_relative = 1e-12);
+        let found = parameters(&Trace::new(1e-6, heights).unwrap(), 5).unwrap();
+        let expected = [(1e-6, 1e-9), (0.4e-6, 1e-3), (0.6e-6, 1e-3), (0.08, 1e-4), (0.85, 1e-4)];
+        for ((symbol, value), (exact, error)) in found[10..].iter().zip(expected) {
+            let found = value.unwrap();
+            assert!((found / exact - 1.0).abs() < error, "{symbol}: {found:e}");
+        }
     }
 
     fn width(z: impl Fn(f64) -> f64) -> Option<f64> {
         element_width(&profile(5000, z), 1e-6, 1e-6)
-    }
-
-    #[test]
-    fn a_sine_has_its_wavelength() {
-        for wavelength in [50e-6, 123.4e-6, 1e-3] {
-            let found = width(|x| 1e-6 * (TAU * x / wavelength + 0.3).sin()).unwrap();
-            assert_relative_eq!(found, wavelength, max_relative = 1e-6);
-        }
     }
 
     /// Ripples of a twentieth of the wave cross the line several times and are no elements.

@@ -1,36 +1,20 @@
 //! Settings of ISO 21920-3, which say what waves are roughness, and the roughness at a setting.
 
 use super::Trace;
-use super::parameters::{ProfileParameters, parameters};
+use super::parameters::{ParameterMean, means};
 use crate::{HeightStatistics, StatsError};
 
 /// Sections of an evaluation length (ISO 21920-3:2021 default).
 const SECTIONS: usize = 5;
 
-/// A setting class of ISO 21920-3:2021: what is measured how, by the roughness it is for.
-struct SettingClass {
-    /// Sc1 to Sc5.
-    number: u8,
-    /// λc (m): waves longer than this are not roughness. Also the section length.
-    cutoff: f64,
-    /// λs (m): waves shorter than this are not roughness. It acts on points a fifth of it apart at
-    /// most.
-    short: f64,
-    /// Largest Ra it is for (m).
-    most_ra: f64,
-}
-
-const fn class(number: u8, cutoff: f64, short: f64, most_ra: f64) -> SettingClass {
-    SettingClass { number, cutoff, short, most_ra }
-}
-
-/// The five classes, from fine to coarse.
-const SETTING_CLASSES: [SettingClass; 5] = [
-    class(1, 0.08e-3, 2.5e-6, 0.02e-6),
-    class(2, 0.25e-3, 2.5e-6, 0.1e-6),
-    class(3, 0.8e-3, 2.5e-6, 2e-6),
-    class(4, 2.5e-3, 8e-6, 10e-6),
-    class(5, 8e-3, 25e-6, 80e-6),
+/// The setting classes Sc1 to Sc5 of ISO 21920-3:2021 (m): λc, which is also the section length; λs, which acts on points a
+/// fifth of it apart at most; the largest Ra that the class is for.
+const SETTING_CLASSES: [[f64; 3]; 5] = [
+    [0.08e-3, 2.5e-6, 0.02e-6],
+    [0.25e-3, 2.5e-6, 0.1e-6],
+    [0.8e-3, 2.5e-6, 2e-6],
+    [2.5e-3, 8e-6, 10e-6],
+    [8e-3, 25e-6, 80e-6],
 ];
 
 /// Where a setting comes from.
@@ -59,42 +43,33 @@ pub struct Setting {
 }
 
 impl Setting {
-    /// λc and, if it is not `None`, λs as asked for.
-    pub(crate) fn asked(cutoff: f64, short: Option<f64>) -> Self {
-        Self { cutoff, short, short_unresolved: None, source: SettingSource::Asked }
-    }
-
     /// A λc that was asked for, on points at this spacing: with λs as asked for, else that of the class
     /// with this λc if there is one and the points resolve it.
-    pub(crate) fn of_cutoff(cutoff: f64, short: Option<f64>, spacing: f64) -> Self {
-        let known = SETTING_CLASSES.iter().find(|c| (c.cutoff / cutoff - 1.0).abs() < 1e-6);
-        match (short, known) {
-            (None, Some(class)) => {
-                let source = SettingSource::Asked;
-                Self { cutoff, source, ..Self::of_class(class, None, spacing) }
-            }
-            _ => Self::asked(cutoff, short),
-        }
+    pub(super) fn asked(cutoff: f64, short: Option<f64>, spacing: f64) -> Self {
+        let class = SETTING_CLASSES.iter().find(|[known, ..]| (known / cutoff - 1.0).abs() < 1e-6);
+        Self::new(cutoff, short, class.map(|class| class[1]), spacing, SettingSource::Asked)
     }
 
-    /// That of a class on points at this spacing, with λs if one was asked for.
-    fn of_class(class: &SettingClass, short: Option<f64>, spacing: f64) -> Self {
-        let resolved = spacing <= class.short / 5.0 * (1.0 + 1e-6);
+    /// With the λs of a class, if none was asked for and the points resolve it.
+    fn new(
+        cutoff: f64,
+        short: Option<f64>,
+        of_class: Option<f64>,
+        spacing: f64,
+        source: SettingSource,
+    ) -> Self {
+        let of_class = of_class.filter(|_| short.is_none());
+        let is_resolved = |short: &f64| spacing <= short / 5.0 * (1.0 + 1e-6);
         Self {
-            cutoff: class.cutoff,
-            short: short.or(resolved.then_some(class.short)),
-            short_unresolved: (short.is_none() && !resolved).then_some(class.short),
-            source: SettingSource::Class(class.number),
+            cutoff,
+            short: short.or(of_class.filter(is_resolved)),
+            short_unresolved: of_class.filter(|short| !is_resolved(short)),
+            source,
         }
-    }
-
-    /// Shortest trace that has one section length of roughness, with half a cut-off at each end (m).
-    fn least_length(&self) -> f64 {
-        2.0 * self.cutoff
     }
 }
 
-/// Roughness of one trace at a setting.
+/// Roughness of traces at a setting.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Roughness {
     /// Which waves are roughness.
@@ -103,35 +78,48 @@ pub struct Roughness {
     pub sections: usize,
     /// Where the evaluation length begins and ends along the trace (m).
     pub evaluated: [f64; 2],
-    pub(super) parameters: ProfileParameters,
+    /// R parameters over the traces.
+    pub parameters: Vec<ParameterMean>,
 }
 
 /// The roughness profile of a levelled trace: waves shorter than λs and longer than λc taken off by
 /// the Gaussian filter of ISO 16610-21. Half a cut-off is left out at both ends, where the weights
 /// that fall beyond the trace are made up by the others.
 fn roughness_profile(trace: &Trace, setting: &Setting) -> Result<Trace, StatsError> {
-    let (length, needed) = (trace.length(), setting.least_length());
+    let (length, needed) = (trace.length(), 2.0 * setting.cutoff);
     if length < needed * (1.0 - 1e-9) {
         return Err(StatsError::ShortTrace { length, cutoff: setting.cutoff, needed });
     }
     trace.filtered(setting.short, Some(setting.cutoff))
 }
 
-/// Roughness parameters of a levelled trace: of its middle five section lengths, or of as many whole
-/// ones as fit between the ends.
-pub(super) fn roughness(trace: &Trace, setting: &Setting) -> Result<Roughness, StatsError> {
+/// The middle five section lengths of the roughness profile of a levelled trace, or as many whole ones as fit between the
+/// ends: the profile, the number of sections, where it begins and ends (m).
+fn evaluated_part(
+    trace: &Trace,
+    setting: &Setting,
+) -> Result<(Trace, usize, [f64; 2]), StatsError> {
     let profile = roughness_profile(trace, setting)?;
-    let spacing = profile.spacing();
+    let (spacing, length) = (profile.spacing(), profile.heights().len());
     let section = setting.cutoff / spacing; // in points
     // A trace of n sections has n sections of intervals, one point more.
-    let fit = ((profile.len() - 1) as f64 / section + 1e-6).floor() as usize;
+    let fit = ((length - 1) as f64 / section + 1e-6).floor() as usize;
     let sections = fit.clamp(1, SECTIONS);
-    let points = ((sections as f64 * section).round() as usize).min(profile.len());
-    let start = (profile.len() - points) / 2;
-    let parameters = parameters(&profile.part(start, start + points)?, sections)?;
-    let first = 0.5 * (trace.len() - profile.len()) as f64 + start as f64;
-    let evaluated = [first, first + points as f64].map(|i| i * spacing);
-    Ok(Roughness { setting: *setting, sections, evaluated, parameters })
+    let points = ((sections as f64 * section).round() as usize).min(length);
+    let start = (length - points) / 2;
+    let first = 0.5 * (trace.heights().len() - length) as f64 + start as f64;
+    let ends = [first, first + points as f64].map(|i| i * spacing);
+    let heights = profile.heights()[start..start + points].to_vec();
+    Ok((Trace::new(spacing, heights)?, sections, ends))
+}
+
+/// Roughness parameters of levelled traces of the same length and spacing.
+pub(super) fn roughness(traces: &[Trace], setting: Setting) -> Result<Roughness, StatsError> {
+    let parts = traces.iter().map(|trace| evaluated_part(trace, &setting));
+    let parts = parts.collect::<Result<Vec<_>, _>>()?;
+    let (sections, evaluated) = (parts[0].1, parts[0].2);
+    let profiles: Vec<Trace> = parts.into_iter().map(|(profile, ..)| profile).collect();
+    Ok(Roughness { setting, sections, evaluated, parameters: means(&profiles, sections, 'R')? })
 }
 
 /// The setting for levelled traces by the rule of ISO 21920-3: the finest class whose limit of Ra
@@ -141,26 +129,24 @@ pub(super) fn choose_setting(traces: &[Trace], short: Option<f64>) -> Result<Set
     let length = traces.iter().map(Trace::length).fold(f64::INFINITY, f64::min);
     let spacing = traces.iter().map(Trace::spacing).fold(0.0, f64::max);
     let mut longest = None;
-    for class in &SETTING_CLASSES {
-        let setting = Setting::of_class(class, short, spacing);
-        if length < setting.least_length() * (1.0 - 1e-9) || class.cutoff < 2.0 * spacing {
+    for (number, [cutoff, of_class, most_ra]) in (1..).zip(SETTING_CLASSES) {
+        let source = SettingSource::Class(number);
+        let setting = Setting::new(cutoff, short, Some(of_class), spacing, source);
+        if length < 2.0 * cutoff * (1.0 - 1e-9) || cutoff < 2.0 * spacing {
             continue;
         }
         let mut sum = 0.0;
         for trace in traces {
             let profile = roughness_profile(trace, &setting)?;
-            sum += HeightStatistics::of(profile.as_map()).mean_abs_height;
+            sum += HeightStatistics::of(&profile).mean_abs_height;
         }
-        if sum / traces.len() as f64 <= class.most_ra {
+        if sum / traces.len() as f64 <= most_ra {
             return Ok(setting);
         }
-        longest = Some(Setting { source: SettingSource::Longest(class.number), ..setting });
+        longest = Some(Setting { source: SettingSource::Longest(number), ..setting });
     }
-    longest.ok_or(StatsError::ShortTrace {
-        length,
-        cutoff: SETTING_CLASSES[0].cutoff,
-        needed: 2.0 * SETTING_CLASSES[0].cutoff,
-    })
+    let [cutoff, ..] = SETTING_CLASSES[0];
+    longest.ok_or(StatsError::ShortTrace { length, cutoff, needed: 2.0 * cutoff })
 }
 
 #[cfg(test)]
@@ -169,66 +155,75 @@ mod tests {
     use approx::assert_relative_eq;
     use std::f64::consts::{LN_2, PI, TAU};
 
+    const SPACING: f64 = 0.5e-6;
+
+    fn trace(length: f64, z: impl Fn(f64) -> f64) -> Trace {
+        let heights = (0..=(length / SPACING).round() as usize).map(|i| z(i as f64 * SPACING));
+        Trace::new(SPACING, heights.collect()).unwrap()
+    }
+
     /// Roughness of 40 µm on waviness of 5 mm, λc 0.8 mm: Ra of the fine wave as it passes, of the
     /// coarse one (1 - 2^(-0.0256)) = 1.8 % is left; five sections of 0.8 mm in the middle of 6 mm.
     #[test]
     fn waviness_is_taken_off_and_roughness_is_not() {
         let z = |x: f64| 1e-6 * (TAU * x / 40e-6).sin() + 4e-6 * (TAU * x / 5e-3).cos();
-        let trace =
-            Trace::new(0.5e-6, (0..=12_000).map(|i| z(f64::from(i) * 0.5e-6)).collect()).unwrap();
-        let found = roughness(&trace, &Setting::asked(0.8e-3, None)).unwrap();
-        assert_eq!(found.sections, 5);
+        let trace = [trace(6e-3, z)];
+        let found = roughness(&trace, Setting::asked(0.8e-3, None, 1e-6)).unwrap();
+        assert_eq!((found.setting.short, found.sections), (None, 5));
         assert_relative_eq!(found.evaluated[0], 1e-3, epsilon = 1e-6);
         assert_relative_eq!(found.evaluated[1], 5e-3, epsilon = 1e-6);
         let left = 4e-6 * (1.0 - (-LN_2 * 0.0256f64).exp());
         let rq = (0.5e-12 + 0.5 * left * left).sqrt();
-        assert_relative_eq!(found.parameters[1].1.unwrap(), rq, max_relative = 1e-3);
+        assert_relative_eq!(found.parameters[1].mean.unwrap(), rq, max_relative = 1e-3);
         // λs of 40 µm takes half of the fine wave's amplitude.
-        let half = roughness(&trace, &Setting::asked(0.8e-3, Some(40e-6))).unwrap();
-        assert_relative_eq!(half.parameters[0].1.unwrap(), 1e-6 / PI, max_relative = 2e-2);
+        let half = roughness(&trace, Setting::asked(0.8e-3, Some(40e-6), 1e-6)).unwrap();
+        assert_relative_eq!(half.parameters[0].mean.unwrap(), 1e-6 / PI, max_relative = 2e-2);
     }
 
     #[test]
     fn fewer_sections_on_a_short_trace_and_none_below_two_cut_offs() {
-        let trace =
-            Trace::new(1e-6, (0..=2400).map(|i| f64::from(i % 7) * 1e-8).collect()).unwrap();
-        assert_eq!(roughness(&trace, &Setting::asked(0.8e-3, None)).unwrap().sections, 2);
-        let error = roughness(&trace, &Setting::asked(2.5e-3, None)).unwrap_err();
-        let text = error.to_string();
+        let trace = [trace(2.4e-3, |x| 1e-8 * (x * 1e6).sin())];
+        let of = |cutoff| roughness(&trace, Setting::asked(cutoff, None, SPACING));
+        assert_eq!(of(0.8e-3).unwrap().sections, 2);
+        let text = of(2.5e-3).unwrap_err().to_string();
         assert!(text.contains("2.4 mm") && text.contains("5 mm"), "{text}");
     }
 
-    fn sine(ra: f64, wavelength: f64, length: f64) -> Trace {
-        let spacing = 0.5e-6;
-        let z = |i: usize| 0.5 * PI * ra * (TAU * i as f64 * spacing / wavelength).sin();
-        Trace::new(spacing, (0..=(length / spacing) as usize).map(z).collect()).unwrap()
-    }
-
+    /// By Ra (µm) and length (mm): the class of the roughness, on a short trace the coarsest that fits, or none.
     #[test]
-    fn the_class_is_that_of_the_roughness() {
-        for (ra, class) in [(0.01e-6, 1), (0.05e-6, 2), (0.5e-6, 3), (1.9e-6, 3), (5e-6, 4)] {
-            let trace = sine(ra, 20e-6, 6e-3);
-            let setting = choose_setting(&[trace], None).unwrap();
-            assert_eq!(setting.source, SettingSource::Class(class), "Ra = {ra:e}");
-            assert_eq!(setting.short.is_some(), setting.short_unresolved.is_none());
+    fn the_class_is_that_of_the_roughness_if_the_trace_is_long_enough() {
+        use SettingSource::{Class, Longest};
+        for (ra, length, expected) in [
+            (0.01, 6.0, Some(Class(1))),
+            (0.05, 6.0, Some(Class(2))),
+            (1.9, 6.0, Some(Class(3))),
+            (5.0, 6.0, Some(Class(4))),
+            (0.5, 1.0, Some(Longest(2))),
+            (0.5, 0.1, None),
+        ] {
+            let sine = trace(1e-3 * length, |x| 0.5e-6 * PI * ra * (TAU * x / 20e-6).sin());
+            match choose_setting(&[sine], None) {
+                Ok(setting) => {
+                    assert_eq!(Some(setting.source), expected, "Ra = {ra} µm");
+                    assert_eq!(setting.short.is_some(), setting.short_unresolved.is_none());
+                }
+                Err(error) => {
+                    assert!(matches!(error, StatsError::ShortTrace { .. }) && expected.is_none());
+                }
+            }
         }
     }
 
     #[test]
-    fn a_short_trace_gets_what_it_is_long_enough_for_or_nothing() {
-        let short = choose_setting(&[sine(0.5e-6, 20e-6, 1e-3)], None).unwrap();
-        assert_eq!(short.source, SettingSource::Longest(2));
-        let error = choose_setting(&[sine(0.5e-6, 20e-6, 0.1e-3)], None).unwrap_err();
-        assert!(matches!(error, StatsError::ShortTrace { .. }), "{error}");
-    }
-
-    #[test]
     fn a_lambda_s_that_the_points_do_not_resolve_is_left_out_and_said() {
-        let wide = Setting::of_cutoff(0.8e-3, None, 2e-6);
-        assert_eq!((wide.short, wide.short_unresolved), (None, Some(2.5e-6)));
-        let fine = Setting::of_cutoff(0.8e-3, None, 0.5e-6);
-        assert_eq!(fine.short, Some(2.5e-6));
-        assert_eq!(Setting::of_cutoff(0.7e-3, None, 0.5e-6).short, None);
-        assert_eq!(Setting::of_cutoff(0.8e-3, Some(8e-6), 0.5e-6).short, Some(8e-6));
+        for (cutoff, asked, spacing, short, unresolved) in [
+            (0.8e-3, None, 2e-6, None, Some(2.5e-6)),
+            (0.8e-3, None, 0.5e-6, Some(2.5e-6), None),
+            (0.7e-3, None, 0.5e-6, None, None),
+            (0.8e-3, Some(8e-6), 0.5e-6, Some(8e-6), None),
+        ] {
+            let found = Setting::asked(cutoff, asked, spacing);
+            assert_eq!((found.short, found.short_unresolved), (short, unresolved), "{cutoff:e}");
+        }
     }
 }

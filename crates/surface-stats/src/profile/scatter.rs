@@ -1,14 +1,11 @@
 //! How far the moments of another trace of the same surface would scatter.
 //!
-//! *From the trace itself.* A moment is the mean of a square (of height, slope, second
-//! difference) over a finite length. Two estimates of the variance of that mean, of which the larger
-//! counts, as for maps: if the waves are independent and normal it is the sum of the squares of
-//! their powers; if a surface is rougher in some places than in others it is what the longest
-//! waves of the squares themselves show. Waves longer than the trace are in neither.
-//!
-//! *Between traces.* The scatter of the moments of several traces, over the root of their number.
+//! A moment is the mean of a square (of height, slope, second difference) over a finite length. Of three estimates of the
+//! variance of that mean the largest counts: of independent, normal waves the sum of the squares of their powers; of a
+//! surface rougher in some places than in others what the longest waves of the squares show; the scatter of several traces
+//! over the root of their number.
 
-use super::{Trace, moments};
+use super::Trace;
 use crate::spectrum::psd_1d;
 use contact_types::SpectralMoments;
 use std::f64::consts::TAU;
@@ -20,7 +17,7 @@ const PIECES: usize = 16;
 
 /// Scatter of m0, m2, m4, in that order.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub struct MomentScatter {
+pub(super) struct MomentScatter {
     /// Variance of each relative to its square (-), of the mean over all traces.
     relative_variance: [f64; 3],
     /// How they vary together (-1 to 1).
@@ -28,7 +25,7 @@ pub struct MomentScatter {
     /// Degrees of freedom of each variance.
     freedom: [f64; 3],
     /// Relative standard deviation from trace to trace, of two or more.
-    pub between: Option<[f64; 3]>,
+    pub(super) between: Option<[f64; 3]>,
 }
 
 /// Two-sided 95 % quantile of Student's t for `freedom` degrees of freedom, by its expansion about
@@ -46,8 +43,8 @@ fn students_t(freedom: f64) -> Option<f64> {
 }
 
 impl MomentScatter {
-    /// Of levelled traces.
-    pub(crate) fn of(traces: &[Trace]) -> Self {
+    /// Of levelled traces with these moments.
+    pub(super) fn of(traces: &[Trace], moments: &[SpectralMoments]) -> Self {
         let n = traces.len() as f64;
         let mut variance = [0.0; 3];
         let mut freedom = [0.0; 3];
@@ -62,7 +59,7 @@ impl MomentScatter {
             }
             add_products(&squares, &mut products);
         }
-        let between = (traces.len() > 1).then(|| between(traces));
+        let between = (traces.len() > 1).then(|| between(moments));
         if let Some(between) = between {
             for k in 0..3 {
                 variance[k] = variance[k].max(between[k] * between[k] / n);
@@ -70,25 +67,23 @@ impl MomentScatter {
             }
         }
         let correlation = [0, 1, 2].map(|i| {
-            [0, 1, 2].map(|j: usize| {
-                let norm = (products[i][i] * products[j][j]).sqrt();
-                let together = if norm > 0.0 { products[i][j] / norm } else { 0.0 };
-                if i == j { 1.0 } else { together }
+            [0, 1, 2].map(|j: usize| match (products[i][i] * products[j][j]).sqrt() {
+                _ if i == j => 1.0,
+                norm if norm > 0.0 => products[i][j] / norm,
+                _ => 0.0,
             })
         });
         Self { relative_variance: variance, correlation, freedom, between }
     }
 
-    /// 95 % interval of a moment over traces like these: 0 for m0, 1 for m2, 2 for m4. `None` where
-    /// the traces hold too few independent waves to tell.
-    pub(crate) fn interval(&self, moment: usize, value: f64) -> Option<[f64; 2]> {
+    /// 95 % interval of the k-th of m0, m2, m4; `None` where the traces hold too few independent waves to tell.
+    pub(super) fn interval(&self, moment: usize, value: f64) -> Option<[f64; 2]> {
         let factor = factor(self.relative_variance[moment], self.freedom[moment])?;
         Some([value / factor, value * factor])
     }
 
-    /// The factor by which a quantity may be wrong whose logarithm changes by `exponents[k]` times that
-    /// of the k-th moment: 95 %.
-    pub fn factor_of(&self, exponents: [f64; 3]) -> Option<f64> {
+    /// As [`ProfileStatistics::factor_of`](super::ProfileStatistics::factor_of).
+    pub(super) fn factor_of(&self, exponents: [f64; 3]) -> Option<f64> {
         let sigma = self.relative_variance.map(f64::sqrt);
         let mut variance = 0.0;
         for i in 0..3 {
@@ -127,7 +122,7 @@ fn squares(trace: &Trace) -> [Vec<f64>; 3] {
 /// Relative variances of the means if the waves are independent and normal: of a wave with the
 /// observed power P the squared expected power is P²/2 on average.
 fn by_waves(trace: &Trace) -> [f64; 3] {
-    let bins = psd_1d(trace.as_map());
+    let bins = psd_1d(trace);
     let mut sums = [[0.0; 2]; 3];
     let largest = bins.iter().map(|b| b.psd).fold(0.0, f64::max);
     if largest <= 0.0 {
@@ -186,21 +181,21 @@ fn add_products(squares: &[Vec<f64>; 3], products: &mut [[f64; 3]; 3]) {
 }
 
 /// Relative standard deviations of the moments from trace to trace.
-fn between(traces: &[Trace]) -> [f64; 3] {
-    let each: Vec<[f64; 3]> =
-        traces.iter().map(moments).map(|SpectralMoments { m0, m2, m4 }| [m0, m2, m4]).collect();
-    let n = each.len() as f64;
+fn between(moments: &[SpectralMoments]) -> [f64; 3] {
+    let n = moments.len() as f64;
+    let each = moments.iter().map(|m| [m.m0, m.m2, m.m4]);
     [0, 1, 2].map(|k| {
-        let mean = each.iter().map(|m| m[k]).sum::<f64>() / n;
-        let square = |m: &[f64; 3]| if mean > 0.0 { (m[k] / mean - 1.0).powi(2) } else { 0.0 };
-        (each.iter().map(square).sum::<f64>() / (n - 1.0)).sqrt()
+        let mean = each.clone().map(|m| m[k]).sum::<f64>() / n;
+        let square = |m: [f64; 3]| if mean > 0.0 { (m[k] / mean - 1.0).powi(2) } else { 0.0 };
+        (each.clone().map(square).sum::<f64>() / (n - 1.0)).sqrt()
     })
 }
 
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::synthesis::{Scale, SelfAffine};
+    use crate::profile::moments;
+    use crate::synthesis::rough;
     use contact_types::Grid;
 
     #[test]
@@ -213,28 +208,20 @@ mod tests {
 
     /// Rows of maps of a known surface, far enough apart to be independent, each half as long as the
     /// map so that none repeats. The truth is the mean over all rows of all maps; of the 95 %
-    /// intervals of m0, m2 and m4, and of the factor of a quotient, nine in ten hold it at least, and
-    /// they are no wider than thrice what the rows scatter.
+    /// intervals nine in ten hold it at least, and they are no wider than thrice what the rows scatter.
     #[test]
     fn intervals_hold_the_truth() {
         let mut all = Vec::new();
         for seed in 0..12 {
-            let recipe = SelfAffine {
-                grid: Grid::new([512, 1024], [1e-6, 1e-6]).unwrap(),
-                hurst: 0.8,
-                rolloff: 32e-6,
-                cutoff: 4e-6,
-                scale: Scale::ExpectedRmsGradient(0.1),
-                seed,
-                quantise: None,
-            };
-            let map = recipe.generate().unwrap();
+            let grid = Grid::new([512, 1024], [1e-6, 1e-6]).unwrap();
+            let map = rough(grid, 0.8, [32e-6, 4e-6], 1e-6, seed);
             for iy in (0..512).step_by(32) {
                 let row = map.heights()[iy * 1024..iy * 1024 + 512].to_vec();
                 all.push(Trace::new(1e-6, row).unwrap());
             }
         }
-        let each: Vec<[f64; 3]> = all.iter().map(moments).map(|m| [m.m0, m.m2, m.m4]).collect();
+        let moments: Vec<SpectralMoments> = all.iter().map(moments).collect();
+        let each: Vec<[f64; 3]> = moments.iter().map(|m| [m.m0, m.m2, m.m4]).collect();
         let count = each.len() as f64;
         for k in 0..3 {
             let truth = each.iter().map(|m| m[k]).sum::<f64>() / count;
@@ -243,9 +230,11 @@ mod tests {
             // One trace, and four together.
             for size in [1, 4] {
                 let (mut held, mut width) = (0.0, 0.0);
-                for (traces, m) in all.chunks(size).zip(each.chunks(size)) {
+                let sets = all.chunks(size).zip(moments.chunks(size));
+                for ((traces, moments), m) in sets.zip(each.chunks(size)) {
                     let mean = m.iter().map(|m| m[k]).sum::<f64>() / size as f64;
-                    let [low, high] = MomentScatter::of(traces).interval(k, mean).unwrap();
+                    let scatter = MomentScatter::of(traces, moments);
+                    let [low, high] = scatter.interval(k, mean).unwrap();
                     held += f64::from(u8::from(low <= truth && truth <= high));
                     width += (high / low).ln() / 2.0;
                 }
@@ -268,7 +257,7 @@ mod tests {
         let amplitude = 1.5 * 2.0 / std::f64::consts::PI;
         let expected = amplitude * amplitude * (1.0 + 1.0 / 9.0) / 4.0 / 6.25;
         assert!((found / expected - 1.0).abs() < 0.01, "{found} {expected}");
-        let scatter = MomentScatter::of(&[trace]);
+        let scatter = MomentScatter::of(&[trace], &[]);
         assert!(scatter.relative_variance[0] >= found && scatter.correlation[0][1] > 0.9);
     }
 
@@ -276,7 +265,7 @@ mod tests {
     fn a_single_wave_tells_nothing_of_another_trace() {
         let z = |i: i32| (TAU * f64::from(i) / 400.0).sin();
         let trace = Trace::new(1.0, (0..400).map(z).collect()).unwrap();
-        let scatter = MomentScatter::of(&[trace]);
+        let scatter = MomentScatter::of(&[trace], &[]);
         assert!(scatter.interval(0, 1.0).is_none_or(|[low, high]| high / low > 4.0));
     }
 }

@@ -2,7 +2,7 @@
 
 use super::Trace;
 use crate::StatsError;
-use crate::noise::{NoiseFloor, SIGNAL, is_flat};
+use crate::noise::{NoiseFloor, SIGNAL, last_octave};
 use crate::spectrum::{ProfileBin, Ring, psd_1d};
 use crate::{SpectralScales, fractal};
 use contact_types::{AmplitudeSpectrum, SpectralMoments, Wave};
@@ -13,9 +13,6 @@ const SMOOTHING: f64 = 1.122_462_048_309_373; // 2^(1/6)
 
 /// A one-sided PSD falls as f^-(1 + 2H); flatter than this in the last octave is noise.
 const FLAT_SLOPE: f64 = -0.5;
-
-/// Fewest bins of the last octave of which a noise floor is read.
-const FLOOR_BINS: usize = 8;
 
 /// One-sided PSD of traces under a Hann window, averaged over the traces.
 #[derive(Debug, Clone, PartialEq)]
@@ -32,9 +29,9 @@ impl TraceSpectrum {
     /// Of levelled traces, one at least, of the same length and spacing.
     pub(crate) fn of(traces: &[Trace]) -> Self {
         let first = &traces[0];
-        let mut bins = psd_1d(first.as_map());
+        let mut bins = psd_1d(first);
         for trace in &traces[1..] {
-            for (sum, bin) in bins.iter_mut().zip(psd_1d(trace.as_map())) {
+            for (sum, bin) in bins.iter_mut().zip(psd_1d(trace)) {
                 sum.psd += bin.psd;
             }
         }
@@ -49,8 +46,7 @@ impl TraceSpectrum {
         self.bins.first().map_or(0.0, |bin| bin.frequency)
     }
 
-    /// `∫ S df`, `∫ S q² df`, `∫ S q⁴ df` with q = 2πf: the moments without the filter that finite
-    /// differences are.
+    /// `∫ S df`, `∫ S q² df`, `∫ S q⁴ df` with q = 2πf.
     pub(crate) fn moments(&self) -> SpectralMoments {
         let sum = |weight: &dyn Fn(f64) -> f64| -> f64 {
             self.bins.iter().map(|b| b.psd * weight(TAU * b.frequency)).sum::<f64>() * self.step()
@@ -58,9 +54,8 @@ impl TraceSpectrum {
         SpectralMoments { m0: sum(&|_| 1.0), m2: sum(&|q| q * q), m4: sum(&|q| (q * q) * (q * q)) }
     }
 
-    /// Shares of m2 and m4 of these waves that finite differences of neighbouring points see: they read
-    /// a wave as `[2 sin(qΔ/2)/Δ]²` instead of q², and as its square instead of q⁴. `None` for flat
-    /// traces.
+    /// Shares of m2 and m4 of these waves that finite differences of neighbouring points see: they read a wave as
+    /// `[2 sin(qΔ/2)/Δ]²` instead of q², and as its square instead of q⁴. `None` for flat traces.
     pub(crate) fn seen(&self) -> Option<[f64; 2]> {
         let all = self.moments();
         let read = |q: f64| (2.0 * (0.5 * q * self.spacing).sin() / self.spacing).powi(2);
@@ -71,9 +66,9 @@ impl TraceSpectrum {
         (all.m2 > 0.0 && all.m4 > 0.0).then(|| [sum(1) / all.m2, sum(2) / all.m4])
     }
 
-    /// The PSD as a running mean over a third of an octave: one trace has one wave per frequency, and
+    /// Frequency (1/m) and PSD (m³) as a running mean over a third of an octave: one trace has one wave per frequency, and
     /// each scatters by 100 %.
-    pub fn smoothed(&self) -> Vec<ProfileBin> {
+    pub fn smoothed(&self) -> Vec<[f64; 2]> {
         let mut sums = Vec::with_capacity(self.bins.len() + 1);
         sums.push(0.0);
         for bin in &self.bins {
@@ -83,7 +78,7 @@ impl TraceSpectrum {
             .map(|k| {
                 let [low, high] = self.band(k);
                 let psd = (sums[high] - sums[low - 1]) / (high + 1 - low) as f64;
-                ProfileBin { frequency: self.bins[k - 1].frequency, psd: psd.max(0.0) }
+                [self.bins[k - 1].frequency, psd.max(0.0)]
             })
             .collect()
     }
@@ -95,16 +90,15 @@ impl TraceSpectrum {
         [low.clamp(1, k), high.clamp(k, self.bins.len())]
     }
 
-    /// Expected amplitudes of the waves of a trace of this length, for the stacked models: a Gaussian
-    /// profile's k-th wave has the mean square amplitude 2 S Δf and is Rayleigh distributed, so that
-    /// its mean is `√(π S Δf / 2)`, S the smoothed PSD.
+    /// Expected amplitudes of the waves of a trace of this length, for the stacked models: those of a Gaussian profile have the
+    /// mean square 2 S Δf and are Rayleigh distributed, with the mean `√(π S Δf / 2)`, S the smoothed PSD.
     ///
     /// # Errors
     /// [`StatsError::Surface`] if there are no waves.
     pub fn amplitudes(&self) -> Result<AmplitudeSpectrum, StatsError> {
         let step = self.step();
         let amplitude = |psd: f64| (0.5 * PI * psd * step).sqrt();
-        let wave = |b: ProfileBin| Wave { frequency: b.frequency, amplitude: amplitude(b.psd) };
+        let wave = |[frequency, psd]: [f64; 2]| Wave { frequency, amplitude: amplitude(psd) };
         Ok(AmplitudeSpectrum::new(self.smoothed().into_iter().map(wave).collect(), 1.0 / step)?)
     }
 
@@ -127,19 +121,10 @@ impl TraceSpectrum {
     /// The floor in the last octave; `None` if the PSD still falls there.
     fn noise(&self) -> Option<NoiseFloor> {
         let nyquist = 0.5 / self.spacing;
-        let last: Vec<f64> =
-            self.bins.iter().filter(|b| b.frequency > 0.5 * nyquist).map(|b| b.psd).collect();
-        if last.len() < FLOOR_BINS {
-            return None;
-        }
-        let mean = |values: &[f64]| values.iter().sum::<f64>() / values.len() as f64;
-        let (low, high) = last.split_at(last.len() / 2);
-        let psd = mean(high);
-        if !is_flat([mean(low), psd], FLAT_SLOPE) {
-            return None;
-        }
-        // A running mean; in the octave that was found flat most bins of its band: a line there, as where every second point
-        // is off, is no surface.
+        let last = self.bins.iter().filter(|bin| bin.frequency > 0.5 * nyquist);
+        let psd = last_octave(&last.map(|bin| [bin.psd, 1.0]).collect::<Vec<_>>(), FLAT_SLOPE)?;
+        // A running mean; in the flat octave most bins of its band: a line there, as where every second point is off, is no
+        // surface.
         let mut above = vec![0];
         above.extend(self.bins.iter().scan(0, |count, bin| {
             *count += usize::from(bin.psd >= SIGNAL * psd);
@@ -148,12 +133,13 @@ impl TraceSpectrum {
         let smoothed = self.smoothed();
         let is_signal = |&k: &usize| {
             let [low, high] = self.band(k);
-            smoothed[k - 1].psd >= SIGNAL * psd
-                && (smoothed[k - 1].frequency <= 0.5 * nyquist
+            let [frequency, smooth] = smoothed[k - 1];
+            smooth >= SIGNAL * psd
+                && (frequency <= 0.5 * nyquist
                     || 2 * (above[high] - above[low - 1]) > high + 1 - low)
         };
         let shortest = (1..=smoothed.len()).rev().find(is_signal);
-        let reliable = shortest.map(|k| 1.0 / smoothed[k - 1].frequency);
+        let reliable = shortest.map(|k| 1.0 / smoothed[k - 1][0]);
         Some(NoiseFloor { rms: (psd * nyquist).sqrt(), reliable })
     }
 }
@@ -181,7 +167,7 @@ mod tests {
         assert_relative_eq!(m2, share, max_relative = 1e-3);
         assert_relative_eq!(m4, share * share, max_relative = 1e-3);
         let q = TAU / 8e-6;
-        assert_relative_eq!(spectrum.moments().m0, 0.5e-14, max_relative = 1e-3);
+        assert_relative_eq!(spectrum.moments().m0, 0.5e-14, max_relative = 1e-3, epsilon = 0.0);
         assert_relative_eq!(spectrum.moments().m2, 0.5e-14 * q * q, max_relative = 1e-3);
     }
 
@@ -191,16 +177,14 @@ mod tests {
     #[test]
     fn a_floor_of_white_noise_is_found() {
         for line in [0.0, 3e-9] {
-            let mut random = Pcg64::new(4, 1);
-            let noise = 3e-9 * 12f64.sqrt();
-            let mut z = |i: usize| {
+            let (mut random, noise) = (Pcg64::new(4, 1), 3e-9 * 12f64.sqrt());
+            let z = |i: usize| {
                 let line = if i.is_multiple_of(2) { line } else { -line };
                 1e-6 * (TAU * i as f64 / 500.0).sin() + noise * uniform(&mut random) + line
             };
-            let trace = Trace::new(1e-6, (0..20_000).map(&mut z).collect()).unwrap();
+            let trace = Trace::new(1e-6, (0..20_000).map(z).collect()).unwrap();
             let found = TraceSpectrum::of(&[trace]).scales(0.7e-6, None).noise.unwrap();
-            let reliable = found.reliable.unwrap();
-            assert!((300e-6..700e-6).contains(&reliable), "{reliable:e}");
+            assert!((300e-6..700e-6).contains(&found.reliable.unwrap()), "{found:?}");
             if line <= 0.0 {
                 assert_relative_eq!(found.rms, 3e-9, max_relative = 0.05);
             }
@@ -212,22 +196,21 @@ mod tests {
     #[test]
     fn a_random_walk_has_a_hurst_exponent_of_one_half() {
         let mut random = Pcg64::new(9, 1);
-        let traces: Vec<Trace> = (0..4)
-            .map(|_| {
-                let mut height = 0.0;
-                let mut step = || {
-                    height += 1e-9 * uniform(&mut random);
-                    height
-                };
-                Trace::new(1e-6, (0..16_384).map(|_| step()).collect()).unwrap()
-            })
-            .collect();
+        let mut walk = || {
+            let mut height = 0.0;
+            let step = |_| {
+                height += 1e-9 * uniform(&mut random);
+                height
+            };
+            Trace::new(1e-6, (0..16_384).map(step).collect()).unwrap()
+        };
+        let traces = [walk(), walk(), walk(), walk()];
         let spectrum = TraceSpectrum::of(&traces);
         let law = spectrum.scales(1e-8, Some([30e-6, 3e-3])).power_law.unwrap();
         let (dimension, _) = law.fractal_of_profile();
         assert_relative_eq!(2.0 - dimension, 0.5, epsilon = 0.05);
         let amplitudes = spectrum.amplitudes().unwrap();
         let variance: f64 = amplitudes.waves().iter().map(|w| w.amplitude.powi(2) * 2.0 / PI).sum();
-        assert_relative_eq!(variance, spectrum.moments().m0, max_relative = 0.2);
+        assert_relative_eq!(variance, spectrum.moments().m0, max_relative = 0.2, epsilon = 0.0);
     }
 }

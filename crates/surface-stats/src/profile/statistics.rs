@@ -1,11 +1,11 @@
 //! The one call most users of profiles need.
 
 use super::moments::moments_by_spacing;
-use super::parameters::{ProfileParameters, parameters};
+use super::parameters::means;
 use super::roughness::{choose_setting, roughness};
-use super::{
-    AtSpacing, LEAST_POINTS, MomentScatter, Roughness, Setting, Trace, TraceSpectrum, moments,
-};
+use super::scatter::MomentScatter;
+use super::trace::LEAST_POINTS;
+use super::{ParameterMean, Roughness, Setting, Trace, TraceSpectrum, moments};
 use crate::noise::NoiseFloor;
 use crate::options::check_range;
 use crate::{HeightStatistics, SpectralScales, StatsError, Warning, height_step, scale};
@@ -33,17 +33,6 @@ impl Default for ProfileOptions {
     }
 }
 
-/// A parameter of ISO 21920-2 over several traces.
-#[derive(Debug, Clone, PartialEq)]
-pub struct ParameterMean {
-    /// Its symbol, `Ra`.
-    pub symbol: String,
-    /// Its mean (m, or a number); absent where a trace does not have it.
-    pub mean: Option<f64>,
-    /// Its standard deviation from trace to trace, of two or more.
-    pub deviation: Option<f64>,
-}
-
 /// Everything a contact model can ask of traces of one surface. SI units; absent where undefined.
 ///
 /// ```
@@ -53,10 +42,10 @@ pub struct ParameterMean {
 /// // A sine of 1 µm and 50 µm over 6 mm: Ra = 2A/π.
 /// let height = |i: i32| 1e-6 * (TAU * f64::from(i) * 0.5e-6 / 50e-6).sin();
 /// let trace = Trace::new(0.5e-6, (0..=12_000).map(height).collect())?;
-/// let statistics = ProfileStatistics::of(&[trace], &ProfileOptions::default())?;
-/// let roughness = statistics.roughness.as_ref().unwrap();
-/// assert_eq!((roughness[0].setting.cutoff, roughness[0].sections), (0.8e-3, 5));
-/// let ra = &statistics.roughness_mean().unwrap()[0];
+/// let (statistics, ..) = ProfileStatistics::of(&[trace], &ProfileOptions::default())?;
+/// let roughness = statistics.roughness?;
+/// assert_eq!((roughness.setting.cutoff, roughness.sections), (0.8e-3, 5));
+/// let ra = &roughness.parameters[0];
 /// assert_eq!(ra.symbol, "Ra");
 /// assert!((ra.mean.unwrap() / (2e-6 / PI) - 1.0).abs() < 0.01);
 /// # Ok::<(), surface_stats::StatsError>(())
@@ -74,18 +63,21 @@ pub struct ProfileStatistics {
     pub length: f64,
     /// What was taken off first.
     pub options: ProfileOptions,
-    /// Of the primary profile: of the whole traces as they are used, one per trace.
-    pub(super) primary: Vec<ProfileParameters>,
-    /// Roughness parameters, one per trace, or why there are none.
-    pub roughness: Result<Vec<Roughness>, StatsError>,
+    /// P parameters, of the primary profile: of the whole traces as they are used.
+    pub primary: Vec<ParameterMean>,
+    /// R parameters, or why there are none.
+    pub roughness: Result<Roughness, StatsError>,
     /// m0, m2, m4 by finite differences: means over the traces.
     pub moments: SpectralMoments,
     /// Those of each trace.
     pub each: Vec<SpectralMoments>,
-    /// How far another set of traces would scatter.
-    pub scatter: MomentScatter,
-    /// m2 and m4 over longer distances, of the first trace.
-    pub by_spacing: Vec<AtSpacing>,
+    /// Relative standard deviations of m0, m2, m4 from trace to trace, of two or more.
+    pub between: Option<[f64; 3]>,
+    /// 95 % intervals of m0, m2, m4 over traces like these; absent where these hold too few independent waves to tell.
+    pub intervals: [Option<[f64; 2]>; 3],
+    scatter: MomentScatter,
+    /// Distances (m) of 1, 2, 4, … points, and the moments of the first trace with m2 and m4 by differences over them.
+    pub by_spacing: Vec<(f64, SpectralMoments)>,
     /// m0, m2, m4 by waves, under a Hann window.
     pub spectral: SpectralMoments,
     /// Shares of m2 and m4 of these waves that finite differences see; absent for flat traces.
@@ -119,20 +111,13 @@ pub struct ProfileStatistics {
 }
 
 impl ProfileStatistics {
-    /// Takes all statistics of traces of one surface, of the same length and spacing.
+    /// Takes all statistics of traces of one surface, of the same length and spacing; with the traces as they were used and
+    /// their spectrum.
     ///
     /// # Errors
     /// [`StatsError::ShortTrace`] if `cutoff` is more than half of a trace, [`StatsError::Shape`] for
     /// traces of different lengths, [`StatsError::OutOfRange`], [`StatsError::BadSetting`].
-    pub fn of(traces: &[Trace], options: &ProfileOptions) -> Result<Self, StatsError> {
-        Self::with_spectrum(traces, options).map(|(statistics, ..)| statistics)
-    }
-
-    /// The same, with the traces as they were used and their spectrum.
-    ///
-    /// # Errors
-    /// As [`of`](Self::of).
-    pub fn with_spectrum(
+    pub fn of(
         traces: &[Trace],
         options: &ProfileOptions,
     ) -> Result<(Self, Vec<Trace>, TraceSpectrum), StatsError> {
@@ -141,55 +126,35 @@ impl ProfileStatistics {
             let (what, needed) = ("statistics of profiles", LEAST_POINTS);
             return Err(StatsError::TooFewPoints { what, needed, found: 0 });
         };
-        if let Some(other) = traces.iter().find(|t| t.len() != first.len()) {
-            let (expected, found) = (first.len(), other.len());
+        let points = |trace: &Trace| trace.heights().len();
+        if let Some(other) = traces.iter().find(|trace| points(trace) != points(first)) {
+            let (expected, found) = (points(first), points(other));
             return Err(StatsError::Shape { what: "traces of one surface", expected, found });
         }
-        let step = options.height_step.or_else(|| height_step(first.heights()));
+        let height_step = options.height_step.or_else(|| height_step(first.heights()));
         let mut levelled = Vec::with_capacity(traces.len());
         for trace in traces {
-            scale::check(trace.as_map())?;
+            scale::check(trace)?;
             levelled.push(trace.levelled(options.degree)?);
         }
         let setting = match options.cutoff {
-            Some(cutoff) => Ok(Setting::of_cutoff(cutoff, options.short, first.spacing())),
+            Some(cutoff) => Ok(Setting::asked(cutoff, options.short, first.spacing())),
             None => choose_setting(&levelled, options.short),
         };
-        let of_all = |setting: Setting| -> Result<Vec<Roughness>, StatsError> {
-            levelled.iter().map(|trace| roughness(trace, &setting)).collect()
-        };
-        let roughness = setting.and_then(of_all);
-        if options.cutoff.is_some()
-            && let Err(refused) = roughness
-        {
-            return Err(refused); // what was asked for must be possible
+        let roughness = setting.and_then(|setting| roughness(&levelled, setting));
+        if let (Some(_), Err(refused)) = (options.cutoff, &roughness) {
+            return Err(refused.clone()); // what was asked for must be possible
         }
         // The profile whose moments count is filtered if that was asked for.
-        let used = if options.short.is_none() && options.cutoff.is_none() {
-            levelled
-        } else {
-            let filtered = levelled.iter().map(|t| t.filtered(options.short, options.cutoff));
-            filtered.collect::<Result<Vec<Trace>, _>>()?
-        };
-        let spectrum = TraceSpectrum::of(&used);
-        let statistics = Self::of_used(&used, &spectrum, roughness, step, options)?;
-        Ok((statistics, used, spectrum))
-    }
-
-    fn of_used(
-        used: &[Trace],
-        spectrum: &TraceSpectrum,
-        roughness: Result<Vec<Roughness>, StatsError>,
-        height_step: Option<f64>,
-        options: &ProfileOptions,
-    ) -> Result<Self, StatsError> {
-        let first = &used[0];
+        let used = levelled.iter().map(|trace| trace.filtered(options.short, options.cutoff));
+        let used = used.collect::<Result<Vec<Trace>, _>>()?;
+        let (first, spectrum) = (&used[0], TraceSpectrum::of(&used));
         let each: Vec<SpectralMoments> = used.iter().map(moments).collect();
         let mean =
             |of: fn(&SpectralMoments) -> f64| each.iter().map(of).sum::<f64>() / each.len() as f64;
         let mean = SpectralMoments { m0: mean(|m| m.m0), m2: mean(|m| m.m2), m4: mean(|m| m.m4) };
         let heights: Vec<HeightStatistics> =
-            used.iter().map(|t| HeightStatistics::of(t.as_map())).collect();
+            used.iter().map(|trace| HeightStatistics::of(trace)).collect();
         // Third and fourth moments of all heights about the mean of their own trace.
         let shape = |of: fn(&HeightStatistics) -> Option<f64>, power: i32| {
             let sum: Option<f64> =
@@ -200,16 +165,20 @@ impl ProfileStatistics {
         let SpectralScales { noise, cutoff, rolloff, power_law, .. } =
             spectrum.scales(mean.m0.sqrt(), options.fractal_range);
         let fractal = power_law.map(|law| law.fractal_of_profile());
+        let scatter = MomentScatter::of(&used, &each);
+        let interval = |k: usize| scatter.interval(k, [mean.m0, mean.m2, mean.m4][k]);
         let mut statistics = Self {
             traces: used.len(),
-            points: first.len(),
+            points: first.heights().len(),
             spacing: first.spacing(),
             length: first.length(),
             options: *options,
-            primary: used.iter().map(|trace| parameters(trace, 1)).collect::<Result<_, _>>()?,
+            primary: means(&used, 1, 'P')?,
             roughness,
             moments: mean,
-            scatter: MomentScatter::of(used),
+            between: scatter.between,
+            intervals: [0, 1, 2].map(interval),
+            scatter,
             by_spacing: moments_by_spacing(first),
             spectral: spectrum.moments(),
             seen: spectrum.seen(),
@@ -229,25 +198,13 @@ impl ProfileStatistics {
             warnings: Vec::new(),
         };
         statistics.warnings = statistics.judge(noise);
-        Ok(statistics)
+        Ok((statistics, used, spectrum))
     }
 
-    /// 95 % interval of a moment over traces like these: 0 for m0, 1 for m2, 2 for m4.
-    pub fn interval(&self, moment: usize) -> Option<[f64; 2]> {
-        let SpectralMoments { m0, m2, m4 } = self.moments;
-        self.scatter.interval(moment, [m0, m2, m4][moment])
-    }
-
-    /// Mean over the traces and, of two or more, the standard deviation of each roughness
-    /// parameter.
-    pub fn roughness_mean(&self) -> Option<Vec<ParameterMean>> {
-        let all = self.roughness.as_ref().ok()?;
-        Some(mean_of(&all.iter().map(|r| r.parameters).collect::<Vec<_>>(), 'R'))
-    }
-
-    /// The same of the primary profile.
-    pub fn primary_mean(&self) -> Vec<ParameterMean> {
-        mean_of(&self.primary, 'P')
+    /// The 95 % factor by which a quantity may be wrong whose logarithm changes by `exponents[k]` times that of the k-th
+    /// of m0, m2, m4; `None` where the traces hold too few independent waves to tell.
+    pub fn factor_of(&self, exponents: [f64; 3]) -> Option<f64> {
+        self.scatter.factor_of(exponents)
     }
 
     /// Warnings, by the limits of those of maps.
@@ -264,20 +221,6 @@ impl ProfileStatistics {
         warnings.extend(Warning::of_hurst(self.hurst));
         warnings
     }
-}
-
-fn mean_of(all: &[ProfileParameters], letter: char) -> Vec<ParameterMean> {
-    let n = all.len() as f64;
-    let one = |k: usize| {
-        let values: Option<Vec<f64>> = all.iter().map(|p| p[k].1).collect();
-        let mean = values.as_ref().map(|v| v.iter().sum::<f64>() / n);
-        let deviation = values.zip(mean).filter(|_| all.len() > 1).map(|(values, mean)| {
-            let squares = values.iter().map(|v| (v - mean) * (v - mean)).sum::<f64>();
-            (squares / (n - 1.0)).sqrt()
-        });
-        ParameterMean { symbol: format!("{letter}{}", all[0][k].0), mean, deviation }
-    };
-    (0..all.first().map_or(0, |p| p.len())).map(one).collect()
 }
 
 #[cfg(test)]
@@ -302,17 +245,17 @@ mod tests {
             .step_by(16)
             .map(|row| Trace::new(1e-6, row.to_vec()).unwrap())
             .collect();
-        let of_lines = ProfileStatistics::of(&traces, &ProfileOptions::default()).unwrap();
+        let (of_lines, ..) = ProfileStatistics::of(&traces, &ProfileOptions::default()).unwrap();
         assert_relative_eq!(of_lines.moments.m2, surface.m2, max_relative = 0.1);
         assert_relative_eq!(of_lines.moments.m4, surface.m4, max_relative = 0.1);
-        let [low, high] = of_lines.interval(0).unwrap();
+        let [low, high] = of_lines.intervals[0].unwrap();
         assert!(low < surface.m0 && surface.m0 < high, "{low:e} {high:e} {:e}", surface.m0);
         assert_relative_eq!(of_lines.rolloff.unwrap(), 128e-6, max_relative = 0.5);
         assert_relative_eq!(of_lines.cutoff.unwrap(), 8e-6, max_relative = 0.1);
         // The profile PSD bends near both ends (the book says how much): fit between them.
         let fractal_range = Some([20e-6, 80e-6]);
         let inner = ProfileOptions { fractal_range, ..ProfileOptions::default() };
-        let hurst = ProfileStatistics::of(&traces, &inner).unwrap().hurst.unwrap();
+        let hurst = ProfileStatistics::of(&traces, &inner).unwrap().0.hurst.unwrap();
         assert!((0.5..1.0).contains(&hurst), "{hurst}");
     }
 
@@ -323,7 +266,7 @@ mod tests {
         let asked = ProfileOptions { cutoff: Some(0.8e-3), ..ProfileOptions::default() };
         let refused = ProfileStatistics::of(std::slice::from_ref(&trace), &asked);
         assert!(matches!(refused, Err(StatsError::ShortTrace { .. })));
-        let statistics = ProfileStatistics::of(&[trace], &ProfileOptions::default()).unwrap();
+        let (statistics, ..) = ProfileStatistics::of(&[trace], &ProfileOptions::default()).unwrap();
         assert!(matches!(statistics.roughness, Err(StatsError::ShortTrace { .. })));
         assert!(statistics.moments.m2 > 0.0);
     }
@@ -331,23 +274,19 @@ mod tests {
     /// Several traces: means and standard deviations of what each has.
     #[test]
     fn several_traces_average() {
-        let trace = |a: f64| {
+        let trace = |a: f64, n: i32| {
             let z = |i: i32| a * (f64::from(i) * 0.3).sin();
-            Trace::new(1e-6, (0..4000).map(z).collect()).unwrap()
+            Trace::new(1e-6, (0..n).map(z).collect()).unwrap()
         };
-        let of =
-            |traces: &[Trace]| ProfileStatistics::of(traces, &ProfileOptions::default()).unwrap();
-        let both = of(&[trace(1e-7), trace(3e-7)]);
+        let of = |traces: [Trace; 2]| ProfileStatistics::of(&traces, &ProfileOptions::default());
+        let (both, ..) = of([trace(1e-7, 4000), trace(3e-7, 4000)]).unwrap();
         assert_relative_eq!(both.moments.m0, 2.5e-14, max_relative = 1e-2);
-        let rq = both.primary_mean().swap_remove(1);
+        let rq = &both.primary[1];
         assert_eq!(rq.symbol, "Pq");
         assert_relative_eq!(rq.mean.unwrap(), 2e-7 / 2f64.sqrt(), max_relative = 1e-2);
         // Two values 2e-7/√2 apart: 1e-7.
         assert_relative_eq!(rq.deviation.unwrap(), 1e-7, max_relative = 2e-2);
-        let different = ProfileStatistics::of(
-            &[trace(1e-7), trace(1e-7).part(0, 3000).unwrap()],
-            &ProfileOptions::default(),
-        );
+        let different = of([trace(1e-7, 4000), trace(1e-7, 3000)]);
         assert!(matches!(different, Err(StatsError::Shape { .. })));
     }
 }

@@ -3,8 +3,7 @@
 //! Three normalisations, each named by what its sum or integral gives:
 //! - variance per wave `S = |H|² / (ny nx)²`, with `sum S = m0` ([`RoughnessSpectrum`]);
 //! - two-dimensional PSD `C = S / (dqy dqx)` in m⁴, with `m0 = ∫ C d²q`, q angular ([`Ring`]);
-//! - one-sided profile PSD `S(f)` in m³, with `∫_0^∞ S df = m0`, f = 1/wavelength
-//!   ([`ProfileBin`]).
+//! - one-sided profile PSD `S(f)` in m³, with `∫_0^∞ S df = m0`, f = 1/wavelength.
 //!
 //! The mean of the map (the wave q = 0) is never part of a spectrum.
 //!
@@ -14,7 +13,7 @@ mod profile;
 mod radial;
 mod window;
 
-pub(crate) use profile::psd_1d;
-pub use profile::{ProfileBin, amplitudes};
-pub use radial::{PowerSpectrum, Ring, radial, radial_psd};
+pub use profile::amplitudes;
+pub(crate) use profile::{ProfileBin, psd_1d};
+pub use radial::{PowerSpectrum, Ring, radial};
 pub use window::Window;

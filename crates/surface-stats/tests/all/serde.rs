@@ -3,7 +3,7 @@
 use contact_types::Named;
 use serde::{Serialize, de::DeserializeOwned};
 use std::fmt::Debug;
-use surface_stats::clean::{Form, OutlierRule, Step};
+use surface_stats::clean::Form;
 use surface_stats::{Edges, Level};
 
 fn is<T: Serialize + DeserializeOwned + PartialEq + Debug>(value: &T, text: &str) {
@@ -21,10 +21,6 @@ fn names_are_those_of_the_command() {
     }
     is(&Form::Polynomial(1), "\"plane\"");
     is(&Form::Polynomial(4), "\"polynomial:4\"");
-    is(&Form::Sphere, "\"sphere\"");
-    is(&Step::SFilter(2.5e-6), "{\"s-filter\":2.5e-6}");
-    let rule = OutlierRule::beyond(8.0);
-    is(&Step::Outliers(rule), "{\"outliers\":{\"reach\":2,\"threshold\":8.0}}");
     assert!(serde_json::from_str::<Level>("\"Plane\"").is_err());
     assert!(serde_json::from_str::<Form>("\"polynomial:13\"").is_err());
 }

@@ -6,15 +6,8 @@ use surface_stats::{Edges, Level, StatsOptions, SurfaceStatistics, Warning};
 const UM: f64 = 1e-6;
 
 fn recipe() -> SelfAffine {
-    SelfAffine {
-        grid: Grid::new([384, 384], [UM, UM]).unwrap(),
-        hurst: 0.7,
-        rolloff: 40.0 * UM,
-        cutoff: 6.0 * UM,
-        scale: Scale::RmsHeight(0.3 * UM),
-        seed: 2,
-        quantise: None,
-    }
+    let scale = Scale::RmsHeight(0.3 * UM);
+    SelfAffine { hurst: 0.7, scale, seed: 2, ..crate::recipe([384; 2], [40.0, 6.0]) }
 }
 
 fn changed(map: &HeightMap, height: impl Fn(f64, f64, f64) -> f64) -> HeightMap {
@@ -58,36 +51,6 @@ fn steps_are_named_with_their_height() {
     assert!(matches!(found[1], Warning::FlatTops { .. }), "{found:?}");
 }
 
-/// Noise of 20 nm under waves that end at 6 um: level, and where the reliable band ends.
-#[test]
-fn noise_is_named_with_its_level_and_where_it_begins() {
-    let noise = SelfAffine {
-        rolloff: 2.0 * UM,
-        cutoff: 2.0 * UM,
-        scale: Scale::RmsHeight(20e-9),
-        seed: 9,
-        ..recipe()
-    };
-    let clean = recipe().generate().unwrap();
-    let noise = noise.generate().unwrap();
-    let heights = clean.heights().iter().zip(noise.heights()).map(|(a, b)| a + b).collect();
-    let noisy = HeightMap::new(clean.grid(), heights).unwrap();
-    for edges in [Edges::Open, Edges::Periodic] {
-        let found = warnings(&noisy, edges);
-        let Some(Warning::Noisy { rms, reliable, .. }) =
-            found.iter().find(|w| w.kind() == "noisy").copied()
-        else {
-            panic!("{found:?}")
-        };
-        // The recipe fills the circle of the wavenumber plane only: white noise of 20 nm √(4/π).
-        assert!((rms / 22.57e-9 - 1.0).abs() < 0.03, "{rms:e}");
-        assert!((reliable.unwrap() / (6.0 * UM) - 1.0).abs() < 0.06, "{reliable:?}");
-    }
-    let alone = warnings(&noise, Edges::Periodic);
-    let nothing = |w: &Warning| matches!(w, Warning::Noisy { reliable: None, .. });
-    assert!(alone.iter().any(nothing), "{alone:?}");
-}
-
 #[test]
 fn every_cause_is_named() {
     let made = |recipe: SelfAffine| recipe.generate().unwrap();
@@ -96,6 +59,11 @@ fn every_cause_is_named() {
     let stretched = HeightMap::new(stretched, map.heights().to_vec()).unwrap();
     // Oblique lay has equal slopes along both axes: only the tensor sees it.
     let oblique = changed(&map, |h, y, x| h + 0.6 * UM * (0.5 * (x + y) / UM).sin());
+    let scale = Scale::RmsHeight(20e-9);
+    let noise =
+        made(SelfAffine { rolloff: 2.0 * UM, cutoff: 2.0 * UM, scale, seed: 9, ..recipe() });
+    let at = |y: f64, x: f64| noise.at((y / UM).round() as usize, (x / UM).round() as usize);
+    let noisy = changed(&map, |h, y, x| h + at(y, x));
     let worn = changed(&map, |h, _, _| h.min(0.1 * UM));
     let fine = made(SelfAffine { cutoff: 2.0 * UM, ..recipe() });
     // One oblique wave: m0 m4 / m2² = 1, below any isotropic surface.
@@ -108,6 +76,7 @@ fn every_cause_is_named() {
     for (map, edges, cause) in [
         (stretched, Edges::Periodic, "anisotropic"),
         (oblique, Edges::Open, "anisotropic"),
+        (noisy, Edges::Open, "noisy"),
         (worn, Edges::Periodic, "not-gaussian"),
         (fine, Edges::Periodic, "unresolved"),
         (wave, Edges::Open, "narrow-band"),
