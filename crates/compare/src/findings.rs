@@ -232,7 +232,7 @@ fn of_pair(pair: &PairOrigin) -> Vec<Finding> {
         found.push(Finding::check(Fact::Pair { names: names(), moments: *independence }));
     }
     if placed.resampled.contains(&true) {
-        let matters = placed.pixel_ratio() >= PIXELS_MATTER;
+        let matters = placed.pixel_ratio >= PIXELS_MATTER;
         let pixels = Some(placed.grids.map(|grid| grid.pixel()));
         found.push(Finding::check_if(matters, Fact::Laid { names: names(), pixels, shares: None }));
     }

@@ -276,10 +276,9 @@ pub fn profile_findings(
         Err(error) => {
             found.push(Finding::note(Fact::NoRoughness { why: error.to_string() }));
         }
-        Ok(all) => {
-            let setting = all[0].setting;
-            // The first parameter is Ra.
-            let ra = statistics.roughness_mean().and_then(|means| means[0].mean);
+        Ok(roughness) => {
+            let setting = roughness.setting;
+            let ra = roughness.parameters[0].mean; // the first parameter
             if let (SettingSource::Longest(_), Some(ra)) = (setting.source, ra) {
                 let (wavelength, limit) = (setting.cutoff, statistics.length);
                 found.push(Finding::note(Fact::Filter { wavelength, limit, ra: Some(ra) }));
@@ -302,7 +301,7 @@ pub fn profile_findings(
 
 fn sample(statistics: &ProfileStatistics) -> Finding {
     let factors = [0, 1, 2].map(|k| {
-        let [low, high] = statistics.interval(k)?;
+        let [low, high] = statistics.intervals[k]?;
         (low > 0.0).then(|| (high / low).sqrt())
     });
     let is_loose = factors[1].is_none_or(|factor| factor > 1.0 + LOOSE);
@@ -310,7 +309,7 @@ fn sample(statistics: &ProfileStatistics) -> Finding {
         traces: statistics.traces,
         length: statistics.length,
         factors,
-        between: statistics.scatter.between,
+        between: statistics.between,
     };
     Finding::check_if(is_loose, fact)
 }

@@ -1,8 +1,8 @@
 //! Areal parameters of ISO 25178-2 under the symbols of the standard.
 
 use contact_types::HeightMap;
-use surface_stats::iso25178::{Hybrid, MaterialRatioCurve, Spatial, texture_direction};
-use surface_stats::{Edges, HeightStatistics, StatsError};
+use surface_stats::iso25178::Iso;
+use surface_stats::{Edges, StatsError};
 
 /// A parameter of ISO 25178-2.
 #[derive(Clone, Copy, Debug)]
@@ -20,11 +20,8 @@ pub struct IsoParameter {
 /// # Errors
 /// [`StatsError`] of a map that is too small or flat.
 pub(crate) fn iso(map: &HeightMap, edges: Edges) -> Result<Vec<IsoParameter>, StatsError> {
-    let curve = MaterialRatioCurve::of(map)?;
-    let (core, volumes) = (curve.core(), curve.volumes());
-    let heights = HeightStatistics::of(map);
-    let hybrid = Hybrid::of(map)?;
-    let spatial = Spatial::of(map, edges)?;
+    let Iso { heights, hybrid, spatial, direction, core, volumes, peak_extreme_height } =
+        Iso::of(map, edges)?;
     let (peak, pit) = (heights.peak_height, heights.pit_depth);
     let all = [
         ("Sq", "m", Some(heights.rms_height)),
@@ -39,13 +36,13 @@ pub(crate) fn iso(map: &HeightMap, edges: Edges) -> Result<Vec<IsoParameter>, St
         ("Sdr", "%", Some(hybrid.developed_area_ratio)),
         ("Sal", "m", spatial.autocorrelation_length),
         ("Str", "", spatial.texture_aspect_ratio),
-        ("Std", "°", texture_direction(map)?),
+        ("Std", "°", direction),
         ("Sk", "m", Some(core.core_height)),
         ("Spk", "m", Some(core.reduced_peak_height)),
         ("Svk", "m", Some(core.reduced_valley_depth)),
         ("Smr1", "%", Some(core.peak_ratio)),
         ("Smr2", "%", Some(core.valley_ratio)),
-        ("Sxp", "m", Some(curve.peak_extreme_height())),
+        ("Sxp", "m", Some(peak_extreme_height)),
         ("Vmp", "m³/m²", Some(volumes.peak_material)),
         ("Vmc", "m³/m²", Some(volumes.core_material)),
         ("Vvc", "m³/m²", Some(volumes.core_void)),

@@ -207,10 +207,8 @@ impl ModelSubject {
         inputs.nominal_area = Some(heights.grid().area());
         let map = level(&heights, form).map_err(refused)?;
         // Every model has the moments that a study gives it; only Persson's mean gap needs more.
-        let rms = HeightStatistics::of(&map).rms_height;
-        let differences = DirectionalMoments::of(&map, edges).map_err(refused)?;
         inputs.is_measured = true;
-        inputs.moments = Some(differences.isotropic(rms * rms));
+        inputs.moments = Some(moments(&map, edges).map_err(refused)?);
         match card.of_map {
             OfMap::Fractal => {
                 let missing = origin.missing();
@@ -240,7 +238,7 @@ impl ModelSubject {
         let level = asked.of_profile();
         let options = traces.options(&Settings { level, ..Settings::default() });
         let (statistics, _, spectrum) =
-            ProfileStatistics::with_spectrum(&traces.traces, &options).map_err(refused)?;
+            ProfileStatistics::of(&traces.traces, &options).map_err(refused)?;
         let inputs =
             contact_compare::profile_inputs(&statistics, &spectrum, modulus).map_err(refused)?;
         Ok(Self {

@@ -1,7 +1,7 @@
 //! What is asked of elasticity, and whether the bodies stick, of one map.
 
 use contact_compare::{Adhesion, Inputs, Level, Scene, WorkOfAdhesion};
-use contact_types::{AsperityStatistics, ContactModulus, HeightMap, SpectralMoments};
+use contact_types::{AsperityStatistics, ContactModulus, HeightMap};
 use surface_stats::clean::row_offsets;
 use surface_stats::profile::{self, Trace};
 use surface_stats::{Edges, HeightStatistics, SpectralScales, StatsError, StatsOptions, moments};

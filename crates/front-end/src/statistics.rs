@@ -100,7 +100,7 @@ pub fn profile_statistics(
 ) -> Result<(ProfileStatistics, Value), Failure> {
     let options = traces.options(&Settings { level, ..Settings::default() });
     let found = ProfileStatistics::of(&traces.traces, &options);
-    let found = found.map_err(|e| Failure::in_file(path, &e))?;
+    let (found, ..) = found.map_err(|e| Failure::in_file(path, &e))?;
     let mut json = contact_report::profile_statistics_json(&found);
     json["missing"] = json!(traces.origin.missing());
     json["uneven"] = contact_report::unevenness_json(traces.uneven);

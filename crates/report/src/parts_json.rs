@@ -252,7 +252,7 @@ pub fn pair_json(pair: &PairOrigin) -> Value {
         let body = &mut object[key];
         body["shape"] = json!(placed.grids[k].shape());
         body["pixel"] = json!(placed.grids[k].pixel());
-        body["share"] = json!(placed.shares()[k]);
+        body["share"] = json!(placed.shares[k]);
         body["interpolated"] = json!(placed.resampled[k]);
         body["moments"] = json!(independence.bodies[k]);
     }

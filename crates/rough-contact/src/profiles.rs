@@ -2,6 +2,7 @@
 
 use crate::outcome::Failure;
 use crate::text;
+use rough_contact::HeightMap;
 use rough_contact::compare::{Cleaning, Origin, ProfileSurface, Surface, Unevenness};
 use rough_contact::surface_stats::clean::Form;
 use std::path::Path;
@@ -51,7 +52,7 @@ pub(crate) fn only(all: ProfileSurface, path: &Path) -> Result<Surface, Failure>
         "--s-filter and --l-filter cut the ends of a trace off, which is then no period; leave them \
          out"
     } else {
-        return Ok(Surface { name, origin, heights: traces[0].as_map().clone() });
+        return Ok(Surface { name, origin, heights: HeightMap::clone(&traces[0]) });
     };
     Err(Failure::refused("profile", format!("{}: {message}", path.display())))
 }

@@ -20,7 +20,7 @@ const DOMED: f64 = 0.5;
 
 /// The spikes of a map as measured: what the words count and the picture rings.
 pub(crate) fn spikes(measured: &Measurement) -> Result<Outliers, Trouble> {
-    find_outliers(measured.grid(), measured.heights(), OutlierRule::beyond(SPIKE_THRESHOLD))
+    find_outliers(measured.grid(), measured.heights(), SPIKE_THRESHOLD)
         .map_err(|e| Failure::from_error(&e).into())
 }
 
@@ -83,8 +83,9 @@ pub(crate) fn of(
         let text = "Slopes across them are those of the scan, not of the surface.";
         add("check", claim, text, "rows", "Put the rows in line", Some(numbers));
     }
-    let jump = seam_jump(&prepared(measured, request)?);
-    if remedies.mirror || jump > MOST_SEAM_JUMP {
+    let map = prepared(measured, request)?;
+    if remedies.mirror || !repeats(&map) {
+        let jump = seam_jump(&map);
         let text = "Repeated as it is, the map has a step there, and the solution presses on it. Mirrored it has none.";
         let claim =
             format!("Edges do not match: they jump {} times the inner step.", significant(jump, 2));

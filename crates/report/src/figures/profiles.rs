@@ -37,7 +37,7 @@ pub(crate) fn area(study: &ProfileComparison, key: &str) -> Figure {
 pub(crate) fn first_trace(study: &ProfileComparison, key: &str) -> Option<Figure> {
     let (trace, s) = (&study.traces[0], &study.statistics);
     let heights = trace.heights();
-    let (low, high) = trace.as_map().range();
+    let (low, high) = trace.range();
     let length = trace.length();
     if high <= low {
         return None;
@@ -54,10 +54,10 @@ pub(crate) fn first_trace(study: &ProfileComparison, key: &str) -> Option<Figure
     };
     let mut canvas = Canvas::default();
     let x = |metres: f64| frame.x.at(metres / x_unit.scale);
-    if let Ok(all) = &s.roughness {
+    if let Ok(found) = &s.roughness {
         // With a filter that was asked for the ends are off, and the evaluation length with them.
         let cut = 0.5 * s.options.cutoff.unwrap_or(0.0);
-        let ([start, end], sections) = (all[0].evaluated.map(|end| end - cut), all[0].sections);
+        let ([start, end], sections) = (found.evaluated.map(|end| end - cut), found.sections);
         for k in (0..sections).step_by(2) {
             let at = |k: usize| x(start + (end - start) * k as f64 / sections as f64);
             canvas.rect([at(k), FRAME[1], at(k + 1), FRAME[3]], BAND, 1.0);

@@ -4,7 +4,8 @@ use crate::messages::profile::spread;
 use crate::numbers::{METRES, SPACE, chosen, percent, quantity, significant, unit_for};
 use crate::page::shared::{key_table, row, table, why};
 use contact_compare::ProfileComparison;
-use surface_stats::profile::{AtSpacing, ParameterMean, ProfileStatistics, SettingSource};
+use contact_types::SpectralMoments;
+use surface_stats::profile::{ParameterMean, ProfileStatistics, SettingSource};
 
 fn key(name: &str, value: String, why: impl Into<String>) -> [String; 3] {
     [name.into(), value, why.into()]
@@ -137,7 +138,7 @@ pub(crate) fn roughness(study: &ProfileComparison) -> String {
     let several = s.traces > 1;
     let line = |(k, whole): (usize, &ParameterMean)| {
         let symbol = whole.symbol.as_str();
-        let rough = rough.as_ref().map(|all| &all[k]);
+        let rough = s.roughness.as_ref().ok().map(|found| &found.parameters[k]);
         let numbers = [
             shown(symbol, rough.and_then(|r| r.mean)),
             shown(symbol, rough.and_then(|r| r.deviation)),
@@ -150,7 +151,7 @@ pub(crate) fn roughness(study: &ProfileComparison) -> String {
             [rough, _, whole, _] => row(&head, [rough, whole], &meaning),
         }
     };
-    let rows: String = primary.iter().enumerate().map(line).collect();
+    let rows: String = s.primary.iter().enumerate().map(line).collect();
     let deviation = if several { "#s|" } else { "" };
     let columns = format!("ISO 21920-2|#Roughness R|{deviation}#Whole trace P|{deviation}");
     let table = table(r#"class="stat""#, "", &columns, &rows);
@@ -162,9 +163,8 @@ pub(crate) fn sampling(study: &ProfileComparison) -> String {
     let s = &study.statistics;
     let Some((_, first)) = s.by_spacing.first() else { return String::new() };
     let ratio = |value: f64, of: f64| if of > 0.0 { percent(value / of) } else { "–".into() };
-    let line = |p: &AtSpacing| {
-        let (m, of) = (p.moments, first.moments);
-        row(&quantity(p.spacing, METRES, 3), [ratio(m.m2, of.m2), ratio(m.m4, of.m4)], "")
+    let line = |(distance, m): &(f64, SpectralMoments)| {
+        row(&quantity(*distance, METRES, 3), [ratio(m.m2, first.m2), ratio(m.m4, first.m4)], "")
     };
     let rows: String = s.by_spacing.iter().take(8).map(line).collect();
     let seen = s.seen.map_or(String::new(), |[m2, m4]| {
