@@ -47,7 +47,7 @@ pub(crate) fn profile<'py>(
     let found = quietly(py, threads, move || traces(&how, level, given))?;
     let (traces, json) = found.map_err(|e| e.raise(Path::new(path)))?;
     let ProfileSurface { name, origin, traces, uneven } = traces;
-    let (count, points) = (traces.len(), traces.first().map_or(0, Trace::len));
+    let (count, points) = (traces.len(), traces.first().map_or(0, |trace| trace.heights().len()));
     let spacing = traces.first().map_or(0.0, Trace::spacing);
     let heights = traces.iter().flat_map(|t| t.heights().iter().copied()).collect();
     let format = if let Origin::File(file) = &origin { file.format.clone() } else { String::new() };

@@ -7,7 +7,8 @@ use contact_front_end::{Failure, StatisticsRequest};
 use numpy::{PyArray1, PyReadonlyArray2};
 use pyo3::prelude::*;
 use surface_stats::Edges;
-use surface_stats::spectrum::{Ring, Window, radial_psd};
+use surface_stats::StatsError;
+use surface_stats::spectrum::{PowerSpectrum, Ring, Window};
 
 /// What `rough-contact stats` answers, as JSON.
 #[pyfunction]
