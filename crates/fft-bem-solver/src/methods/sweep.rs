@@ -13,9 +13,9 @@
 use super::ceiling::Ceiling;
 use super::extension::{Pyramid, PyramidLevel};
 use super::node::NodeState;
-use super::tension::{Added, CellRows};
-use crate::Real;
+use super::tension::CellRows;
 use crate::simd::vectorised;
+use crate::{Real, fields};
 use grid_fft::parallel::prelude::*;
 
 /// Most rounds of sweeping.
@@ -31,11 +31,9 @@ const ROWS: usize = 16;
 
 /// Memory of the sweep.
 pub(crate) struct Sweep {
-    /// What belongs to the step but is not in the trial: a constant on the contact.
-    pub(crate) shift: f32,
-    /// The shift, and what the sweeps hand down, for each cell; if anything was handed down.
+    /// What the nodes below each cell carry beside the trial: a constant that belongs to the step, and what the sweeps
+    /// hand down.
     added: Vec<f32>,
-    has_added: bool,
     /// Load handed to the row before and the row after those of each task.
     beyond: Vec<f32>,
     /// For each task, the load handed up, and how many nodes it is from.
@@ -43,14 +41,12 @@ pub(crate) struct Sweep {
 }
 
 impl Sweep {
-    /// For the first level of a pyramid.
-    pub(crate) fn new(first: Option<&PyramidLevel>) -> Self {
-        let [my, mx] = first.map_or([0, 0], |level| level.transfer.coarse);
+    /// For the first level of a pyramid above a grid; without one each pixel is a cell.
+    pub(crate) fn new(shape: [usize; 2], first: Option<&PyramidLevel>) -> Self {
+        let [my, mx] = first.map_or(shape, |level| level.transfer.coarse);
         let tasks = first.map_or(0, |level| my.div_ceil(rows_per_task(level)));
         Self {
-            shift: 0.0,
             added: vec![0.0; my * mx],
-            has_added: false,
             beyond: vec![0.0; 2 * mx * tasks],
             found: vec![(0.0, 0); tasks],
         }
@@ -58,18 +54,15 @@ impl Sweep {
 
     /// For a new trial, from which a constant was left out.
     pub(crate) fn begin(&mut self, shift: f32) {
-        (self.shift, self.has_added) = (shift, false);
+        fields::fill(f64::from(shift), &mut self.added);
     }
 
     /// What the nodes of row `i` of the finest grid carry beside the trial.
     #[inline(always)]
-    pub(crate) fn added_below(&self, i: usize, pyramid: &Pyramid) -> Added<'_> {
-        match pyramid.levels.first() {
-            Some(PyramidLevel { transfer: t, .. }) if self.has_added => {
-                Added::Cells(&self.added[t.parent(i) * t.coarse[1]..][..t.coarse[1]])
-            }
-            _ => Added::Same(self.shift),
-        }
+    pub(crate) fn added_below(&self, i: usize, pyramid: &Pyramid, nx: usize) -> &[f32] {
+        let cells = |level: &PyramidLevel| (level.transfer.parent(i), level.transfer.coarse[1]);
+        let (row, mx) = pyramid.levels.first().map_or((i, nx), cells);
+        &self.added[row * mx..][..mx]
     }
 
     /// Sweeps released nodes, then negative pressures, until no more than a `negligible` tension is left; from a
@@ -173,9 +166,6 @@ impl Sweep {
         let (t, capacity, rows) = (level.transfer, level.capacity, rows_per_task(level));
         let (nx, mx, share) = (t.fine[1], t.coarse[1], t.node_share());
         let fine = rows * t.rows_per_coarse_row() * nx;
-        let (shift, is_first) = (self.shift, !self.has_added);
-        self.has_added |= has_more;
-        let has_added = self.has_added;
         self.found
             .par_iter_mut()
             .zip(smallest.par_chunks_mut(rows * mx))
@@ -189,9 +179,6 @@ impl Sweep {
                 let (((((found, smallest), added), beyond), value), weight) = cells;
                 vectorised!({
                     if has_more {
-                        if is_first {
-                            added.fill(shift);
-                        }
                         for (a, more) in added.iter_mut().zip(&*value) {
                             *a += share * more;
                         }
@@ -212,8 +199,6 @@ impl Sweep {
                     };
                     let lines = smallest.chunks_exact_mut(mx).zip(added.chunks_exact(mx));
                     for (r, (smallest, added)) in lines.enumerate() {
-                        let added =
-                            if has_added { Added::Cells(added) } else { Added::Same(shift) };
                         rows.drop_beyond(r, added, smallest);
                     }
                     *found = rows.found;

@@ -11,41 +11,16 @@ use crate::Real;
 /// Cells or nodes that are looked at in one go. Most blocks hold nothing to do.
 const BLOCK: usize = 32;
 
-/// What is added to the nodes below the cells of a row.
-#[derive(Clone, Copy)]
-pub(crate) enum Added<'a> {
-    /// The same to all.
-    Same(f32),
-    /// So much to those below each cell.
-    Cells(&'a [f32]),
-}
-
-impl Added<'_> {
-    /// To the nodes below cell `c`.
-    #[inline(always)]
-    fn at(self, c: usize) -> f32 {
-        match self {
-            Self::Same(a) => a,
-            Self::Cells(a) => a[c],
-        }
+/// Of a block of cells, 1 for those below which a pressure is negative once so much is added.
+#[inline(always)]
+fn tension_flags(smallest: &[f32], added: &[f32], has_ceiling: bool) -> [u8; BLOCK] {
+    // Towards the ceiling the same addition takes the other sign: one of the two bounds is passed.
+    let worst = |a: f32| if has_ceiling { -a.abs() } else { a };
+    let mut flags = [0; BLOCK];
+    for ((flag, s), a) in flags.iter_mut().zip(smallest).zip(added) {
+        *flag = u8::from(s + worst(*a) < 0.0);
     }
-
-    /// Of a block of cells, from `first` on, 1 for those below which a pressure is negative.
-    #[inline(always)]
-    fn tension_flags(self, first: usize, smallest: &[f32], has_ceiling: bool) -> [u8; BLOCK] {
-        // Towards the ceiling the same addition takes the other sign: one of the two bounds is passed.
-        let worst = |a: f32| if has_ceiling { -a.abs() } else { a };
-        let mut flags = [0; BLOCK];
-        let both = flags.iter_mut().zip(smallest);
-        match self {
-            Self::Same(a) => both.for_each(|(flag, s)| *flag = u8::from(s + worst(a) < 0.0)),
-            Self::Cells(a) => {
-                let all = both.zip(&a[first..]);
-                all.for_each(|((flag, s), a)| *flag = u8::from(s + worst(*a) < 0.0));
-            }
-        }
-        flags
-    }
+    flags
 }
 
 /// Some rows of cells, with the rows of nodes below them.
@@ -69,18 +44,20 @@ impl<T: Real, C: Ceiling<T>> CellRows<'_, T, C> {
     /// Takes the nodes below row `r` of the cells out of the contact that are in tension, or above the ceiling if it
     /// counts; lowers the weights and hands up what they would carry beyond the bound.
     #[inline(always)]
-    pub(super) fn drop_beyond(&mut self, r: usize, added: Added<'_>, smallest: &mut [f32]) {
-        for (k, block) in smallest.chunks_mut(BLOCK).enumerate() {
-            let first = k * BLOCK;
-            let flags = added.tension_flags(first, block, C::IS_FINITE);
-            for_each_set(&flags, |c| self.drop_cell([r, first + c], added, &mut block[c]));
+    pub(super) fn drop_beyond(&mut self, r: usize, added: &[f32], smallest: &mut [f32]) {
+        let blocks = smallest.chunks_mut(BLOCK).zip(added.chunks(BLOCK)).enumerate();
+        for (k, (smallest, added)) in blocks {
+            let flags = tension_flags(smallest, added, C::IS_FINITE);
+            for_each_set(&flags, |c| {
+                self.drop_cell([r, k * BLOCK + c], added[c], &mut smallest[c]);
+            });
         }
     }
 
     /// The nodes below one cell. `smallest` becomes the smallest trial pressure of those that stay.
     #[inline(always)]
-    fn drop_cell(&mut self, [r, c]: [usize; 2], added: Added<'_>, smallest: &mut f32) {
-        let (t, added) = (self.t, added.at(c));
+    fn drop_cell(&mut self, [r, c]: [usize; 2], added: f32, smallest: &mut f32) {
+        let t = self.t;
         let (nodes, trial) = (&mut *self.nodes, self.trial);
         let nx = t.fine[1];
         let (rows, columns) = (t.rows_per_coarse_row(), if t.halved[1] { 2 } else { 1 });

@@ -7,7 +7,6 @@ use crate::methods::ceiling::Ceiling;
 use crate::methods::extension::{Pyramid, PyramidLevel};
 use crate::methods::node::NodeState;
 use crate::methods::sweep::{self, Sweep};
-use crate::methods::tension::Added;
 use crate::row_work::{Partial, total};
 use crate::simd::{LANES, Lane, four, rest, vectorised};
 use crate::{Real, fields, projection};
@@ -41,7 +40,7 @@ impl<T: Real, C: Ceiling<T>> Run<'_, T, C> {
     }
 
     /// Ends `z = E^T y` and makes the step: the trial is `p - tau z` on F, `p` elsewhere. That the mean of z does not
-    /// belong to the step is known only at the end: [`Sweep::shift`] adds it. Where `E g` was, the smallest trial
+    /// belong to the step is known only at the end: [`Sweep::begin`] is told. Where `E g` was, the smallest trial
     /// pressure below each cell of the first level, if there are cells, is left for
     /// [`sweep_trial`](Self::sweep_trial); under a ceiling, the smallest distance from a bound.
     pub(crate) fn make_trial(&mut self, tau: f64, set: ContactSet) -> StepEstimate {
@@ -325,23 +324,19 @@ pub(super) fn end_trial<T: Real, C: Ceiling<T>>(
     trial: &mut [T],
 ) -> Partial {
     let is_halved = pyramid.levels.first().is_some_and(|first| first.transfer.halved[1]);
-    let mut more = [sweep.shift; TILE];
+    let mut more = [0.0; TILE];
     let sum = vectorised!(x => {
         let mut sum = f64x4::splat(x, 0.0);
         for (i, (t, nodes)) in trial.chunks_exact_mut(nx).zip(nodes.chunks_exact(nx)).enumerate() {
-            let added = sweep.added_below(first_row + i, pyramid);
+            let added = sweep.added_below(first_row + i, pyramid, nx);
             for ((k, t), nodes) in t.chunks_mut(TILE).enumerate().zip(nodes.chunks(TILE)) {
-                match added {
-                    Added::Same(_) => (),
-                    Added::Cells(added) if is_halved => {
-                        let pairs = more.as_chunks_mut::<2>().0;
-                        for (more, a) in pairs.iter_mut().zip(&added[k * TILE / 2..]) {
-                            *more = [*a; 2];
-                        }
+                if is_halved {
+                    let pairs = more.as_chunks_mut::<2>().0;
+                    for (more, a) in pairs.iter_mut().zip(&added[k * TILE / 2..]) {
+                        *more = [*a; 2];
                     }
-                    Added::Cells(added) => {
-                        more[..t.len()].copy_from_slice(&added[k * TILE..][..t.len()]);
-                    }
+                } else {
+                    more[..t.len()].copy_from_slice(&added[k * TILE..][..t.len()]);
                 }
                 let ceiling = ceiling.after((first_row + i) * nx + k * TILE);
                 for (i, ((t, m), a)) in t.iter_mut().zip(nodes).zip(&more).enumerate() {

@@ -56,7 +56,7 @@ impl<T: Real> Work<T> {
             nodes: vec![NodeState::Gap; n],
             residual: vec![0.0; n],
             stiffness,
-            sweep: Sweep::new(pyramid.levels.first()),
+            sweep: Sweep::new(shape, pyramid.levels.first()),
             pyramid,
             pairs: Pairs::new(n),
             partial: vec![Partial::default(); pieces],
