@@ -1,7 +1,8 @@
 //! Units that people type, by kind of quantity.
 
 /// What kind of quantity an option takes.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+#[derive(Debug, Clone, Copy, PartialEq, Eq, serde::Deserialize)]
+#[serde(rename_all = "snake_case")]
 pub enum Dimension {
     /// A pure number, written without a unit; a percentage is one too.
     Number,
@@ -20,6 +21,7 @@ pub enum Dimension {
     /// Watts per metre and kelvin.
     Conductivity,
     /// Joules per square metre.
+    #[serde(rename = "energy_per_area")]
     Adhesion,
     /// Pascal seconds.
     Viscosity,

@@ -36,19 +36,7 @@ mod _rough_contact {
     /// Quantities as people type them, in SI units: one, or a list of them and of ranges.
     #[pyfunction]
     fn parse(text: &str, dimension: &str, many: bool) -> PyResult<Vec<f64>> {
-        let dimension = match dimension {
-            "number" => Dimension::Number,
-            "length" => Dimension::Length,
-            "area" => Dimension::Area,
-            "per_area" => Dimension::PerArea,
-            "pressure" => Dimension::Pressure,
-            "force" => Dimension::Force,
-            "resistivity" => Dimension::Resistivity,
-            "conductivity" => Dimension::Conductivity,
-            "energy_per_area" => Dimension::Adhesion,
-            "viscosity" => Dimension::Viscosity,
-            other => return Err(bug(&format!("no dimension {other}"))),
-        };
+        let dimension: Dimension = serde_json::from_value(dimension.into()).map_err(|e| bug(&e))?;
         let found =
             if many { several(text, dimension) } else { one(text, dimension).map(|v| vec![v]) };
         found.map_err(|e| raise(&Failure::refused("unit", e.message)))

@@ -6,9 +6,7 @@ use crate::reading::{FileReading, Unread, unmade};
 use crate::study::{REPEAT, run_file_of, texts};
 use crate::surface::{HeightFacts, array, form, measurement};
 use crate::watched::quietly;
-use contact_compare::{
-    Level, Origin, ProfileComparison, ProfileSurface, Registry, RunSurface, Settings,
-};
+use contact_compare::{Level, Origin, ProfileComparison, ProfileSurface, Registry, Settings};
 use contact_front_end::Failure;
 use contact_front_end::model::ModelSubject;
 use contact_report::Provenance;
@@ -143,9 +141,7 @@ pub(crate) fn profile_study(
     }
     let threads = settings.threads;
     let found = quietly(py, threads, move || -> Result<_, Failure> {
-        let listed =
-            |s: &ProfileSurface| RunSurface { name: s.name.clone(), origin: s.origin.clone() };
-        let run_file = run_file_of(&settings, given.iter().map(listed).collect());
+        let run_file = run_file_of(&settings, given.iter().map(|s| (&s.name, &s.origin)));
         let registry = Registry::built_in();
         let study = |s| ProfileComparison::run(s, settings.clone(), &registry);
         let studies = given.into_iter().map(study).collect::<Result<Vec<_>, _>>();

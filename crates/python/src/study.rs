@@ -222,11 +222,7 @@ pub(crate) fn study(
                 given.into_iter().map(on).collect::<Result<_, _>>()?
             }
         };
-        let runs: Vec<RunSurface> = given
-            .iter()
-            .map(|s| RunSurface { name: s.name.clone(), origin: s.origin.clone() })
-            .collect();
-        run(given, settings, &registry, (runs, &times), &mut listen)
+        run(given, settings, &registry, &times, &mut listen)
     })?;
     let stopped_by = stopped_by.map(|e| e.into_value(py).into_any());
     match value {
@@ -246,11 +242,11 @@ fn run(
     surfaces: Vec<Surface>,
     settings: Settings,
     registry: &Registry,
-    (runs, times): (Vec<RunSurface>, &Times),
+    times: &Times,
     listen: &mut contact_compare::Listener<'_>,
 ) -> Result<(BTreeMap<String, String>, Option<Failure>), Failure> {
     let failed = |e: StudyError| Failure::from_error(&e);
-    let run_file = run_file_of(&settings, runs);
+    let run_file = run_file_of(&settings, surfaces.iter().map(|s| (&s.name, &s.origin)));
     let mut found = Comparison::run(surfaces, settings, registry, listen).map_err(failed)?;
     contact_front_end::look_around(&mut found, listen)?;
     for surface in &mut found.surfaces {
@@ -269,9 +265,16 @@ fn run(
 /// The command that repeats a study from the file beside its report.
 pub(crate) const REPEAT: &str = "rough-contact compare --from run.toml --out again";
 
-pub(crate) fn run_file_of(settings: &Settings, surfaces: Vec<RunSurface>) -> RunFile {
-    let program = env!("CARGO_PKG_VERSION").to_owned();
-    RunFile { program, settings: settings.clone(), surfaces }
+pub(crate) fn run_file_of<'a>(
+    settings: &Settings,
+    surfaces: impl Iterator<Item = (&'a String, &'a Origin)>,
+) -> RunFile {
+    let surface = |(name, origin): (&String, &Origin)| RunSurface {
+        name: name.clone(),
+        origin: origin.clone(),
+    };
+    let (program, surfaces) = (env!("CARGO_PKG_VERSION").to_owned(), surfaces.map(surface));
+    RunFile { program, settings: settings.clone(), surfaces: surfaces.collect() }
 }
 
 pub(crate) fn texts(
