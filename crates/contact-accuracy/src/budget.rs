@@ -90,7 +90,9 @@ impl Budget {
             let others =
                 [(&mut mean_gap, of_gap), (&mut gas, of_gap), (&mut stiffness, of_stiffness)];
             for (number, relative) in others {
-                number.iter_mut().for_each(|n| n.sampling = Some(relative * n.value));
+                if let Some(number) = number {
+                    number.sampling = Some(relative * number.value);
+                }
             }
         }
         Self {
