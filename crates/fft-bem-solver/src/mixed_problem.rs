@@ -74,7 +74,9 @@ pub(crate) fn solve(
     inverse.sweep_uniform(&on, &mut p);
     let mean = p.iter().sum::<f64>() / n as f64;
     if mean > 0.0 && p.iter().all(|p| *p >= 0.0) {
-        p.iter_mut().for_each(|p| *p /= mean);
+        for p in &mut p {
+            *p /= mean;
+        }
     } else {
         p.fill(n as f64 / size as f64);
     }
@@ -92,13 +94,17 @@ pub(crate) fn solve(
         inverse.apply(&on, |k| rise - u[k], &mut z);
         transforms += inverse.cost();
         let mean = mean_of(&z);
-        z.iter_mut().for_each(|z| *z -= mean);
+        for z in &mut z {
+            *z -= mean;
+        }
         let beta = if has_direction { -dot(&z, &kd) / dot(&d, &kd) } else { 0.0 };
         for (d, z) in d.iter_mut().zip(&z) {
             *d = z + beta * *d;
         }
         let mean = mean_of(&d); // none, to the last digit
-        d.iter_mut().for_each(|d| *d -= mean);
+        for d in &mut d {
+            *d -= mean;
+        }
         answer(&d, &mut kd);
         transforms += 1.0;
         let descent: f64 = u.iter().zip(&d).map(|(u, d)| (rise - u) * d).sum();

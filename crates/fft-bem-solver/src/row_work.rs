@@ -35,6 +35,9 @@ pub(crate) fn sums<T: Sync, const N: usize>(
 /// Rows of a block of work around an application of `K`.
 pub(crate) const BLOCK_ROWS: usize = grid_fft::Convolution::<f64>::BLOCK_ROWS;
 
+/// From first pixel, factor, pressure and displacement, and a third field to sums over them.
+pub(crate) type Finish<'a, T> = dyn Fn(usize, T, [&mut [T]; 2], &mut [f32]) -> Partial + Sync + 'a;
+
 /// What is done with the fields around an application of `K`, in blocks of whole rows while they are
 /// in cache. Each is given the first pixel of the block.
 pub(crate) struct RowWork<'a, T> {
@@ -43,7 +46,7 @@ pub(crate) struct RowWork<'a, T> {
     /// From these sums: by what the displacement is to be multiplied; `None` stops here.
     pub(crate) factor: &'a mut dyn FnMut(&[Partial]) -> Option<f64>,
     /// Sees that factor, pressure and displacement, and a third field once the displacement is there.
-    pub(crate) finish: &'a (dyn Fn(usize, T, [&mut [T]; 2], &mut [f32]) -> Partial + Sync),
+    pub(crate) finish: &'a Finish<'a, T>,
     /// Pixels of a block, where the operator has none of its own.
     pub(crate) pixels: usize,
 }

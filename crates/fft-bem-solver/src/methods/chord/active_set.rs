@@ -192,7 +192,9 @@ impl<T: Real, C: Ceiling<T>> Classify<'_, T, C> {
             let first = first + k * BLOCK;
             let [load, is_in] = [&mut load, &mut is_in].map(|x| &mut x[..p.len()]);
             if let Some(excess) = self.excess {
-                g.iter_mut().for_each(|g| *g -= excess as f32);
+                for g in g.iter_mut() {
+                    *g -= excess as f32;
+                }
             } else {
                 let ([u, h], level) = (self.fields.map(|x| &x[first..]), T::of(self.level));
                 let fields = g.iter_mut().zip(u).zip(h);
