@@ -179,7 +179,6 @@ impl FileFields {
             missing: self.missing.clone(),
             decimal: named("decimal", self.decimal.as_deref())?,
             layout: named("layout", self.layout.as_deref())?,
-            ..ReadOptions::default()
         })
     }
 }

@@ -18,7 +18,9 @@ pub fn run(surfaces: Vec<Surface>, settings: Settings) -> Comparison {
 pub fn small(names: &[&str]) -> Vec<Surface> {
     let mut recipes = built_in_recipes();
     recipes.retain(|r| names.contains(&r.name.as_str()));
-    recipes.iter_mut().for_each(|recipe| recipe.shape = [96, 96]);
+    for recipe in &mut recipes {
+        recipe.shape = [96, 96];
+    }
     recipes.iter().map(|recipe| recipe.make().unwrap()).collect()
 }
 
