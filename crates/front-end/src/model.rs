@@ -67,7 +67,7 @@ impl Said {
 
 /// That, or why it says nothing.
 pub type ModelResult = Result<Said, ModelError>;
-type Ask<'a> = Box<dyn Fn(&ModelLoad) -> ModelResult + 'a>;
+type Answering<'a> = Box<dyn Fn(&ModelLoad) -> ModelResult + 'a>;
 
 impl ModelLoad {
     /// Pa or m.
@@ -97,14 +97,14 @@ fn results(
     let built = match questions.first() {
         Some(ModelLoad::Separation(_)) => {
             let built = theory.build_separation(given.0).ok_or_else(no_separation)?;
-            built.map(|model| -> Ask<'_> {
+            built.map(|model| -> Answering<'_> {
                 Box::new(move |q| {
                     let state = contact_compare::possible(title, model.at_separation(q.value())?)?;
                     Ok(Said::of(model.as_ref(), state, theory, given))
                 })
             })
         }
-        _ => theory.build(given.0).map(|model| -> Ask<'_> {
+        _ => theory.build(given.0).map(|model| -> Answering<'_> {
             Box::new(move |q| {
                 let state = contact_compare::possible(title, model.at_pressure(q.value())?)?;
                 Ok(Said::of(model.as_ref(), state, theory, given))

@@ -4,7 +4,7 @@
 use crate::csv::{cell, quoted};
 use serde_json::Value;
 use std::io::{self, Write};
-use surface_stats::FIELDS;
+use surface_stats::STATISTICS;
 
 /// Keys whose values are lists of text for people, or too long for a row.
 const LEFT_OUT: [&str; 6] =
@@ -71,7 +71,7 @@ fn with_unit(head: &str) -> String {
     let name = words().next_back().unwrap_or_default();
     let of_result = UNITS.iter().find(|(_, names)| names.split_whitespace().any(|n| n == name));
     let unit = of_result.map(|(unit, _)| *unit).or_else(|| {
-        FIELDS.iter().find(|field| field.key == name && !field.unit.is_empty()).map(|f| f.unit)
+        STATISTICS.iter().find(|field| field.key == name && !field.unit.is_empty()).map(|f| f.unit)
     });
     unit.map_or_else(|| head.to_owned(), |unit| format!("{head} ({})", ascii(unit)))
 }
@@ -181,7 +181,7 @@ mod tests {
             .unwrap();
         let Value::Object(shown) = crate::json::statistics(&s) else { panic!() };
         let numbers = shown.iter().filter(|(_, value)| value.is_f64());
-        let listed = FIELDS.iter().filter_map(|field| Some((field.key, field.of(&s)?)));
+        let listed = STATISTICS.iter().filter_map(|field| Some((field.key, field.of(&s)?)));
         let sorted = |mut all: Vec<(String, f64)>| {
             all.sort_by(|a, b| a.0.cmp(&b.0));
             all

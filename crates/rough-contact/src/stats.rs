@@ -17,7 +17,7 @@ use rough_contact::compare::{Level, WorkOfAdhesion};
 use rough_contact::contact_types::Named;
 use rough_contact::front_end::bodies::Bodies;
 use rough_contact::front_end::{IsoParameter, StatisticsRequest, Subject};
-use rough_contact::surface_stats::{ByDistance, Edges, FIELDS, Field, SurfaceStatistics};
+use rough_contact::surface_stats::{ByDistance, Edges, STATISTICS, Statistic, SurfaceStatistics};
 use rough_contact::{front_end, report};
 use std::path::Path;
 
@@ -150,7 +150,7 @@ impl PerFile for Stats {
 
 /// Parameters of ISO 25178-2 that are not shown before.
 fn areal(iso: &[IsoParameter]) -> TwoColumns {
-    let is_new = |p: &&IsoParameter| FIELDS.iter().all(|field| field.symbol != p.symbol);
+    let is_new = |p: &&IsoParameter| STATISTICS.iter().all(|field| field.symbol != p.symbol);
     let mut t = TwoColumns::default();
     for p in iso.iter().filter(is_new) {
         t.row(p.symbol.replace('_', " "), text::or_dash(p.value, |value| with_unit(value, p.unit)));
@@ -191,12 +191,12 @@ impl Stats {
         t.row("points", format!("{ny} rows × {nx} columns, {} filled in", s.missing));
         t.row("pixel", format!("{} × {} (dy × dx)", text::length(dy), text::length(dx)));
         t.row("level, edges", format!("{}, {}", s.level.name(), self.boundary.name()));
-        for fields in FIELDS.chunk_by(|a, b| a.name == b.name) {
-            let joined = |one: &dyn Fn(&Field) -> String| {
+        for fields in STATISTICS.chunk_by(|a, b| a.name == b.name) {
+            let joined = |one: &dyn Fn(&Statistic) -> String| {
                 fields.iter().map(one).collect::<Vec<_>>().join(", ")
             };
             let name = format!("{} {}", fields[0].name, joined(&|f| f.symbol.to_owned()));
-            let value = |f: &Field| text::or_dash(f.of(s), |value| with_unit(value, f.unit));
+            let value = |f: &Statistic| text::or_dash(f.of(s), |value| with_unit(value, f.unit));
             t.row(name.trim_end(), joined(&value));
         }
         t.asperities(s.asperities);

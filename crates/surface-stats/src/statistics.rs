@@ -104,7 +104,7 @@ pub struct SurfaceStatistics {
 
 /// A number of [`SurfaceStatistics`]: all that CSV, the terminal and Python know of it.
 #[derive(Debug)]
-pub struct Field {
+pub struct Statistic {
     /// In JSON, CSV and Python.
     pub key: &'static str,
     /// In standards and papers, if it has one.
@@ -123,7 +123,7 @@ enum Value {
 }
 use Value::{Always, Maybe};
 
-impl Field {
+impl Statistic {
     /// The number of a surface, if it has one.
     pub fn of(&self, statistics: &SurfaceStatistics) -> Option<f64> {
         match self.value {
@@ -133,53 +133,53 @@ impl Field {
     }
 }
 
-const fn field(
+const fn number(
     key: &'static str,
     symbol: &'static str,
     name: &'static str,
     unit: &'static str,
     value: Value,
-) -> Field {
-    Field { key, symbol, name, unit, value }
+) -> Statistic {
+    Statistic { key, symbol, name, unit, value }
 }
 
 /// The numbers of [`SurfaceStatistics`], in its order. `cargo xtask study tables` writes those of Python from here.
-pub const FIELDS: [Field; 29] = [
-    field("rms_height", "Sq", "rms height", "m", Always(|s| s.rms_height)),
-    field("mean_abs_height", "Sa", "mean absolute height", "m", Always(|s| s.mean_abs_height)),
-    field("skewness", "Ssk", "skewness", "", Maybe(|s| s.skewness)),
-    field("kurtosis", "Sku", "kurtosis", "", Maybe(|s| s.kurtosis)),
-    field("peak_height", "Sp", "highest peak", "m", Always(|s| s.peak_height)),
-    field("pit_depth", "Sv", "deepest pit", "m", Always(|s| s.pit_depth)),
-    field("rms_gradient", "Sdq", "rms gradient", "", Always(|s| s.rms_gradient)),
-    field("m0", "m0", "height variance", "m²", Always(|s| s.m0)),
-    field("m2", "m2", "slope variance", "", Always(|s| s.m2)),
-    field("m4", "m4", "curvature variance", "m⁻²", Always(|s| s.m4)),
-    field("m2_x", "m2x", "slope variance by axis", "", Always(|s| s.m2_x)),
-    field("m2_y", "m2y", "slope variance by axis", "", Always(|s| s.m2_y)),
-    field("m4_x", "m4x", "curvature variance by axis", "m⁻²", Always(|s| s.m4_x)),
-    field("m4_y", "m4y", "curvature variance by axis", "m⁻²", Always(|s| s.m4_y)),
-    field("m0_spectral", "m0", "by spectrum", "m²", Always(|s| s.m0_spectral)),
-    field("m2_spectral", "m2", "by spectrum", "", Always(|s| s.m2_spectral)),
-    field("m4_spectral", "m4", "by spectrum", "m⁻²", Always(|s| s.m4_spectral)),
-    field("bandwidth", "m0 m4/m2²", "bandwidth", "", Maybe(|s| s.bandwidth)),
-    field("anisotropy", "a2", "slope anisotropy", "", Maybe(|s| s.anisotropy)),
-    field("hurst", "H", "Hurst exponent", "", Maybe(|s| s.hurst)),
-    field("dimension", "D", "profile dimension", "", Maybe(|s| s.dimension)),
-    field("roughness", "G", "fractal roughness", "m", Maybe(|s| s.roughness)),
-    field("rolloff", "λr", "roll-off", "m", Maybe(|s| s.rolloff)),
-    field("cutoff", "λs", "cut-off", "m", Maybe(|s| s.cutoff)),
-    field(
+pub const STATISTICS: [Statistic; 29] = [
+    number("rms_height", "Sq", "rms height", "m", Always(|s| s.rms_height)),
+    number("mean_abs_height", "Sa", "mean absolute height", "m", Always(|s| s.mean_abs_height)),
+    number("skewness", "Ssk", "skewness", "", Maybe(|s| s.skewness)),
+    number("kurtosis", "Sku", "kurtosis", "", Maybe(|s| s.kurtosis)),
+    number("peak_height", "Sp", "highest peak", "m", Always(|s| s.peak_height)),
+    number("pit_depth", "Sv", "deepest pit", "m", Always(|s| s.pit_depth)),
+    number("rms_gradient", "Sdq", "rms gradient", "", Always(|s| s.rms_gradient)),
+    number("m0", "m0", "height variance", "m²", Always(|s| s.m0)),
+    number("m2", "m2", "slope variance", "", Always(|s| s.m2)),
+    number("m4", "m4", "curvature variance", "m⁻²", Always(|s| s.m4)),
+    number("m2_x", "m2x", "slope variance by axis", "", Always(|s| s.m2_x)),
+    number("m2_y", "m2y", "slope variance by axis", "", Always(|s| s.m2_y)),
+    number("m4_x", "m4x", "curvature variance by axis", "m⁻²", Always(|s| s.m4_x)),
+    number("m4_y", "m4y", "curvature variance by axis", "m⁻²", Always(|s| s.m4_y)),
+    number("m0_spectral", "m0", "by spectrum", "m²", Always(|s| s.m0_spectral)),
+    number("m2_spectral", "m2", "by spectrum", "", Always(|s| s.m2_spectral)),
+    number("m4_spectral", "m4", "by spectrum", "m⁻²", Always(|s| s.m4_spectral)),
+    number("bandwidth", "m0 m4/m2²", "bandwidth", "", Maybe(|s| s.bandwidth)),
+    number("anisotropy", "a2", "slope anisotropy", "", Maybe(|s| s.anisotropy)),
+    number("hurst", "H", "Hurst exponent", "", Maybe(|s| s.hurst)),
+    number("dimension", "D", "profile dimension", "", Maybe(|s| s.dimension)),
+    number("roughness", "G", "fractal roughness", "m", Maybe(|s| s.roughness)),
+    number("rolloff", "λr", "roll-off", "m", Maybe(|s| s.rolloff)),
+    number("cutoff", "λs", "cut-off", "m", Maybe(|s| s.cutoff)),
+    number(
         "max_amplitude_ratio",
         "B_max",
         "amplitude / length",
         "",
         Always(|s| s.max_amplitude_ratio),
     ),
-    field("record_length", "", "length of the rows", "m", Always(|s| s.record_length)),
-    field("height_step", "", "height step", "m", Maybe(|s| s.height_step)),
-    field("noise_rms", "", "noise rms", "m", Maybe(|s| s.noise_rms)),
-    field("reliable_wavelength", "", "reliable wavelength", "m", Maybe(|s| s.reliable_wavelength)),
+    number("record_length", "", "length of the rows", "m", Always(|s| s.record_length)),
+    number("height_step", "", "height step", "m", Maybe(|s| s.height_step)),
+    number("noise_rms", "", "noise rms", "m", Maybe(|s| s.noise_rms)),
+    number("reliable_wavelength", "", "reliable wavelength", "m", Maybe(|s| s.reliable_wavelength)),
 ];
 
 /// The spectra that [`SurfaceStatistics`] are taken from, of the levelled map.

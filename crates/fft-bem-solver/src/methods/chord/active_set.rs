@@ -2,7 +2,6 @@
 
 use super::memory::Known;
 use super::run::Run;
-use super::trial::StepEstimate;
 use crate::methods::ceiling::Ceiling;
 use crate::methods::contract::State;
 use crate::methods::extension::pull_rows;
@@ -13,15 +12,10 @@ use crate::row_work::{Partial, total};
 use crate::simd::vectorised;
 use crate::{Real, fields};
 use grid_fft::parallel::prelude::*;
-use std::f64::consts::FRAC_PI_2;
 
 /// After a poor step, nodes with less pressure than this times their gap are let go; as much less as
 /// pixels are longer than wide, where a line of them may stand off as a whole for a lack of little load.
 pub(super) const RELEASE: f64 = 0.1;
-
-/// Below this part of what the softest wave of the grid would make of the residual gap, an estimate is
-/// not believed.
-const INCREDIBLE: f64 = 0.01;
 
 /// Nodes looked at together.
 const BLOCK: usize = 256;
@@ -136,19 +130,6 @@ impl<T: Real, C: Ceiling<T>> Run<'_, T, C> {
         pairs.scale(factor, self.iterate);
         self.load *= factor;
         self.memory.dkd *= factor * factor;
-    }
-
-    /// The estimate, unless even the softest wave of the grid would resist the residual gap more: then
-    /// the preconditioner is at fault, and the stiffest wave bounds the error instead.
-    pub(super) fn credible(&mut self, estimate: &StepEstimate, level: f64) -> f64 {
-        let (u, h, nodes) = (&self.iterate.displacement, self.heights, &self.work.nodes);
-        let level = T::of(level);
-        let square =
-            |i: usize| if nodes[i].is_in() { (u[i] - h[i] - level).wide().powi(2) } else { 0.0 };
-        let gap2 = fields::sum_of(u.len(), square);
-        let stiffest = FRAC_PI_2 * (gap2 / estimate.p2).sqrt(); // |q|/2 at pi per finer pixel
-        let softest = 2.0 / self.work.longest * stiffest;
-        if estimate.residual < INCREDIBLE * softest { stiffest } else { estimate.residual }
     }
 
     /// Whether the residual gap of the iterate, on F, is no more than the rounding of the fields it is a difference of.

@@ -105,7 +105,7 @@ impl<T: Real, C: Ceiling<T>> Run<'_, T, C> {
         let before = if has_before { &work.pairs.before.pressure[..] } else { p }; // without one, d = 0
         let finish = |first: usize, scale: T, qv: [&mut [T]; 2], gap: &mut [f32]| {
             let [p, u, h, b] = [p, u, h, before].map(|x| &x[first..][..gap.len()]);
-            inner_products(ceiling, [p, u, h], level, qv, scale, b, gap)
+            inner_products(ceiling.after(first), [p, u, h], level, qv, scale, b, gap)
         };
         let around = RowWork {
             prepare: &prepare,

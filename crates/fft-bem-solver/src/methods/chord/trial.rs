@@ -12,12 +12,17 @@ use crate::simd::{LANES, Lane, four, rest, vectorised};
 use crate::{Real, fields, projection};
 use fearless_simd::{Simd, SimdBase, f64x4};
 use grid_fft::parallel::prelude::*;
+use std::f64::consts::FRAC_PI_2;
 
 /// Pressure per gap of a node that joins the contact because the others cannot carry more, per finer
 /// pixel and `E*`: about that of a single node.
 const STIFFNESS: f64 = 1.0;
 /// Pixels handled at a time where there must be room for intermediate fields.
 const TILE: usize = 64;
+
+/// Below this part of what the softest wave of the grid would make of the residual gap, an estimate is
+/// not believed.
+const INCREDIBLE: f64 = 0.01;
 
 /// How large the step is.
 #[derive(Debug, Clone, Copy)]
@@ -79,6 +84,19 @@ impl<T: Real, C: Ceiling<T>> Run<'_, T, C> {
         let mean = z / set.size.max(1) as f64;
         work.sweep.begin((tau * mean) as f32);
         StepEstimate { residual: (((z2 - mean * z).max(0.0) + off2) / p2).sqrt(), p2 }
+    }
+
+    /// The estimate, unless even the softest wave of the grid would resist the residual gap more: then
+    /// the preconditioner is at fault, and the stiffest wave bounds the error instead.
+    pub(super) fn credible(&mut self, estimate: &StepEstimate, level: f64) -> f64 {
+        let (u, h, nodes) = (&self.iterate.displacement, self.heights, &self.work.nodes);
+        let level = T::of(level);
+        let square =
+            |i: usize| if nodes[i].is_in() { (u[i] - h[i] - level).wide().powi(2) } else { 0.0 };
+        let gap2 = fields::sum_of(u.len(), square);
+        let stiffest = FRAC_PI_2 * (gap2 / estimate.p2).sqrt(); // |q|/2 at pi per finer pixel
+        let softest = 2.0 / self.work.longest * stiffest;
+        if estimate.residual < INCREDIBLE * softest { stiffest } else { estimate.residual }
     }
 
     /// Sweeps the trial that was just made. The tension that is left will be clipped, and the load that takes spread
