@@ -24,8 +24,11 @@ fn the_page_is_served_and_nothing_is_written() {
     has(&head, &["frame-ancestors 'none'", "no-store"]);
     has(&page, &["default-src 'none'", "connect-src 'self'"]);
     assert!(!page.contains("<!--policy-->") && !page.contains("wasm-unsafe-eval"));
-    let load = r#"{"example": "polished", "load": {"by": "pressure", "list": "5MPa, 20MPa"}}"#;
-    let done = app.asked("run", load, b"");
+    let wave = |i: i32| (0.1 * f64::from(i * i % 97)).sin().to_string();
+    let row = |iy: i32| (0..48).map(|ix| wave(48 * iy + ix)).collect::<Vec<_>>().join(" ");
+    let map = (0..48).map(row).collect::<Vec<_>>().join("\n");
+    let load = r#"{"name": "a.txt", "reading": {"pixel": "1um", "height_unit": "nm"}, "load": {"by": "pressure", "list": "5MPa"}}"#;
+    let done = app.asked("run", load, map.as_bytes());
     assert!(done["files"]["results.json"].is_string(), "{done}");
     assert_eq!(std::fs::read_dir(at.path()).expect("a folder").count(), 0);
 }
