@@ -9,7 +9,7 @@ use std::f64::consts::PI;
 /// The surface of an elastic half space under the pixels of one map, each loaded uniformly:
 /// displacement at the centres of the pixels, zero far away.
 ///
-/// The sum over all pixels is a convolution with [`love`]'s coefficients, evaluated without error
+/// The sum over all pixels is a convolution with Love's coefficients, evaluated without error
 /// on a grid padded with zeros to twice the size.
 pub struct FreeHalfSpace<T: Real> {
     grid: Grid,
