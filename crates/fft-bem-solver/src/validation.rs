@@ -121,7 +121,7 @@ const CASES: &[ValidationCase] = &[
     ("full contact", "Johnson 1985, section 13.2", false, closed),
 ];
 
-const JOHNSON: &str = "converged table; Johnson, Greenwood & Higginson 1985";
+const JOHNSON: &str = "converged calculation; Johnson, Greenwood & Higginson 1985";
 
 /// A number with an order of convergence; the case is filled in where it is run.
 fn number(quantity: &'static str, computed: f64, exact: f64, order: f64) -> ValidationRow {

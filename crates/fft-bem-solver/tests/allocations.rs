@@ -43,6 +43,7 @@ fn iterations_allocate_nothing() {
         let (few, first) = cold_solve(builder.clone(), 3e-2, load);
         let (many, last) = cold_solve(builder, fine, load);
         assert!(last > first + 1, "{name}: {first} and {last} iterations");
+        assert!(few > 0, "{name}: what this thread allocates is counted");
         assert_eq!(few, many, "{name}: allocations in {first} and in {last} iterations");
     }
 }

@@ -217,8 +217,14 @@ impl ModelSubject {
                 let scales = SpectralScales::of(&heights, &options).map_err(refused)?;
                 (inputs.dimension, inputs.fractal) = scales.fractal_of_surface();
             }
-            OfMap::Spectrum => inputs.spectrum = Some(radial(&map).map_err(refused)?),
-            OfMap::Amplitudes => inputs.amplitudes = Some(amplitudes(&map).map_err(refused)?),
+            OfMap::Spectrum => {
+                drop(heights);
+                inputs.spectrum = Some(radial(&map).map_err(refused)?);
+            }
+            OfMap::Amplitudes => {
+                drop(heights);
+                inputs.amplitudes = Some(amplitudes(&map).map_err(refused)?);
+            }
             OfMap::Moments => {}
         }
         Ok(Self { inputs, rows, spikes, cleaned, level: Some(form), pair, profile: None })

@@ -69,7 +69,12 @@ fn kind(finding: &Value) -> String {
     let fact = &finding["fact"][&kind];
     let inner = match kind.as_str() {
         "warned" => name(fact),
+        // What a map says of one advice and of another is counted apart.
+        "no_uncertainty" if fact["why"]["NotConverged"]["at_rounding"] == true => {
+            Some("AtRounding".to_owned())
+        }
         "no_uncertainty" => name(&fact["why"]),
+        "unit" if fact["hardness"].is_array() => Some("odd_hardness".to_owned()),
         _ => None,
     };
     inner.unwrap_or(kind)
@@ -153,9 +158,13 @@ mod tests {
         assert_eq!(row["seconds"], 3.0);
         assert_eq!(row["to_check"], 1);
         assert_eq!(row["checks"], json!([{ "kind": "edge_jump", "claim": "It jumps." }]));
-        let unsolved =
-            |why| kind(&json!({ "fact": { "no_uncertainty": { "loads": 1, "why": why } } }));
-        assert_eq!(unsolved(json!({ "NotConverged": { "at_rounding": true } })), "NotConverged");
+        let unsolved = |at_rounding: bool| {
+            let why = json!({ "NotConverged": { "at_rounding": at_rounding } });
+            kind(&json!({ "fact": { "no_uncertainty": { "loads": 1, "why": why } } }))
+        };
+        assert_eq!([false, true].map(unsolved), ["NotConverged", "AtRounding"]);
+        let unit = |hardness| kind(&json!({ "fact": { "unit": { "hardness": hardness } } }));
+        assert_eq!([json!(null), json!([1, 2, 3])].map(unit), ["unit", "odd_hardness"]);
         assert_eq!(row["models"]["gw"]["area_error"], -0.2);
         assert_eq!(row["curve"], json!([[1e6, 0.01], [2e6, 0.02]]));
     }

@@ -259,8 +259,8 @@ impl Store {
             return None;
         }
         let mut kept = self.read(name).ok()?;
-        let trouble = serde_json::from_value(kept["trouble"].take()).ok()?;
         let answer = kept.get_mut("answer")?.take();
+        let trouble = serde_json::from_value(kept["trouble"].take()).ok()?;
         answer.is_object().then_some((answer, trouble))
     }
 

@@ -164,8 +164,9 @@ impl FileOptions {
 /// What is in a file, with its hash.
 pub(crate) fn from_file(path: &Path, file: FileOrigin, crop: Option<Cut>) -> Result<One, Failure> {
     let (all, fill) = measurements(path, &file, crop)?;
-    let bytes = std::fs::read(path).map_err(|e| Failure::refused("io", e.to_string()))?;
-    complete(path, all, FileOrigin { sha256: sha256_hex(&bytes), ..file }, fill)
+    let bytes = std::fs::read(path).map_err(|e| Failure::refused("io", e.to_string()));
+    let sha256 = sha256_hex(&bytes?);
+    complete(path, all, FileOrigin { sha256, ..file }, fill)
 }
 
 /// Every trace of a file of several, one measurement of any other, cropped; and how missing points are filled.

@@ -119,6 +119,14 @@ mod tests {
         most
     }
 
+    #[test]
+    fn the_middle_is_half_of_each_side() {
+        assert_eq!(
+            [[8, 12], [7, 1]].map(|shape| Cut::Middle.of(shape, &[]).unwrap()),
+            [[2, 3, 4, 6], [1, 0, 4, 1]]
+        );
+    }
+
     proptest! {
         #[test]
         fn no_rectangle_is_larger(

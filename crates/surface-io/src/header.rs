@@ -308,6 +308,7 @@ mod tests {
             ["Channel:", "Width:", "Height:", "Value units:"],
             ["Kanál:", "Šířka:", "Výška:", "Jednotky hodnot:"],
             ["Kanal:", "Breite:", "Höhe:", "Einheiten:"],
+            ["Kanal:", "Breite:", "Höhe:", "Werteinheiten:"],
             ["Canal :", "Largeur :", "Hauteur :", "Unités :"],
             ["Canale:", "Larghezza:", "Altezza:", "unità valore:"],
             ["Canal:", "Anchura:", "Altura:", "Unidades de valor:"],

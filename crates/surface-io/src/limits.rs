@@ -11,7 +11,7 @@ use crate::format::Format;
 pub struct Limits {
     /// Largest file in bytes (default 4 GiB).
     pub file_bytes: u64,
-    /// Most bytes that the compressed members of a file may unpack to (default 4 GiB).
+    /// Most bytes that the members of an archive, or any other compressed part, may unpack to (default 4 GiB).
     pub unpacked_bytes: u64,
     /// Most points of one map (default 2^28, that is 16384 x 16384; 2 GiB of heights).
     pub points: u64,

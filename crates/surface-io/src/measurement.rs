@@ -388,9 +388,9 @@ impl Measurement {
             grid,
             missing: heights.iter().filter(|h| h.is_nan()).count(),
             heights,
-            positions: self.positions.as_ref().map(|x| {
-                let part = &x[x0..x0 + nx];
-                part.iter().map(|position| position - part[0]).collect()
+            positions: self.positions.as_ref().and_then(|x| {
+                let part = x.get(x0..x0 + nx)?;
+                Some(part.iter().map(|position| position - part[0]).collect())
             }),
             cropped: Some(cropped),
             channel: self.channel.clone(),

@@ -24,7 +24,8 @@ impl Measurement {
     /// # Errors
     /// [`FillError::Gap`] for neighbours more than ten mean distances apart.
     pub fn evenly_spaced(mut self) -> Result<(Self, Option<Resampled>), FillError> {
-        let Some(x) = self.positions.take() else { return Ok((self, None)) };
+        let positions = self.positions.take().filter(|x| x.len() == self.heights.len());
+        let Some(x) = positions else { return Ok((self, None)) };
         let n = x.len();
         let length = x.last().copied().unwrap_or(0.0);
         let spacing = length / (n.max(2) - 1) as f64;

@@ -72,3 +72,26 @@ impl HeightStatistics {
         }
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use approx::assert_relative_eq;
+    use contact_types::Grid;
+
+    /// 0, 0, 0, 4: mean 1, variance 3, mean absolute deviation 3/2, third moment 6, fourth 21.
+    #[test]
+    fn four_points_by_hand_at_any_scale_and_offset() {
+        for (scale, offset) in [(1.0, 0.0), (1e-55, 0.0), (1e55, 0.0), (1.0, 1048576.0)] {
+            let heights = [0.0, 0.0, 0.0, 4.0].map(|h| offset + scale * h).to_vec();
+            let map = HeightMap::new(Grid::new([1, 4], [1.0, 1.0]).unwrap(), heights).unwrap();
+            let s = HeightStatistics::of(&map);
+            assert_relative_eq!(s.rms_height, scale * 3f64.sqrt(), max_relative = 1e-15);
+            assert_relative_eq!(s.mean_abs_height, scale * 1.5, max_relative = 1e-15);
+            let skewness = 6.0 / 3f64.powf(1.5);
+            assert_relative_eq!(s.skewness.unwrap(), skewness, max_relative = 1e-15);
+            assert_relative_eq!(s.kurtosis.unwrap(), 21.0 / 9.0, max_relative = 1e-15);
+            assert_relative_eq!(s.peak_height + s.pit_depth, 4.0 * scale, max_relative = 1e-15);
+        }
+    }
+}

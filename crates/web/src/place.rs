@@ -14,7 +14,7 @@ pub struct Host {
 /// Most points of a map in a browser: 4096 x 4096.
 const BROWSER_POINTS: u64 = 1 << 24;
 
-/// Largest file in a browser, and most that one member of it may unpack to (bytes).
+/// Largest file in a browser, and most that its members may unpack to (bytes).
 const BROWSER_BYTES: u64 = 512 << 20;
 
 /// What WebAssembly can address at most (bytes).

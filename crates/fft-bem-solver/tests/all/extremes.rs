@@ -143,11 +143,17 @@ fn bad_loads_are_refused_by_name() {
 fn bad_settings_and_wrong_grids_are_refused_by_name() {
     let grid = unit_grid(8, 8);
     let with = Solver::builder;
-    let tolerances = [0.0, -1.0, 1.0, f64::NAN, f64::INFINITY].map(|t| with().tolerance(t));
-    let others = [with().max_iterations(0), with().threads(0), with().section(Some(8))];
-    for builder in tolerances.into_iter().chain(others) {
+    let tolerances = [0.0, -1.0, 1.0, f64::NAN, f64::INFINITY];
+    let tolerances = tolerances.map(|t| (with().tolerance(t), "tolerance"));
+    let others = [
+        (with().max_iterations(0), "max_iterations"),
+        (with().threads(0), "threads"),
+        (with().section(Some(8)), "section"),
+    ];
+    for (builder, name) in tolerances.into_iter().chain(others) {
         let error = builder.build(grid, unit_modulus()).unwrap_err();
-        assert!(matches!(error, SolverError::BadSetting { .. }), "{error}");
+        let is_named = matches!(error, SolverError::BadSetting { setting, .. } if setting == name);
+        assert!(is_named, "{name}: {error}");
     }
     let mut solver = with().build(grid, unit_modulus()).unwrap();
     let mut on = |grid: Grid| {

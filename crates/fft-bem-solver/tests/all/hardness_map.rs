@@ -7,13 +7,30 @@ use crate::common;
 
 use common::{displaced, self_affine, solve, unit_grid, unit_modulus, violation};
 use contact_types::HeightMap;
-use fft_bem_solver::{Boundary, Load, Solver, SolverError};
+use fft_bem_solver::{Boundary, Load, Precision, Solver, SolverError};
 
 /// Hard islands in a soft ground: `[soft, hard]`, in squares a quarter of the map wide.
 fn islands(map: &HeightMap, [soft, hard]: [f64; 2]) -> Vec<f64> {
     let [ny, nx] = map.grid().shape();
     let is_hard = |i: usize| (4 * (i / nx) / ny + 4 * (i % nx) / nx).is_multiple_of(2);
     (0..ny * nx).map(|i| if is_hard(i) { hard } else { soft }).collect()
+}
+
+/// A map of equal numbers is one number, to the last bit; in both precisions, with both boundaries.
+#[test]
+fn equal_numbers_are_one_hardness() {
+    let map = self_affine(unit_grid(64, 60), 0.8, 16.0, 4.0, 1);
+    let all = vec![0.3; 64 * 60];
+    for boundary in [Boundary::Periodic, Boundary::Free] {
+        for precision in [Precision::Double, Precision::Single] {
+            let builder = Solver::builder().boundary(boundary).precision(precision);
+            let one = solve(&map, builder.clone().hardness(0.3), 0.1);
+            let each = solve(&map, builder.hardness_map(&all), 0.1);
+            assert_eq!(one.pressure, each.pressure);
+            assert_eq!(one.gap, each.gap);
+            assert_eq!(one.diagnostics.yielded, each.diagnostics.yielded);
+        }
+    }
 }
 
 /// One pixel that bears more than the others, far below everything that touches, changes nothing but rounding:

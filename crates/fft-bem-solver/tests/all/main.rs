@@ -22,6 +22,7 @@ mod hardness_map;
 mod load_curve;
 mod perimeter_correction;
 mod properties;
+mod random_problems;
 mod reference_points;
 mod set_stiffness;
 mod solver;

@@ -297,8 +297,8 @@ def asked(
     kind, values = request["loads"]
     places = [i for i, value in enumerate(values) if not math.isnan(value)]
     request = {**request, "loads": (kind, [values[i] for i in places])}
-    own = {key: request.pop(key) for key in ("loads", "area", "accuracy", "maps") if key in request}
-    beside = {key: request.pop(key) for key in _BESIDE if key in request}
+    own: dict[str, Any] = {key: request.pop(key) for key in ("loads", "area", "accuracy", "maps") if key in request}
+    beside: dict[str, Any] = {key: request.pop(key) for key in _BESIDE if key in request}
     request = {**own, "request": {**beside, "settings": request}}
     with sorted_as(SettingError):
         text, kept, trouble, stopped_by = _rust.solve(

@@ -82,6 +82,7 @@ fn hostile_questions_are_refused_and_the_next_is_answered() {
     let length = "Content-Length: 3\r\n";
     assert_eq!(changed(length, ""), 411);
     assert_eq!(changed(length, "Content-Length: -3\r\n"), 400);
+    assert_eq!(changed(length, "Content-Length: +3\r\n"), 400);
     assert_eq!(changed(length, "Content-Length: 2\r\n"), 400, "more than was announced");
     assert_eq!(changed(length, "Transfer-Encoding: chunked\r\n"), 501);
     assert_eq!(changed(length, "Content-Length: 18446744073709551615\r\n"), 413);

@@ -67,6 +67,13 @@ fn a_contact_is_written_whole() {
         heights.iter().zip(&displacement).zip(&gap).map(|((z, u), g)| z - u + g).collect();
     let (low, high) = flat.iter().fold((f64::MAX, f64::MIN), |(l, h), v| (l.min(*v), h.max(*v)));
     assert!(high - low < 1e-12 * size.max(1e-6));
+    // The displacement is that of the pressure: the wave of one period along x by 2/(E* q).
+    let wave = |field: &[f64]| {
+        let part = |i: usize| (i % 56) as f64 / 56.0 * std::f64::consts::TAU;
+        field.iter().enumerate().map(|(i, v)| v * part(i).cos()).sum::<f64>()
+    };
+    let q = std::f64::consts::TAU / 56e-6;
+    close(wave(&displacement), 2.0 / (110e9 * q) * wave(&pressure), 2e-3);
 
     // Spots carry the load and have the area.
     let table = at.read("out/spots-000.csv");

@@ -170,3 +170,9 @@ fn the_list_is_complete_and_refusals_name_the_way_out() {
         ],
     );
 }
+
+#[test]
+fn a_separation_inside_the_surface_has_no_answer() {
+    let said = folder().run(&format!("model {GW} --separation=-300um --json"));
+    assert_eq!(said.json()["points"][0]["error"]["quantity"], "area fraction");
+}

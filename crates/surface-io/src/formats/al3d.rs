@@ -53,7 +53,7 @@ pub(crate) fn parse(b: Bytes<'_>) -> Result<Contents<'_>, ReadError> {
     b.map_length(at, [ny, nx], Sample::F32)?;
     let end = whole("TextureImageOffset").ok().filter(|&texture| texture > at);
     let space = end.unwrap_or(b.data.len()).saturating_sub(at);
-    // Packed, padded to 8 b.data, or padded to 8 points: what fills the space exactly.
+    // Packed, padded to 8 bytes, or padded to 8 points: what fills the space exactly.
     let paddings = [4 * nx, (4 * nx).next_multiple_of(8), (4 * nx).next_multiple_of(32)];
     let fitting = paddings.into_iter().find(|stride| stride.checked_mul(ny) == Some(space));
     let stride = fitting.unwrap_or(paddings[1]);

@@ -39,13 +39,13 @@ impl<'a> Archive<'a> {
         let Bytes { data, format, limits, .. } = self.b;
         let member = self.zip.by_name(name);
         let member = member.map_err(|e| format.field("archive", e.to_string()))?;
-        limits.check_unpacked(format, member.size())?;
+        limits.check_unpacked(format, self.total.saturating_add(member.size()))?;
         // The size in the directory is a claim: read no more than the limit, and reserve no more
         // than deflate can make of the packed bytes (1032 : 1).
         let likely = member.size().min(member.compressed_size().saturating_mul(1032));
         let mut unpacked = Vec::with_capacity(likely.min(data.len() as u64 * 1032) as usize);
         member
-            .take(limits.unpacked_bytes.saturating_add(1))
+            .take((limits.unpacked_bytes - self.total).saturating_add(1))
             .read_to_end(&mut unpacked)
             .map_err(|e| format.field(name.to_owned(), e.to_string()))?;
         self.total += unpacked.len() as u64;

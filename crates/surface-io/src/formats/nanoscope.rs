@@ -351,6 +351,8 @@ mod tests {
         assert_eq!(found.grid().shape(), [3, 8]);
         assert!((found.grid().pixel()[0] / 2.5e-6 - 1.0).abs() < 1e-12);
         assert!((found.heights()[0] / 16e-9 - 1.0).abs() < 1e-12);
+        let volts = file("", &image.replace("10 10 ~m", "10 V"), 48);
+        assert!(crate::read_bytes(&volts, &crate::ReadOptions::default()).is_err());
         // Cut off on the way, which the stated length shows.
         let cut = file("", &image.replace("48", "64"), 48);
         assert!(crate::read_bytes(&cut, &crate::ReadOptions::default()).is_err());

@@ -62,8 +62,10 @@ pub(crate) fn parse(b: Bytes<'_>) -> Result<Contents<'_>, ReadError> {
         {
             b.check_items(image as u64)?;
             let name = format!("Intensity {}", image + 1);
-            let raster = b.raster(at, shape, Sample::U16)?;
-            channels.push(Channel::raster(name, "counts", pixel, raster, |raw| raw));
+            // The heights are there, whatever the size of a picture beside them.
+            if let Ok(raster) = b.raster(at, shape, Sample::U16) {
+                channels.push(Channel::raster(name, "counts", pixel, raster, |raw| raw));
+            }
         }
     }
     let mut contents = Contents { channels, ..Contents::default() };

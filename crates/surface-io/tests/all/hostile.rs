@@ -47,6 +47,7 @@ fn every_single_byte_corruption_is_survived() {
                     let [ny, nx] = found.grid().shape();
                     let [dy, dx] = found.grid().pixel();
                     assert_eq!(ny * nx, found.heights().len(), "{}, byte {at}", sample.name);
+                    assert!((ny * nx) as u64 <= tight().points, "{}, byte {at}", sample.name);
                     assert!(
                         dy > 0.0 && dx > 0.0 && found.heights().iter().all(|h| !h.is_infinite())
                     );

@@ -377,6 +377,7 @@ fn rows_begin_and_end_where_they_agree() {
     let matrix = scaled().layout(Layout::Matrix);
     for (text, shape) in [
         ("1;;\n2;;\n", [2, 3]), // a border of missing points
+        (";;;\n1;;NaN;\n2;3;4;\n", [3, 3]),
         ("1;2;;\n2;3;;\n", [2, 2]),
         ("Title 5\n23\num um\n1 2\n3 4\n", [2, 2]),
         ("title\n3\n2\n1 2 3\n4 5 6\n", [2, 3]),
