@@ -86,12 +86,32 @@ mod tests {
             let heights = [0.0, 0.0, 0.0, 4.0].map(|h| offset + scale * h).to_vec();
             let map = HeightMap::new(Grid::new([1, 4], [1.0, 1.0]).unwrap(), heights).unwrap();
             let s = HeightStatistics::of(&map);
-            assert_relative_eq!(s.rms_height, scale * 3f64.sqrt(), max_relative = 1e-15);
-            assert_relative_eq!(s.mean_abs_height, scale * 1.5, max_relative = 1e-15);
+            assert_relative_eq!(
+                s.rms_height,
+                scale * 3f64.sqrt(),
+                max_relative = 1e-15,
+                epsilon = 0.0
+            );
+            assert_relative_eq!(
+                s.mean_abs_height,
+                scale * 1.5,
+                max_relative = 1e-15,
+                epsilon = 0.0
+            );
             let skewness = 6.0 / 3f64.powf(1.5);
-            assert_relative_eq!(s.skewness.unwrap(), skewness, max_relative = 1e-15);
-            assert_relative_eq!(s.kurtosis.unwrap(), 21.0 / 9.0, max_relative = 1e-15);
-            assert_relative_eq!(s.peak_height + s.pit_depth, 4.0 * scale, max_relative = 1e-15);
+            assert_relative_eq!(s.skewness.unwrap(), skewness, max_relative = 1e-15, epsilon = 0.0);
+            assert_relative_eq!(
+                s.kurtosis.unwrap(),
+                21.0 / 9.0,
+                max_relative = 1e-15,
+                epsilon = 0.0
+            );
+            assert_relative_eq!(
+                s.peak_height + s.pit_depth,
+                4.0 * scale,
+                max_relative = 1e-15,
+                epsilon = 0.0
+            );
         }
     }
 }

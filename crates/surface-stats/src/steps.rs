@@ -57,10 +57,20 @@ mod tests {
         for offset in [0.0, 76e-3, -1.0] {
             let stepped: Vec<f64> =
                 wavy(20_000).map(|h| offset + (h / 10e-9).round() * 10e-9).collect();
-            assert_relative_eq!(height_step(&stepped).unwrap(), 10e-9, max_relative = 1e-6);
+            assert_relative_eq!(
+                height_step(&stepped).unwrap(),
+                10e-9,
+                max_relative = 1e-6,
+                epsilon = 0.0
+            );
         }
         let stored: Vec<f64> = wavy(20_000).map(|h| f64::from((76e-3 + h) as f32)).collect();
-        assert_relative_eq!(height_step(&stored).unwrap(), 0.0625 / 8388608.0, max_relative = 1e-9);
+        assert_relative_eq!(
+            height_step(&stored).unwrap(),
+            0.0625 / 8388608.0,
+            max_relative = 1e-9,
+            epsilon = 0.0
+        );
     }
 
     /// Numbers near 1e9 are 2^-23 apart.

@@ -166,13 +166,13 @@ mod tests {
         let m = HeightMap::new(Grid::new([6, 8], [2.0, 1.0]).unwrap(), heights).unwrap();
         let open = Summits::of(&m, Edges::Open).unwrap();
         assert_eq!((open.count, open.plateaus), (2, 1));
-        assert_relative_eq!(open.density, 2.0 / (4.0 * 6.0 * 2.0));
-        assert_relative_eq!(open.height_mean.unwrap(), 4.0);
-        assert_relative_eq!(open.height_std.unwrap(), 1.0);
+        assert_relative_eq!(open.density, 2.0 / (4.0 * 6.0 * 2.0), epsilon = 0.0);
+        assert_relative_eq!(open.height_mean.unwrap(), 4.0, epsilon = 0.0);
+        assert_relative_eq!(open.height_std.unwrap(), 1.0, epsilon = 0.0);
         // Peak 3: zxx = -6, zyy = -6/4. Peak 5: zxx = -10, zyy = (4 + 0 - 10)/4.
-        assert_relative_eq!(open.curvature_mean.unwrap(), 4.75);
+        assert_relative_eq!(open.curvature_mean.unwrap(), 4.75, epsilon = 0.0);
         let periodic = Summits::of(&m, Edges::Periodic).unwrap();
         assert_eq!((periodic.count, periodic.plateaus), (3, 2));
-        assert_relative_eq!(periodic.density, 3.0 / 96.0);
+        assert_relative_eq!(periodic.density, 3.0 / 96.0, epsilon = 0.0);
     }
 }

@@ -63,8 +63,13 @@ mod tests {
         for (distance, found) in moments_by_spacing(&trace).into_iter().take(6) {
             let factor = (2.0 * (0.5 * q * distance).sin() / distance).powi(2);
             assert_relative_eq!(found.m0, 0.5 * a * a, max_relative = 1e-9, epsilon = 0.0);
-            assert_relative_eq!(found.m2, 0.5 * a * a * factor, max_relative = 5e-3);
-            assert_relative_eq!(found.m4, 0.5 * a * a * factor * factor, max_relative = 5e-3);
+            assert_relative_eq!(found.m2, 0.5 * a * a * factor, max_relative = 5e-3, epsilon = 0.0);
+            assert_relative_eq!(
+                found.m4,
+                0.5 * a * a * factor * factor,
+                max_relative = 5e-3,
+                epsilon = 0.0
+            );
         }
     }
 }
