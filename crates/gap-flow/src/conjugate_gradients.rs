@@ -6,7 +6,7 @@ pub(crate) use crate::cholesky::{Cholesky, Symbolic};
 /// What the factorisations of all networks of the same links share: nothing.
 #[cfg(not(feature = "cholesky"))]
 #[derive(Default)]
-pub(crate) struct Symbolic;
+pub(crate) struct Symbolic(());
 
 /// Error over the potential in the energy norm, as the factorisation estimates it, at which the iteration ends.
 const TOLERANCE: f64 = 1e-14;
