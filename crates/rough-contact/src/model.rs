@@ -111,14 +111,12 @@ impl Model {
         let poisson = compare::poisson(&made_of.bodies);
         let inputs = self.source.beside_file(subject.inputs);
         subject.inputs = Inputs { hardness: made_of.hardness, poisson, ..inputs };
-        let (questions, spread) = self.questions(subject.inputs.nominal_area)?;
         // Of a load the area that carries it, which may be that of the map; traces have none.
+        let of_map = subject.inputs.nominal_area.filter(|_| traces == 0);
+        let (questions, spread) = self.questions(of_map)?;
         let joint = match traces {
             0 => Joint {
-                area: joint
-                    .area
-                    .or(spread.as_ref().map(|s| s.area))
-                    .or(subject.inputs.nominal_area),
+                area: joint.area.or(spread.as_ref().map(|s| s.area)).or(of_map),
                 hardness: subject.inputs.hardness,
                 ..joint
             },

@@ -93,6 +93,8 @@ fn models_answer_for_an_isotropic_surface() {
         }
     }
     has(&at.run(&line("gw")).out, &["95 % interval of the area"]);
+    // A line has no area for a force to press on.
+    at.refuses("model gw trace.txt --modulus 110GPa --load 1N", &["--area 2mm2"]);
 }
 
 /// One command to a report; its run file repeats it to the digit.
