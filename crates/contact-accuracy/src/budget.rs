@@ -63,11 +63,10 @@ impl Budget {
         set: Option<&SetStiffness>,
         jump: Option<f64>,
         map: &Map,
-        beside: &Beside<'_>,
+        uncertain: &Uncertain<'_>,
     ) -> Self {
         let found = &solution.diagnostics;
         let load = solution.state.mean_pressure;
-        let uncertain = Uncertain::of(solution, map.rms_height, *beside);
         let own = Numbers::of(solution, set, jump);
         // No pressure exceeds the hardness: on any grid the area is at least P/H.
         let least = found.yielded.map_or(0.0, |yielded| (load / yielded.hardness).min(1.0));
@@ -112,11 +111,9 @@ impl Budget {
         mut self,
         load: Load,
         solution: &Solution,
-        map: &Map,
-        beside: &Beside<'_>,
+        uncertain: &Uncertain<'_>,
     ) -> Self {
         let (Load::MeanGap(_), Some(gap)) = (load, self.mean_gap) else { return self };
-        let uncertain = Uncertain::of(solution, map.rms_height, *beside);
         let mut pressure = uncertain.pressure(self.mean_pressure.value, &self.area);
         // By one sampling variability of the gap the load moves by as much as the gap falls per e-fold load: at
         // least by the elastic energy over the load, while most is out of contact.
@@ -159,7 +156,8 @@ impl Budget {
     pub fn of_iterate(solution: &Solution, map: &Map) -> Self {
         let at_rounding = solution.diagnostics.end == End::Rounding;
         let why = NoUncertainty::NotConverged { at_rounding };
-        Self::of(solution, None, None, map, &Beside { coarser: Err(why), finer: None })
+        let beside = Beside { coarser: Err(why), finer: None };
+        Self::of(solution, None, None, map, &Uncertain::of(solution, map.rms_height, beside))
     }
 
     /// Mean real pressure, load over area (Pa): its intervals are those of the area, inverted. `None` if nothing touches.

@@ -2,11 +2,12 @@
 //! points.
 
 use crate::budget::Map;
-use crate::coarser::{ThinnedMaps, thinned};
+use crate::coarser::{RungMaps, thinned};
 use crate::indicator::LIMIT;
-use crate::ladder::{Answered, Ladder, LadderError, MOST, Setup};
+use crate::ladder::{Answered, Ladder, LadderError, MOST};
 use crate::regrid;
 use crate::request::AccuracyRequest;
+use crate::setup::Setup;
 use contact_types::{Clock, Grid, HeightMap};
 use fft_bem_solver::{Boundary, Iteration, Load, Precision, SolverError};
 use std::ops::ControlFlow;
@@ -133,7 +134,7 @@ pub fn climb(task: &Task<'_>, sink: &mut dyn Sink) -> Result<Reached, LadderErro
     let start = Clock::now();
     let grid = task.map.grid();
     let possible = |factor: f64| match factor {
-        0.5 => ThinnedMaps::is_possible(grid) && ThinnedMaps::is_possible(half(grid)),
+        0.5 => RungMaps::is_possible(grid) && RungMaps::is_possible(half(grid)),
         _ => grid.len() <= MOST && grid.shape().iter().all(|n| *n >= 4),
     };
     if task.aim != Aim::AsGiven && possible(0.5) {
@@ -183,10 +184,12 @@ struct RungLoad {
 fn attempt(task: &Task<'_>, factor: f64, sink: &mut dyn Sink) -> Result<Attempt, LadderError> {
     let begun = Clock::now();
     let Task { map: given, setup, loads, aim } = task;
-    let repeats = || surface_stats::repeats(given) && setup.boundary == Boundary::Periodic;
     let map = match factor {
         0.5 => thinned(given, [0, 0]).map_err(StatsError::from)?,
-        2.0 => regrid(given, given.grid().shape().map(|n| 2 * n), repeats())?,
+        2.0 => {
+            let repeats = surface_stats::repeats(given) && setup.boundary == Boundary::Periodic;
+            regrid(given, given.grid().shape().map(|n| 2 * n), repeats)?
+        }
         _ => (*given).clone(),
     };
     let grid = map.grid();

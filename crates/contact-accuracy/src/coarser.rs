@@ -5,9 +5,10 @@
 //! with the whole map by accident.
 
 use crate::leak::permeability;
-use contact_types::{Axis, ContactModulus, Grid, HeightMap, SurfaceError};
+use crate::setup::Setup;
+use contact_types::{Axis, Grid, HeightMap, SurfaceError};
 use fft_bem_solver::{
-    Iteration, Load, ObserverResult, SetStiffness, Solution, Solver, SolverBuilder, SolverError,
+    Iteration, Load, ObserverResult, SetStiffness, Solution, Solver, SolverError,
 };
 use surface_stats::clean::{mirrored, resample};
 use surface_stats::{Edges, StatsError};
@@ -94,33 +95,33 @@ pub(crate) fn both(map: &HeightMap, is_mirrored: bool) -> Result<Vec<HeightMap>,
     PHASES.into_iter().map(part).collect()
 }
 
-/// Both thinned maps, ready to be solved.
+/// The maps of a rung beside the given one, ready to be solved.
 #[derive(Debug)]
-pub(crate) struct ThinnedMaps {
+pub(crate) struct RungMaps {
     solvers: Vec<Solver>,
     stiffness: bool,
     jump: Option<f64>,
     leak: Vec<Axis>,
 }
 
-impl ThinnedMaps {
-    /// Whether maps on `grid` can be thinned: 32 points are left along each side (of a profile along its one).
+impl RungMaps {
+    /// Whether maps on `grid` can be thinned: [`FEWEST`] points are left along each side (of a profile along its one).
     pub(crate) fn is_possible(grid: Grid) -> bool {
         let enough = |n: usize| n == 1 || n / 2 >= FEWEST;
         grid.shape().iter().all(|n| enough(*n)) && grid.len() > 1
     }
 
-    /// Of [`both`] thinned maps, to be solved as `builder` says, for the stiffness, a gas of this temperature jump (m) in the gap,
-    /// if there is one, and the leak along these axes.
+    /// Of these maps, such as [`both`] thinned ones, with the leak along these axes.
     pub(crate) fn of(
         maps: Vec<HeightMap>,
-        builder: &SolverBuilder,
-        modulus: ContactModulus,
-        (stiffness, jump): (bool, Option<f64>),
+        setup: &Setup,
         leak: &[Axis],
     ) -> Result<Self, SolverError> {
-        let solver = |map: &HeightMap| builder.clone().build(map.grid(), modulus);
+        let builder = setup.builder.clone().boundary(setup.boundary).maps(setup.maps());
+        let builder = builder.certified(false);
+        let solver = |map: &HeightMap| builder.clone().build(map.grid(), setup.modulus);
         let solvers = maps.iter().map(solver).collect::<Result<_, SolverError>>()?;
+        let Setup { stiffness, jump, .. } = *setup;
         let mut made = Self { solvers, stiffness, jump, leak: leak.to_vec() };
         made.take(maps).map(|()| made)
     }
@@ -130,7 +131,7 @@ impl ThinnedMaps {
         self.solvers.iter_mut().zip(maps).try_for_each(|(solver, map)| solver.take_surface(map))
     }
 
-    /// The numbers of both at a load, each from where its last load ended.
+    /// The numbers of each at a load, each from where its last load ended.
     pub(crate) fn solve<A: ObserverResult>(
         &mut self,
         load: Load,

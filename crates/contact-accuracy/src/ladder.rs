@@ -2,16 +2,16 @@
 //! between the points, on twice as many.
 
 use crate::budget::{Budget, Map};
-use crate::coarser::{Numbers, ThinnedMaps, both};
+use crate::coarser::{Numbers, RungMaps, both};
 use crate::estimate::NoUncertainty;
 use crate::indicator::{LIMIT, indicator};
 use crate::leak::Leaks;
 use crate::regrid;
-use crate::uncertainty::Beside;
-use contact_types::{Axis, Clock, ContactModulus, Grid, HeightMap};
+use crate::setup::Setup;
+use crate::uncertainty::{Beside, Uncertain};
+use contact_types::{Clock, Grid, HeightMap};
 use fft_bem_solver::{
-    Boundary, Iteration, Load, Maps, ObserverResult, SetStiffness, Solution, Solver, SolverBuilder,
-    SolverError,
+    Boundary, Iteration, Load, Maps, ObserverResult, SetStiffness, Solution, Solver, SolverError,
 };
 use surface_stats::StatsError;
 use surface_stats::clean::mirrored;
@@ -22,53 +22,6 @@ const WIDE: f64 = 0.2;
 const MOST_UNASKED: usize = 1 << 20;
 /// Most points of one that an accuracy is asked for: 64 million on the finer grid.
 pub(crate) const MOST: usize = 1 << 24;
-
-/// How to solve.
-#[derive(Debug, Clone)]
-pub struct Setup {
-    /// Settings of the solver.
-    pub builder: SolverBuilder,
-    /// What lies beyond the edges.
-    pub boundary: Boundary,
-    /// Whether the map is continued by its mirror images rather than by itself.
-    pub mirrored: bool,
-    /// Contact modulus.
-    pub modulus: ContactModulus,
-    /// Whether a load is also solved on twice the points along each side: where the indicator exceeds its limit or the
-    /// uncertainty 20 %, on maps of up to 1024² points.
-    pub finer: bool,
-    /// Whether the stiffness of the contact set is asked for.
-    pub stiffness: bool,
-    /// Row of the map along which a solution carries pressure and gap, if one.
-    pub section: Option<usize>,
-    /// Length of the temperature jumps of a gas in the gap (m), if its conductance is asked for. With this or the next,
-    /// pressure and gap are kept.
-    pub jump: Option<f64>,
-    /// Axes along which the leak through the gap is asked for.
-    pub leak: Vec<Axis>,
-}
-
-impl Setup {
-    /// Of a map that repeats; twice the points where needed, no stiffness, nothing of the gap besides its mean.
-    pub fn new(builder: SolverBuilder, modulus: ContactModulus) -> Self {
-        Self {
-            builder,
-            boundary: Boundary::Periodic,
-            mirrored: false,
-            modulus,
-            finer: true,
-            stiffness: false,
-            section: None,
-            jump: None,
-            leak: Vec::new(),
-        }
-    }
-
-    /// What the rungs beside the map keep of a solution.
-    fn maps(&self) -> Maps {
-        if self.jump.is_some() || !self.leak.is_empty() { Maps::PressureAndGap } else { Maps::None }
-    }
-}
 
 /// A map with the rungs beside it, to be solved at one load after the other.
 #[derive(Debug)]
@@ -81,8 +34,8 @@ pub struct Ladder {
     /// With its mirror images, if those were asked for.
     whole: Option<HeightMap>,
     solver: Solver,
-    coarser: Result<ThinnedMaps, NoUncertainty>,
-    finer: Option<Solver>,
+    coarser: Result<RungMaps, NoUncertainty>,
+    finer: Option<RungMaps>,
 }
 
 /// A load that was solved for.
@@ -127,13 +80,10 @@ impl Ladder {
             builder = builder.maps(setup.maps());
         }
         let surface = whole.as_ref().unwrap_or(&map);
-        let solver = builder.clone().section(setup.section).build(surface.grid(), setup.modulus)?;
+        let solver = builder.section(setup.section).build(surface.grid(), setup.modulus)?;
         let grid = map.grid();
-        let coarser = if ThinnedMaps::is_possible(grid) {
-            let builder = builder.maps(setup.maps()).certified(false);
-            let maps = both(&map, setup.mirrored)?;
-            let of_gap = (setup.stiffness, setup.jump);
-            Ok(ThinnedMaps::of(maps, &builder, setup.modulus, of_gap, &setup.leak)?)
+        let coarser = if RungMaps::is_possible(grid) {
+            Ok(RungMaps::of(both(&map, setup.mirrored)?, &setup, &setup.leak)?)
         } else {
             Err(NoUncertainty::TooFewPoints { shape: grid.shape() })
         };
@@ -186,18 +136,20 @@ impl Ladder {
         let set = self.setup.stiffness.then(|| self.solver.contact_stiffness()).transpose()?;
         let (set, jump) = (set.as_ref(), self.setup.jump);
         let beside = Beside { coarser: coarser.as_deref().map_err(|why| *why), finer: None };
-        let budget = |beside: &Beside<'_>, known: &Map| {
-            Budget::of(&solution, set, jump, known, beside).under(load, &solution, known, beside)
+        let known = self.known;
+        let budget = |beside: Beside<'_>| {
+            let uncertain = Uncertain::of(&solution, known.rms_height, beside);
+            Budget::of(&solution, set, jump, &known, &uncertain).under(load, &solution, &uncertain)
         };
-        let mut found = budget(&beside, &self.known);
-        let repeats = self.known.repeats && self.setup.boundary == Boundary::Periodic;
+        let mut found = budget(beside);
+        let repeats = known.repeats && self.setup.boundary == Boundary::Periodic;
         found.indicator = indicator(&self.given, repeats, &solution.pressure, self.setup.modulus);
         let clock = Clock::now();
         let mut finer = None;
         if self.needs_finer(&found) {
-            finer = self.on_finer(load, observer);
+            finer = self.on_finer(load, repeats, observer);
             let beside = Beside { finer: finer.as_ref(), ..beside };
-            found = Budget { indicator: found.indicator, ..budget(&beside, &self.known) };
+            found = Budget { indicator: found.indicator, ..budget(beside) };
         }
         let seconds = [coarse_seconds, clock.elapsed().as_secs_f64()];
         let (axes, mirrored) = (&self.setup.leak, self.whole.is_some());
@@ -221,26 +173,18 @@ impl Ladder {
     fn on_finer<A: ObserverResult>(
         &mut self,
         load: Load,
+        repeats: bool,
         observer: impl FnMut(&Iteration<'_>) -> A + Send,
     ) -> Option<Numbers> {
         if self.finer.is_none() {
-            let repeats = self.known.repeats && self.setup.boundary == Boundary::Periodic;
             let shape = self.given.grid().shape().map(|n| 2 * n);
             let mut map = regrid(&self.given, shape, repeats).ok()?;
             if self.whole.is_some() {
                 map = mirrored(&map).ok()?;
             }
-            let Setup { builder, boundary, modulus, .. } = &self.setup;
-            let builder =
-                builder.clone().boundary(*boundary).maps(self.setup.maps()).certified(false);
-            let mut solver = builder.build(map.grid(), *modulus).ok()?;
-            solver.take_surface(map).ok()?;
-            self.finer = Some(solver);
+            self.finer = Some(RungMaps::of(vec![map], &self.setup, &[]).ok()?);
         }
-        let solver = self.finer.as_mut()?;
-        let solution = solver.solve_again_observed(load, observer).ok()?;
-        let set = self.setup.stiffness.then(|| solver.contact_stiffness()).transpose().ok()?;
-        Some(Numbers::of(&solution, set.as_ref(), self.setup.jump))
+        self.finer.as_mut()?.solve(load, observer).ok()?.pop()
     }
 }
 

@@ -16,6 +16,7 @@ mod ladder;
 mod leak;
 mod request;
 mod sampling;
+mod setup;
 mod table;
 mod uncertainty;
 
@@ -31,8 +32,9 @@ pub use fft_bem_solver::{
 };
 pub use gap_flow::{Bottleneck, Flow, NotSolved};
 pub use indicator::{LIMIT as INDICATOR_LIMIT, indicator};
-pub use ladder::{Answered, Ladder, LadderError, Setup};
+pub use ladder::{Answered, Ladder, LadderError};
 pub use leak::{Leak, Leaks};
 pub use request::{AccuracyRequest, BadRequest};
+pub use setup::Setup;
 pub use surface_stats::StatsError;
 pub use table::{median, round_to_digits};

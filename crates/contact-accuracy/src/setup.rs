@@ -1,0 +1,51 @@
+//! How a map and the rungs beside it are solved.
+
+use contact_types::{Axis, ContactModulus};
+use fft_bem_solver::{Boundary, Maps, SolverBuilder};
+
+/// How to solve.
+#[derive(Debug, Clone)]
+pub struct Setup {
+    /// Settings of the solver.
+    pub builder: SolverBuilder,
+    /// What lies beyond the edges.
+    pub boundary: Boundary,
+    /// Whether the map is continued by its mirror images rather than by itself.
+    pub mirrored: bool,
+    /// Contact modulus.
+    pub modulus: ContactModulus,
+    /// Whether a load is also solved on twice the points along each side: where the indicator exceeds its limit or the
+    /// uncertainty 20 %, on maps of up to 1024² points.
+    pub finer: bool,
+    /// Whether the stiffness of the contact set is asked for.
+    pub stiffness: bool,
+    /// Row of the map along which a solution carries pressure and gap, if one.
+    pub section: Option<usize>,
+    /// Length of the temperature jumps of a gas in the gap (m), if its conductance is asked for. With this or the next,
+    /// pressure and gap are kept.
+    pub jump: Option<f64>,
+    /// Axes along which the leak through the gap is asked for.
+    pub leak: Vec<Axis>,
+}
+
+impl Setup {
+    /// Of a map that repeats; twice the points where needed, no stiffness, nothing of the gap besides its mean.
+    pub fn new(builder: SolverBuilder, modulus: ContactModulus) -> Self {
+        Self {
+            builder,
+            boundary: Boundary::Periodic,
+            mirrored: false,
+            modulus,
+            finer: true,
+            stiffness: false,
+            section: None,
+            jump: None,
+            leak: Vec::new(),
+        }
+    }
+
+    /// What the rungs beside the map keep of a solution.
+    pub(crate) fn maps(&self) -> Maps {
+        if self.jump.is_some() || !self.leak.is_empty() { Maps::PressureAndGap } else { Maps::None }
+    }
+}
