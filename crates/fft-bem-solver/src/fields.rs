@@ -112,7 +112,7 @@ pub(crate) fn write_both<T: Real>(
 
 /// Values for the pixels `on` alone, written to their places in a field that is zero elsewhere.
 pub(crate) fn scatter(values: &[f64], on: &[usize], field: &mut [f64]) {
-    field.par_chunks_mut(BLOCK).for_each(|block| block.fill(0.0));
+    fill(0.0, field);
     for (i, value) in on.iter().zip(values) {
         field[*i] = *value;
     }

@@ -1,6 +1,6 @@
 //! The solver against exact solutions, on this machine: what `rough-contact validate` prints.
 
-use crate::reference::{BiSinusoid, CONVERGED, Hertz, TwoHarmonic, Westergaard, full_contact};
+use crate::reference::{BiSinusoid, Hertz, TwoHarmonic, Westergaard, full_contact};
 use crate::{Boundary, Load, Method, Solution, Solver, SolverError};
 use contact_types::{ContactModulus, Grid, HeightMap, ModelError, SurfaceError};
 
@@ -278,26 +278,32 @@ fn two_harmonics(options: &Options, n: usize) -> CaseResult {
     Ok((solution, numbers))
 }
 
+/// The bi-sinusoid at a tenth of p\*: area fraction, and mean gap over amplitude, each with its uncertainty, by FFT conjugate
+/// gradients on 1024 x 1024 nodes per asperity, area by sub-pixel extrapolation of the squared pressure to zero;
+/// uncertainty from the change between 512 and 1024 nodes. Of 21 such loads the mean gap integrates to 0.125004 over
+/// p/p\* (exact: 1/8).
+const CONVERGED: [[f64; 2]; 2] = [[0.1906, 2e-5], [0.38474924, 4e-7]];
+
 fn bi_sinusoid(options: &Options, n: usize) -> CaseResult {
     let (wavelength, amplitude) = (1e-4, 1e-6);
     let surface = BiSinusoid::new(amplitude, wavelength, modulus()?)?;
-    let known = CONVERGED;
+    let [known_area, known_gap] = CONVERGED;
     let d = wavelength / n as f64;
     let (y0, x0) = (0.31 * d, 0.17 * d);
     let grid = Grid::new([n, n], [d, d])?;
     let map = HeightMap::from_fn(grid, |y, x| surface.height(y - y0, x - x0))?;
-    let mean_pressure = known.pressure_ratio * surface.closing_pressure();
+    let mean_pressure = 0.1 * surface.closing_pressure();
     let solution = solve(options, Boundary::Periodic, &map, mean_pressure)?;
     let gap = solution.state.mean_gap.unwrap_or(f64::NAN) / amplitude;
     let area = solution.state.area_fraction;
     let numbers = vec![
         ValidationRow {
-            uncertainty: known.gap_uncertainty / known.mean_gap,
-            ..number("mean gap / amplitude", gap, known.mean_gap, 2.0)
+            uncertainty: known_gap[1] / known_gap[0],
+            ..number("mean gap / amplitude", gap, known_gap[0], 2.0)
         },
         ValidationRow {
-            uncertainty: known.area_uncertainty / known.area_fraction,
-            ..area_number("area fraction, corrected", area, known.area_fraction)
+            uncertainty: known_area[1] / known_area[0],
+            ..area_number("area fraction, corrected", area, known_area[0])
         },
     ];
     Ok((solution, numbers))

@@ -35,8 +35,7 @@ pub fn join<A: Send, B: Send>(
 pub fn map<T: Sync, R: Send>(items: &[T], make: impl Fn(&T) -> R + Sync) -> Vec<R> {
     use prelude::*;
     let mut made: Vec<Option<R>> = items.iter().map(|_| None).collect();
-    let pairs = made.par_iter_mut().zip(items.par_chunks(1));
-    pairs.for_each(|(made, item)| *made = item.first().map(&make));
+    made.par_iter_mut().enumerate().for_each(|(i, made)| *made = Some(make(&items[i])));
     made.into_iter().flatten().collect()
 }
 

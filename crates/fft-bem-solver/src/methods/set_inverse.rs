@@ -41,25 +41,29 @@ impl SetInverse {
 
     /// `z = E^T S E r` on the set, which is the pixels `on`; r and z have a value for each of these.
     pub(crate) fn apply(&mut self, on: &[usize], r: impl Fn(usize) -> f64, z: &mut [f64]) {
-        self.extend(on, &|k| r(k) as f32);
+        self.residual.fill(0.0);
+        for (k, i) in on.iter().enumerate() {
+            self.residual[*i] = r(k) as f32;
+        }
+        self.extend();
         self.stiffness.apply_to_filled(&self.extended, &mut self.residual);
         self.restrict(on, z);
     }
 
     /// `z = E^T 1`: a uniform pressure, swept onto the set. Nearly that below a flat punch of its shape.
     pub(crate) fn sweep_uniform(&mut self, on: &[usize], z: &mut [f64]) {
-        self.extend(on, &|_| 0.0);
+        // Of the pyramid the weights are used, which are of the set alone.
+        if let Some(first) = self.pyramid.levels.first_mut() {
+            first.pull(&self.nodes, &self.residual);
+        }
+        self.pyramid.pull_above();
         self.residual.fill(1.0);
         self.restrict(on, z);
     }
 
-    /// `E r`, with the means over the cells of `S`.
-    fn extend(&mut self, on: &[usize], r: &dyn Fn(usize) -> f32) {
+    /// `E` of the residual field, with the means over the cells of `S`.
+    fn extend(&mut self) {
         let Self { nodes, columns, pyramid, stiffness, residual, extended } = self;
-        residual.fill(0.0);
-        for (k, i) in on.iter().enumerate() {
-            residual[*i] = r(k);
-        }
         if let Some(first) = pyramid.levels.first_mut() {
             first.pull(nodes, residual);
         }
@@ -106,7 +110,8 @@ mod tests {
             let nodes: Vec<_> = (0..grid.len()).map(|i| NodeState::of(wave(7 * i) > 0.3)).collect();
             let on: Vec<usize> = (0..grid.len()).filter(|i| nodes[*i].is_in()).collect();
             let mut inverse = SetInverse::new(grid, nodes);
-            inverse.extend(&on, &|k| wave(3 * k));
+            on.iter().enumerate().for_each(|(k, i)| inverse.residual[*i] = wave(3 * k));
+            inverse.extend();
             let field = inverse.extended.clone();
             let mut z = vec![0.0; on.len()];
             inverse.residual = (0..grid.len()).map(|i| wave(5 * i)).collect();

@@ -1,4 +1,4 @@
-//! The trial pressure, and the sweep that frees it of tension.
+//! The sweep that frees a trial pressure of tension.
 //!
 //! A step along the preconditioned residual leaves negative pressures at nodes that are about to
 //! lose contact. Clipping them would leave the neighbours under-loaded. Their (negative) load is

@@ -63,8 +63,8 @@ impl Transfer {
         self.halved.iter().map(|&h| if h { 0.5 } else { 1.0 }).product()
     }
 
-    /// One row of `down(w)` and of `down(w v)`. `w` and `v` are the two rows of
-    /// [`children`](Self::children); where the second is missing, the result is to be halved.
+    /// One row of `down(w)` and of `down(w v)`. `w` and `v` are the two rows below it;
+    /// where the second is missing, the result is to be halved.
     #[inline(always)]
     pub(crate) fn down_row<W: FilledPart>(
         &self,

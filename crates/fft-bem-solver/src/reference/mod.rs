@@ -13,4 +13,3 @@ pub use hertz::{Hertz, HertzContact};
 pub use sinusoid::{Westergaard, WestergaardContact};
 pub(crate) use two_harmonic::TwoHarmonic;
 pub use wavy_2d::BiSinusoid;
-pub(crate) use wavy_2d::CONVERGED;

@@ -6,7 +6,7 @@ use std::f64::consts::{PI, SQRT_2};
 
 /// The surface `z = amplitude cos(2 pi x / wavelength) cos(2 pi y / wavelength)` pressed on a flat.
 ///
-/// No closed form is known between its two limits; this module holds a converged calculation.
+/// No closed form is known between its two limits.
 ///
 /// ```math
 /// p^*=\sqrt2\,\pi E^*\frac{\Delta}{\lambda},\quad x=\frac{\bar p}{p^*},\quad
@@ -23,30 +23,6 @@ pub struct BiSinusoid {
     wavelength: f64,
     modulus: ContactModulus,
 }
-
-/// A converged calculation.
-#[derive(Debug, Clone, Copy, PartialEq)]
-pub(crate) struct BiSinusoidRow {
-    /// Mean pressure over p*.
-    pub(crate) pressure_ratio: f64,
-    /// Area fraction, and its uncertainty.
-    pub(crate) area_fraction: f64,
-    pub(crate) area_uncertainty: f64,
-    /// Mean gap over amplitude, and its uncertainty.
-    pub(crate) mean_gap: f64,
-    pub(crate) gap_uncertainty: f64,
-}
-
-/// FFT conjugate gradients on 1024 x 1024 nodes per asperity, area by sub-pixel extrapolation of the squared
-/// pressure to zero; uncertainty from the change between 512 and 1024 nodes. Of 21 such loads the mean gap integrates
-/// to 0.125004 over x (exact: 1/8).
-pub(crate) const CONVERGED: BiSinusoidRow = BiSinusoidRow {
-    pressure_ratio: 0.1,
-    area_fraction: 0.1906,
-    area_uncertainty: 2e-5,
-    mean_gap: 0.38474924,
-    gap_uncertainty: 4e-7,
-};
 
 impl BiSinusoid {
     /// Amplitude (mean plane to summit) and wavelength along x and y in m.
