@@ -31,7 +31,7 @@ pub fn profile_documents(
     studies: &[ProfileComparison],
     provenance: &Provenance,
     run_file: &RunFile,
-) -> Result<Vec<(String, Vec<u8>)>, Failure> {
+) -> Result<Vec<(String, String)>, Failure> {
     let documents = contact_report::profile_documents(studies, provenance);
     let mut made: Vec<(String, String)> =
         documents.into_iter().map(|(name, text)| (name.to_owned(), text)).collect();
@@ -40,7 +40,7 @@ pub fn profile_documents(
         made.extend(figures.map(|(name, svg)| (figure_name(name, i, studies.len()), svg)));
     }
     made.push(("run.toml".to_owned(), settings(run_file)?));
-    Ok(made.into_iter().map(|(name, text)| (name, text.into_bytes())).collect())
+    Ok(made)
 }
 
 fn settings(run_file: &RunFile) -> Result<String, Failure> {
@@ -55,8 +55,8 @@ pub fn documents(
     comparison: &Comparison,
     provenance: &Provenance,
     run_file: &RunFile,
-) -> Result<Vec<(&'static str, Vec<u8>)>, Failure> {
+) -> Result<Vec<(&'static str, String)>, Failure> {
     let mut made = contact_report::documents(comparison, provenance);
     made.push(("run.toml", settings(run_file)?));
-    Ok(made.into_iter().map(|(name, text)| (name, text.into_bytes())).collect())
+    Ok(made)
 }

@@ -3,7 +3,7 @@
 use crate::failure::{bug, raise};
 use crate::model::{ModelAnswer, ModelArguments, WAY_OUT};
 use crate::reading::{FileReading, Unread, unmade};
-use crate::study::{REPEAT, run_file_of, texts};
+use crate::study::{REPEAT, run_file_of};
 use crate::surface::{HeightFacts, array, form, measurement};
 use crate::watched::quietly;
 use contact_compare::{Level, Origin, ProfileComparison, ProfileSurface, Registry, Settings};
@@ -148,5 +148,5 @@ pub(crate) fn profile_study(
         let studies = studies.map_err(|e| Failure::from_error(&e))?;
         contact_front_end::profile_documents(&studies, &Provenance::here(REPEAT), &run_file)
     })?;
-    found.map(texts).map_err(|e| raise(&e))
+    found.map(BTreeMap::from_iter).map_err(|e| raise(&e))
 }

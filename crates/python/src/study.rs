@@ -259,7 +259,8 @@ fn run(
         }
     }
     let documents = contact_front_end::documents(&found, &Provenance::here(REPEAT), &run_file)?;
-    Ok((texts(documents), contact_front_end::not_met(&found)))
+    let documents = documents.into_iter().map(|(name, text)| (name.to_owned(), text)).collect();
+    Ok((documents, contact_front_end::not_met(&found)))
 }
 
 /// The command that repeats a study from the file beside its report.
@@ -275,11 +276,4 @@ pub(crate) fn run_file_of<'a>(
     };
     let (program, surfaces) = (env!("CARGO_PKG_VERSION").to_owned(), surfaces.map(surface));
     RunFile { program, settings: settings.clone(), surfaces: surfaces.collect() }
-}
-
-pub(crate) fn texts(
-    documents: impl IntoIterator<Item = (impl Into<String>, Vec<u8>)>,
-) -> BTreeMap<String, String> {
-    let text = |bytes: Vec<u8>| String::from_utf8_lossy(&bytes).into_owned();
-    documents.into_iter().map(|(name, bytes)| (name.into(), text(bytes))).collect()
 }

@@ -284,14 +284,13 @@ fn cleaning_step(record: &Record) -> Value {
 
 /// A radius is positive if convex and `null` for a plane.
 fn form(parameters: FormParameters) -> Value {
-    let finite = |radius: f64| radius.is_finite().then_some(radius);
     match parameters {
         FormParameters::Polynomial { degree } => json!({ "form": "polynomial", "degree": degree }),
         FormParameters::Sphere { radius, apex } => {
-            json!({ "form": "sphere", "radius": finite(radius), "apex": apex })
+            json!({ "form": "sphere", "radius": radius, "apex": apex })
         }
         FormParameters::Cylinder { radius, direction, tilt } => json!({
-            "form": "cylinder", "radius": finite(radius), "direction": direction, "tilt": tilt,
+            "form": "cylinder", "radius": radius, "direction": direction, "tilt": tilt,
         }),
     }
 }

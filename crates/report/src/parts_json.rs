@@ -19,19 +19,17 @@ pub fn budget_keys(budget: Option<&Budget>) -> Map<String, Value> {
     let area = budget.map(|b| b.area);
     let gap = budget.and_then(|b| b.mean_gap);
     let stiffness = budget.and_then(|b| b.stiffness);
-    let mut add = |name: &str, interval: Option<[f64; 2]>, prediction: Option<[f64; 2]>| {
-        keys.insert(format!("{name}_interval"), json!(interval));
-        keys.insert(format!("{name}_prediction_interval"), json!(prediction));
-    };
     let load = budget.map(|b| b.mean_pressure);
     for (name, e) in
         [("mean_pressure", load), ("area", area), ("mean_gap", gap), ("stiffness", stiffness)]
     {
-        add(name, e.and_then(|e| e.interval().ok()), e.and_then(|e| e.prediction()));
+        let ends = [e.and_then(|e| e.interval().ok()), e.and_then(|e| e.prediction())];
+        intervals(&mut keys, name, ends);
     }
     // An area that may be 0 leaves the pressure without an upper end, which JSON writes as null.
     let real = budget.and_then(Budget::real_pressure);
-    add("real_pressure", real.and_then(|r| r.interval), real.and_then(|r| r.prediction));
+    let ends = [real.and_then(|r| r.interval), real.and_then(|r| r.prediction)];
+    intervals(&mut keys, "real_pressure", ends);
     let others = [
         ("area_interval_reason", json!(area.and_then(|a| Some(a.half_width().err()?.to_string())))),
         ("real_pressure", json!(real.map(|r| r.value))),
@@ -64,13 +62,13 @@ fn sources(estimate: Estimate) -> Value {
 /// Area at the hardness, the share of the load that it carries, and the rest of `touching_fraction`; `null` for elastic
 /// bodies.
 pub fn yield_keys(yielded: Option<Yielded>, touching: f64) -> Map<String, Value> {
-    let values = yielded.map(|Yielded { area_fraction: saturated, load_share, .. }| {
+    let keys = [
+        ("saturated_fraction", yielded.map(|y| y.area_fraction)),
+        ("plastic_load_fraction", yielded.map(|y| y.load_share)),
         // Rounded sums: no area is below 0.
-        [saturated, load_share, (touching - saturated).max(0.0)]
-    });
-    let keys = ["saturated_fraction", "plastic_load_fraction", "elastic_area_fraction"];
-    let of = |(k, key): (usize, &str)| (key.to_owned(), json!(values.map(|values| values[k])));
-    keys.into_iter().enumerate().map(of).collect()
+        ("elastic_area_fraction", yielded.map(|y| (touching - y.area_fraction).max(0.0))),
+    ];
+    keys.into_iter().map(|(key, value)| (key.to_owned(), json!(value))).collect()
 }
 
 /// What a joint conducts, as keys of a point: `electrical_conductance` (S/m²),
@@ -90,29 +88,27 @@ pub fn conducted_keys(found: &Conducted) -> Map<String, Value> {
         let Some(h) = conductance else { continue };
         let ends =
             [h.estimate.and_then(|e| e.interval().ok()), h.estimate.and_then(|e| e.prediction())];
-        number(&mut keys, &format!("{name}_conductance"), h.value, ends);
+        keys.insert(format!("{name}_conductance"), json!(h.value));
+        intervals(&mut keys, &format!("{name}_conductance"), ends);
     }
     let both = found.resistances().into_iter().zip(found.one_spot);
     for (name, (resistance, spot)) in ["electrical", "thermal"].into_iter().zip(both) {
         let Some(r) = resistance else { continue };
-        number(&mut keys, &format!("{name}_resistance"), r.value, [r.interval, r.prediction]);
+        keys.insert(format!("{name}_resistance"), json!(r.value));
+        intervals(&mut keys, &format!("{name}_resistance"), [r.interval, r.prediction]);
         keys.insert(format!("{name}_resistance_one_spot"), json!(spot));
     }
     keys
 }
 
-/// A number and its intervals, of this map and of the surface.
-fn number(
+/// The intervals of a number, of this map and of the surface; `null` where an end is infinite.
+fn intervals(
     keys: &mut Map<String, Value>,
     name: &str,
-    value: f64,
     [interval, prediction]: [Option<[f64; 2]>; 2],
 ) {
-    let finite = |x: f64| if x.is_finite() { json!(x) } else { Value::Null };
-    let ends = |ends: Option<[f64; 2]>| json!(ends.map(|ends| ends.map(finite)));
-    keys.insert(name.into(), finite(value));
-    keys.insert(format!("{name}_interval"), ends(interval));
-    keys.insert(format!("{name}_prediction_interval"), ends(prediction));
+    keys.insert(format!("{name}_interval"), json!(interval));
+    keys.insert(format!("{name}_prediction_interval"), json!(prediction));
 }
 
 /// A gas with what is taken of it: conductivity (W/m/K), mean free path (m), length of the temperature jumps M (m).

@@ -23,7 +23,7 @@ impl Man {
         if let Some(out) = &self.out {
             let names: Vec<String> = pages.iter().map(|(name, _)| name.clone()).collect();
             let folder = Folder::prepare(out, &names, common.force)?;
-            folder.write_all(pages.into_iter().map(|(name, text)| (name, text.into_bytes())))?;
+            folder.write_all(pages)?;
             let text = format!("{} pages: {}\n", names.len(), out.display());
             return Ok(Reply::new(text, json!({ "pages": names })));
         }

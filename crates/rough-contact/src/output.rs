@@ -36,11 +36,11 @@ impl Folder {
 
     pub(crate) fn write_all(
         &self,
-        files: impl IntoIterator<Item = (impl AsRef<str>, Vec<u8>)>,
+        files: impl IntoIterator<Item = (impl AsRef<str>, String)>,
     ) -> Result<(), Failure> {
-        files
-            .into_iter()
-            .try_for_each(|(name, bytes)| self.write(name.as_ref(), |out| out.write_all(&bytes)))
+        files.into_iter().try_for_each(|(name, text)| {
+            self.write(name.as_ref(), |out| out.write_all(text.as_bytes()))
+        })
     }
 
     pub(crate) fn write(

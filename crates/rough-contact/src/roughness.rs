@@ -44,8 +44,7 @@ fn option(fact: &InputFact) -> Arg {
         InputUnit::PerAreas => (Dimension::PerArea, "LIST"),
         InputUnit::Numbers => (Dimension::Number, "LIST"),
     };
-    let takes_many =
-        matches!(fact.unit, InputUnit::Lengths | InputUnit::PerAreas | InputUnit::Numbers);
+    let takes_many = value == "LIST";
     let parser = move |text: &str| {
         if takes_many {
             quantity::parse_list(text, dimension).map(List)

@@ -69,10 +69,8 @@ pub(crate) fn answer(
     })?;
     out.tell("progress", json!({ "stage": "report" }));
     let documents = contact_front_end::documents(&found, &Provenance::here(REPEAT), &run_file)?;
-    let files: serde_json::Map<String, Value> = documents
-        .into_iter()
-        .map(|(name, bytes)| (name.to_owned(), String::from_utf8_lossy(&bytes).into()))
-        .collect();
+    let files: serde_json::Map<String, Value> =
+        documents.into_iter().map(|(name, text)| (name.to_owned(), text.into())).collect();
     let trouble = contact_front_end::not_met(&found).as_ref().map(Failure::json);
     let headline = found.surfaces.first().and_then(contact_report::headline_line);
     Ok(json!({

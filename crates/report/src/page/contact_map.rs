@@ -25,7 +25,8 @@ pub(crate) fn where_it_touches(
     let window = maps::busiest_window(pressure, grid.shape());
     let n = page.numbers.next_figure();
     let key = format!("{id}-f{n}");
-    let row = deformed::cut(surface).and(surface.sections.as_ref()).map(|s| s.row);
+    let cut = deformed::cut(surface).zip(surface.sections.as_ref());
+    let row = cut.as_ref().map(|(_, sections)| sections.row);
     let moving = moving(page, surface);
     let (limit, surfaces) = (page.map_limit, page.comparison.surfaces.len());
     let (map, hidden) = join(
@@ -47,7 +48,7 @@ pub(crate) fn where_it_touches(
         let caption = format!("<b>Boxed area</b>, enlarged {times}×.");
         shown += &figure(&(zoom.inline() + &hidden), &caption);
     }
-    let section = deformed::through(page, surface, moving.is_some(), id);
+    let section = deformed::through(page, surface, cut, moving.is_some(), id);
     format!(
         "<{h}>Where it touches at {load}</{h}>\n<div class=\"two maps\">\n{shown}</div>\n{section}"
     )

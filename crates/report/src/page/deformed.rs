@@ -8,7 +8,7 @@ use crate::page::moving::LARGEST;
 use crate::page::shared::{ReportPage, attribute, figure, touching, wide};
 use base64::Engine as _;
 use base64::engine::general_purpose::STANDARD;
-use contact_compare::{DeterministicPoint, SurfaceComparison};
+use contact_compare::{DeterministicPoint, Sections, SurfaceComparison};
 use serde_json::json;
 
 /// What lies along the row of a surface; `None` if not every load has an answer or nothing is rough.
@@ -55,12 +55,11 @@ fn parts(n: usize, value: impl Fn(std::ops::Range<usize>) -> f64) -> Vec<f64> {
 pub(crate) fn through(
     page: &mut ReportPage<'_>,
     surface: &SurfaceComparison,
+    cut: Option<(SectionCut, &Sections)>,
     moves: bool,
     id: &str,
 ) -> String {
-    let Some((cut, sections)) = cut(surface).zip(surface.sections.as_ref()) else {
-        return String::new();
-    };
+    let Some((cut, sections)) = cut else { return String::new() };
     let n = page.numbers.next_figure();
     let touching = touching(surface);
     let title = |(point, (load, share)): (&DeterministicPoint, (&PressedRow, &String))| {

@@ -73,8 +73,8 @@ pub(crate) fn model_area(point: &Result<ContactState, ModelError>) -> String {
 
 /// The mean pressure on what a model says touches, "3.2 GPa".
 pub(crate) fn model_pressure(point: &Result<ContactState, ModelError>) -> String {
-    let real = point.as_ref().ok().map(|s| s.mean_pressure / s.area_fraction);
-    real.filter(|p| p.is_finite()).map_or("–".into(), |p| quantity(p, PASCALS, 3))
+    let real = point.as_ref().ok().and_then(ContactState::real_pressure);
+    real.map_or("–".into(), |p| quantity(p, PASCALS, 3))
 }
 
 /// A short piece of a series' line with its marker.
