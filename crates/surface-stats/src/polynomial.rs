@@ -46,16 +46,20 @@ impl Polynomial {
         let [ny, nx] = self.grid.shape();
         let columns = columns(nx, self.degree);
         for (iy, row) in heights.chunks_exact_mut(nx).enumerate() {
-            // Along the row the form is the sum of `along[k] P_k`.
-            let (rows, mut along) = (legendre(scaled(iy, ny)), [0.0; MAX_DEGREE + 1]);
-            for ([ky, kx], coefficient) in terms(self.degree).zip(&self.coefficients) {
-                along[kx] += coefficient * rows[ky];
-            }
-            for (ix, h) in row.iter_mut().enumerate() {
-                let form =
-                    along.iter().zip(&columns).map(|(a, column)| a * column[ix]).sum::<f64>();
-                *h = (*h - self.origin) - form;
-            }
+            self.remove_from_row(row, &legendre(scaled(iy, ny)), &columns);
+        }
+    }
+
+    /// The same of one row, whose polynomials of y are `rows`.
+    fn remove_from_row(&self, row: &mut [f64], rows: &[f64], columns: &[Vec<f64>]) {
+        // Along the row the form is the sum of `along[k] P_k`.
+        let mut along = [0.0; MAX_DEGREE + 1];
+        for ([ky, kx], coefficient) in terms(self.degree).zip(&self.coefficients) {
+            along[kx] += coefficient * rows[ky];
+        }
+        for (ix, h) in row.iter_mut().enumerate() {
+            let form = along.iter().zip(columns).map(|(a, column)| a * column[ix]).sum::<f64>();
+            *h = (*h - self.origin) - form;
         }
     }
 
@@ -65,11 +69,12 @@ impl Polynomial {
         let columns = columns(nx, self.degree);
         let complete = products(&columns, &(0..nx));
         let mut equations = NormalEquations::new(self.coefficients.len());
-        let mut residual = heights.to_vec();
-        self.remove_from(&mut residual);
+        let mut row = vec![0.0; nx];
         // Along a row only the polynomials of x vary: sum over it first, then over rows.
-        for (iy, row) in residual.chunks_exact(nx).enumerate() {
+        for (iy, own) in heights.chunks_exact(nx).enumerate() {
             let (rows, mut sums) = (legendre(scaled(iy, ny)), [0.0; MAX_DEGREE + 1]);
+            row.copy_from_slice(own);
+            self.remove_from_row(&mut row, &rows, &columns);
             for (ix, z) in row.iter().enumerate().filter(|(_, z)| !z.is_nan()) {
                 for (sum, column) in sums.iter_mut().zip(&columns) {
                     *sum += column[ix] * z;

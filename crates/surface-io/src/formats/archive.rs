@@ -12,7 +12,7 @@ pub(crate) const MAGIC: &[u8] = b"PK\x03\x04";
 
 /// An archive in memory.
 pub(crate) struct Archive<'a> {
-    b: Bytes<'a>,
+    pub(crate) b: Bytes<'a>,
     zip: ZipArchive<Cursor<&'a [u8]>>,
     /// Bytes unpacked so far.
     total: u64,

@@ -106,11 +106,8 @@ pub(crate) fn parse(mut b: Bytes<'_>) -> Result<Contents<'_>, ReadError> {
     let labels = next(labels[2])?;
 
     let steps = [b.f64(156)?, b.f64(148)?];
-    let pixel = match (metres_per(&step_units[1]), metres_per(&step_units[0])) {
-        (Some(y), Some(x)) => Pixel::Metres([steps[0] * y, steps[1] * x]),
-        (None, Some(x)) if ny == 1 => Pixel::Metres([steps[0], steps[1] * x]),
-        _ => Pixel::Steps(steps),
-    };
+    let [x, y] = step_units.each_ref().map(|unit| metres_per(unit));
+    let pixel = Pixel::scaled(steps, [y.or((ny == 1).then_some(1.0)), x]); // a profile has no y
     let mut contents = Contents::default();
     let wave = b.text(92, 32)?;
     for layer in 0..layers {

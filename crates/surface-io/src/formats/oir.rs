@@ -104,13 +104,9 @@ fn add<'a>(
             let (unit, factor) = if kind == "HEIGHT" { ("m", step) } else { ("counts", 1.0) };
             let data = Rc::clone(data);
             let decode = move || {
-                let mut values = Vec::with_capacity(shape[0] * shape[1]);
+                let (b, mut values) = (file.with(&data), Vec::with_capacity(shape[0] * shape[1]));
                 for piece in pieces {
-                    values.extend(file.with(&data).samples(
-                        piece.start,
-                        piece.len() / 2,
-                        Sample::U16,
-                    )?);
+                    values.extend(b.samples(piece.start, piece.len() / 2, Sample::U16)?);
                 }
                 Ok(values)
             };

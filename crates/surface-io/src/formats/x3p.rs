@@ -51,7 +51,7 @@ pub(crate) fn parse(b: Bytes<'_>) -> Result<Contents<'_>, ReadError> {
 
     let pixel = Pixel::Metres(main.pixel(ny)?);
     let mut unpack = |link: &str| match main.fields.get(&format!("Record3/DataLink/{link}")) {
-        Some(link) => archive.unpack(&member(b, &archive, folder, link)?).map(Some),
+        Some(link) => archive.unpack(&member(&archive, folder, link)?).map(Some),
         None => Ok(None),
     };
     let raw = unpack("PointDataLink")?;
@@ -87,17 +87,14 @@ pub(crate) fn parse(b: Bytes<'_>) -> Result<Contents<'_>, ReadError> {
 }
 
 /// A link is relative to `main.xml`; some writers start it at the top folder.
-fn member(
-    b: Bytes<'_>,
-    archive: &Archive<'_>,
-    folder: &str,
-    link: &str,
-) -> Result<String, ReadError> {
+fn member(archive: &Archive<'_>, folder: &str, link: &str) -> Result<String, ReadError> {
     let link = link.trim().trim_start_matches("./").replace('\\', "/");
     [format!("{folder}{link}"), link.trim_start_matches('/').to_owned()]
         .into_iter()
         .find(|name| archive.names.contains(name))
-        .ok_or_else(|| b.field("PointDataLink", format!("the archive has no member {link:?}")))
+        .ok_or_else(|| {
+            archive.b.field("PointDataLink", format!("the archive has no member {link:?}"))
+        })
 }
 
 /// `main.xml`, flattened: the text of every element by its path below the root.

@@ -30,17 +30,17 @@ const ABOUT: [&str; 2] =
 
 pub(crate) fn parse(b: Bytes<'_>) -> Result<Contents<'_>, ReadError> {
     let mut archive = Archive::open(b)?;
-    let calibration = member(b, &mut archive, CALIBRATION)?;
+    let calibration = member(&mut archive, CALIBRATION)?;
     let fields = xml::fields(b.with(&calibration), "calibration")?;
     let entries = Entries::new(b, &fields, "is missing");
     let pixel = Pixel::Metres([entries.number("XYCalibration/MeterPerPixel")?; 2]);
     let step = entries.number("ZCalibration/MeterPerUnit")?;
-    let heights = member(b, &mut archive, HEIGHTS)?;
+    let heights = member(&mut archive, HEIGHTS)?;
     let (shape, decode) = matrix(b, heights, Sample::I32, HEIGHTS)?;
     let mut channel = Channel::new("Height", Some("m"), shape, pixel, decode);
     channel = channel.converted(move |raw| raw * step);
     if archive.names.iter().any(|name| name == MASK) {
-        let mask = member(b, &mut archive, MASK)?;
+        let mask = member(&mut archive, MASK)?;
         let ([ny, nx], marks) = matrix(b, mask, Sample::U8, MASK)?;
         if [ny, nx] != shape {
             return Err(b.field(MASK, format!("a mask of {ny} x {nx} points")));
@@ -49,7 +49,7 @@ pub(crate) fn parse(b: Bytes<'_>) -> Result<Contents<'_>, ReadError> {
     }
     let mut metadata = BTreeMap::new();
     for name in ABOUT {
-        if let Ok(xml) = member(b, &mut archive, name)
+        if let Ok(xml) = member(&mut archive, name)
             && let Ok(fields) = xml::fields(b.with(&xml), name)
         {
             metadata.extend(fields);
@@ -59,11 +59,8 @@ pub(crate) fn parse(b: Bytes<'_>) -> Result<Contents<'_>, ReadError> {
 }
 
 /// A member of the archive, unpacked once more if it is packed with zstd.
-fn member(
-    b: Bytes<'_>,
-    archive: &mut Archive<'_>,
-    name: &'static str,
-) -> Result<Vec<u8>, ReadError> {
+fn member(archive: &mut Archive<'_>, name: &'static str) -> Result<Vec<u8>, ReadError> {
+    let b = archive.b;
     let raw = archive.unpack(name)?;
     if !raw.starts_with(b"\x28\xb5\x2f\xfd") {
         return Ok(raw);
