@@ -36,3 +36,10 @@ pub use moments::{AsperityStatistics, FractalParameters, SpectralMoments};
 pub use named::Named;
 pub use psd::PsdConvention;
 pub use spectrum::{AmplitudeSpectrum, RoughnessSpectrum, Shell, Wave};
+
+#[cfg(test)]
+#[track_caller]
+fn close(found: f64, exact: f64, tolerance: f64) {
+    // By default the macro also has an absolute tolerance of 2e-16, which any two small numbers pass.
+    approx::assert_relative_eq!(found, exact, max_relative = tolerance, epsilon = 0.0);
+}

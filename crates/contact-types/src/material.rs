@@ -95,19 +95,14 @@ impl ContactModulus {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use approx::assert_relative_eq;
+    use crate::close;
 
     #[test]
     fn two_steel_bodies() {
         // 1/E* = 2 (1 - 0.3^2) / 210 GPa
         let steel = Elastic::new(210e9, 0.3).unwrap();
         let modulus = ContactModulus::of_pair(steel, steel).unwrap();
-        assert_relative_eq!(
-            modulus.pascals(),
-            210e9 / (2.0 * 0.91),
-            max_relative = 1e-15,
-            epsilon = 0.0
-        );
+        close(modulus.pascals(), 210e9 / (2.0 * 0.91), 1e-15);
     }
 
     #[test]

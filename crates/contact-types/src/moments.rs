@@ -129,7 +129,7 @@ pub struct FractalParameters {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use approx::assert_relative_eq;
+    use crate::close;
 
     /// 22-digit values computed with mpmath for m0 = 0.6747 and the finite-difference m2, m4 of a
     /// sum of six sinusoids.
@@ -137,37 +137,12 @@ mod tests {
     fn summits_of_a_gaussian_surface() {
         let moments =
             SpectralMoments { m0: 0.6747, m2: 0.4162700053973672599, m4: 1.593138331724997233 };
-        assert_relative_eq!(
-            moments.bandwidth(),
-            6.203173951396777558,
-            max_relative = 1e-15,
-            epsilon = 0.0
-        );
+        close(moments.bandwidth(), 6.203173951396777558, 1e-15);
         let summits = AsperityStatistics::from_moments(moments).unwrap();
-        assert_relative_eq!(
-            summits.density,
-            0.1172240219749787773,
-            max_relative = 1e-15,
-            epsilon = 0.0
-        );
-        assert_relative_eq!(
-            summits.radius,
-            0.5265983094237080350,
-            max_relative = 1e-15,
-            epsilon = 0.0
-        );
-        assert_relative_eq!(
-            summits.height_std,
-            0.7597086402797854233,
-            max_relative = 1e-15,
-            epsilon = 0.0
-        );
-        assert_relative_eq!(
-            summits.mean_offset,
-            0.7442749977338474396,
-            max_relative = 1e-15,
-            epsilon = 0.0
-        );
+        close(summits.density, 0.1172240219749787773, 1e-15);
+        close(summits.radius, 0.5265983094237080350, 1e-15);
+        close(summits.height_std, 0.7597086402797854233, 1e-15);
+        close(summits.mean_offset, 0.7442749977338474396, 1e-15);
     }
 
     #[test]
@@ -201,14 +176,14 @@ mod tests {
                 (found.height_std / unit, expected.height_std),
                 (found.mean_offset / unit, expected.mean_offset),
             ] {
-                assert_relative_eq!(found, expected, max_relative = 1e-15, epsilon = 0.0);
+                close(found, expected, 1e-15);
             }
         }
         // Here m0/m2 overflows, and the bandwidth is only 2^200.
         let [m0, m2, m4] = [1000, -100, -1000].map(|e| 2f64.powi(e));
         let wide = SpectralMoments { m0, m2, m4 };
-        assert_relative_eq!(wide.bandwidth(), 2f64.powi(200), max_relative = 1e-15, epsilon = 0.0);
+        close(wide.bandwidth(), 2f64.powi(200), 1e-15);
         let found = AsperityStatistics::from_moments(wide).unwrap();
-        assert_relative_eq!(found.height_std, 2f64.powi(500), max_relative = 1e-15, epsilon = 0.0);
+        close(found.height_std, 2f64.powi(500), 1e-15);
     }
 }

@@ -122,7 +122,7 @@ fn check(limits: &[f64]) -> Result<(), SurfaceError> {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use approx::assert_relative_eq;
+    use crate::close;
     use proptest::prelude::*;
 
     /// `∫ q^(n+1) C dq` of `C = C0` up to the roll-off and `C0 (q/q_r)^(-2-2H)` beyond, by the two
@@ -143,13 +143,13 @@ mod tests {
             let found = RoughnessSpectrum::from_psd(PsdConvention::Angular, psd, &q).unwrap();
             let found = found.moments();
             // m0 = 2π ∫ q C, m2 = π ∫ q³ C, m4 = (3π/4) ∫ q⁵ C.
-            assert_relative_eq!(found.m0, TAU * c0 * exact(0.0, hurst, q), max_relative = 1e-13, epsilon = 0.0);
-            assert_relative_eq!(found.m2, TAU / 2.0 * c0 * exact(2.0, hurst, q), max_relative = 1e-13, epsilon = 0.0);
-            assert_relative_eq!(found.m4, 0.375 * TAU * c0 * exact(4.0, hurst, q), max_relative = 1e-13, epsilon = 0.0);
+            close(found.m0, TAU * c0 * exact(0.0, hurst, q), 1e-13);
+            close(found.m2, TAU / 2.0 * c0 * exact(2.0, hurst, q), 1e-13);
+            close(found.m4, 0.375 * TAU * c0 * exact(4.0, hurst, q), 1e-13);
             // The same surface by the other convention.
             let square = |x: f64| TAU * TAU * psd(x);
             let other = RoughnessSpectrum::from_psd(PsdConvention::PerCycle, square, &q).unwrap();
-            assert_relative_eq!(other.moments().m0, found.m0, max_relative = 1e-13, epsilon = 0.0);
+            close(other.moments().m0, found.m0, 1e-13);
         }
     }
 

@@ -65,3 +65,10 @@ pub use real::Real;
 pub use settings::{Boundary, Load, Maps, Method, Precision};
 pub use solution::{Diagnostics, End, Fallbacks, Residuals, Section, Solution, Yielded};
 pub use solver::{Solver, set_stiffness};
+
+#[cfg(test)]
+#[track_caller]
+fn close(found: f64, exact: f64, tolerance: f64) {
+    // By default the macro also has an absolute tolerance of 2e-16, which any two small numbers pass.
+    approx::assert_relative_eq!(found, exact, max_relative = tolerance, epsilon = 0.0);
+}

@@ -41,3 +41,10 @@ pub use persson::{AreaLaw, Persson, PerssonWithYield, SelfAffineSpectrum, YieldS
 pub use sinusoid::SinusoidLaw;
 pub use stacked::Stacked;
 pub use yan_komvopoulos::YanKomvopoulos;
+
+#[cfg(test)]
+#[track_caller]
+fn close(found: f64, exact: f64, tolerance: f64) {
+    // By default the macro also has an absolute tolerance of 2e-16, which any two small numbers pass.
+    approx::assert_relative_eq!(found, exact, max_relative = tolerance, epsilon = 0.0);
+}

@@ -156,50 +156,20 @@ impl Div<f64> for Wide {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use approx::assert_relative_eq;
+    use crate::close;
 
     #[test]
     fn products_pass_through_values_no_double_can_hold() {
         let tiny = Wide::from(f64::MIN_POSITIVE);
         let huge = Wide::from(f64::MAX);
-        assert_relative_eq!(
-            (tiny * tiny / tiny).value(),
-            f64::MIN_POSITIVE,
-            max_relative = 0.0,
-            epsilon = 0.0
-        );
-        assert_relative_eq!(
-            (huge * huge / huge).value(),
-            f64::MAX,
-            max_relative = 0.0,
-            epsilon = 0.0
-        );
-        assert_relative_eq!(
-            (Wide::from(3.0) + Wide::from(0.5)).value(),
-            3.5,
-            max_relative = 0.0,
-            epsilon = 0.0
-        );
-        assert_relative_eq!(
-            Wide::exp(-740.0).value(),
-            f64::exp(-740.0),
-            max_relative = 1e-13,
-            epsilon = 0.0
-        );
-        assert_relative_eq!(
-            Wide::exp(3.7).value(),
-            f64::exp(3.7),
-            max_relative = 3e-16,
-            epsilon = 0.0
-        );
+        close((tiny * tiny / tiny).value(), f64::MIN_POSITIVE, 0.0);
+        close((huge * huge / huge).value(), f64::MAX, 0.0);
+        close((Wide::from(3.0) + Wide::from(0.5)).value(), 3.5, 0.0);
+        close(Wide::exp(-740.0).value(), f64::exp(-740.0), 1e-13);
+        close(Wide::exp(3.7).value(), f64::exp(3.7), 3e-16);
         assert!((huge * huge).value().is_infinite());
         assert!((tiny * tiny).value() <= 0.0 && !(tiny * tiny).is_zero());
-        assert_relative_eq!(
-            (huge * huge).ln(),
-            2.0 * f64::MAX.ln(),
-            max_relative = 1e-15,
-            epsilon = 0.0
-        );
+        close((huge * huge).ln(), 2.0 * f64::MAX.ln(), 1e-15);
     }
 
     #[test]
@@ -207,7 +177,7 @@ mod tests {
         // (1 + e)^2 = 1 + 2e + e^2 and 1/(1 + e) = 1 - e + e^2 - ..., e = 2^-30.
         let e = (-30.0_f64).exp2();
         let x = Wide::from(1.0 + e);
-        assert_relative_eq!(x.product_error(x), e * e, max_relative = 1e-8, epsilon = 0.0);
+        close(x.product_error(x), e * e, 1e-8);
         let exact_minus_rounded = e * e; // 1 - e is a double, the next one lies below e^2 away
         let error = Wide::from(1.0).quotient_error(x);
         let computed = (Wide::from(1.0) / x).value();
@@ -220,34 +190,14 @@ mod tests {
         for x in [1e-300, 3.7e-12, 0.6, 1.0, 1.5, 2.0, 9.1e24, 1.7e300] {
             for y in [-0.9, -1.0 / 3.0, 0.0, 0.05, 0.5, 2.0 / 3.0, 1.0] {
                 let expected: f64 = f64::powf(x, y);
-                assert_relative_eq!(
-                    Wide::from(x).powf(y).value(),
-                    expected,
-                    max_relative = 5e-16,
-                    epsilon = 0.0
-                );
+                close(Wide::from(x).powf(y).value(), expected, 5e-16);
             }
-            assert_relative_eq!(
-                Wide::from(x).sqrt().value(),
-                x.sqrt(),
-                max_relative = 3e-16,
-                epsilon = 0.0
-            );
-            assert_relative_eq!(
-                Wide::from(x).cbrt().value(),
-                x.cbrt(),
-                max_relative = 3e-16,
-                epsilon = 0.0
-            );
+            close(Wide::from(x).sqrt().value(), x.sqrt(), 3e-16);
+            close(Wide::from(x).cbrt().value(), x.cbrt(), 3e-16);
         }
         // (1 + 2^-20)^(2^30): by 30 squarings of the exactly known base, as a logarithm.
         let base = 1.0 + (-20.0_f64).exp2();
         let power = Wide::from(base).powf(30.0_f64.exp2());
-        assert_relative_eq!(
-            power.ln(),
-            30.0_f64.exp2() * base.ln(),
-            max_relative = 1e-14,
-            epsilon = 0.0
-        );
+        close(power.ln(), 30.0_f64.exp2() * base.ln(), 1e-14);
     }
 }

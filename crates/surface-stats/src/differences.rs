@@ -149,7 +149,7 @@ fn add((sum, count): &mut (f64, usize), terms: impl Iterator<Item = f64>) {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use approx::assert_relative_eq;
+    use crate::close;
     use contact_types::Grid;
     use std::f64::consts::TAU;
 
@@ -164,21 +164,16 @@ mod tests {
             let map = HeightMap::from_fn(grid, |y, x| a * (q[0] * y + q[1] * x).cos()).unwrap();
             let m = DirectionalMoments::of(&map, Edges::Periodic).unwrap();
             let [y, x] = [0, 1].map(|axis| a / 2f64.sqrt() * (q[axis] * d[axis]).sin() / d[axis]);
-            assert_relative_eq!(m.m2_x_central, x * x, max_relative = 1e-12, epsilon = 0.0);
-            assert_relative_eq!(m.m2_y_central, y * y, max_relative = 1e-12, epsilon = 0.0);
-            assert_relative_eq!(m.m2_xy, x * y, max_relative = 1e-12, epsilon = 0.0);
+            close(m.m2_x_central, x * x, 1e-12);
+            close(m.m2_y_central, y * y, 1e-12);
+            close(m.m2_xy, x * y, 1e-12);
             assert!(m.anisotropy().unwrap() > 1e10);
         }
         let sign = |i: usize| if (i / 22 + i % 22).is_multiple_of(2) { a } else { -a };
         let map = HeightMap::new(grid, (0..grid.len()).map(sign).collect()).unwrap();
         let m = DirectionalMoments::of(&map, Edges::Open).unwrap();
-        assert_relative_eq!(m.m2_x, (2.0 * a / d[1]).powi(2), max_relative = 1e-12, epsilon = 0.0);
-        assert_relative_eq!(
-            m.m4_y,
-            (4.0 * a / d[0] / d[0]).powi(2),
-            max_relative = 1e-12,
-            epsilon = 0.0
-        );
+        close(m.m2_x, (2.0 * a / d[1]).powi(2), 1e-12);
+        close(m.m4_y, (4.0 * a / d[0] / d[0]).powi(2), 1e-12);
         assert_eq!((m.m2_x_central, m.m2_y_central, m.anisotropy()), (0.0, 0.0, None));
     }
 }

@@ -209,6 +209,7 @@ fn line(points: &[LogBin], x: impl Fn(&LogBin) -> f64) -> Option<(f64, f64, f64)
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::close;
     use approx::assert_relative_eq;
     use std::f64::consts::PI;
 
@@ -224,12 +225,7 @@ mod tests {
             let fit = fit_profile(&bins, [0.0, 1.0]).unwrap();
             let (dimension, parameters) = fit.fractal_of_profile();
             assert_relative_eq!(dimension, d, epsilon = 1e-4); // bins average over a sixth octave
-            assert_relative_eq!(
-                parameters.unwrap().roughness,
-                g,
-                max_relative = 0.05,
-                epsilon = 0.0
-            );
+            close(parameters.unwrap().roughness, g, 0.05);
         }
     }
 
@@ -241,14 +237,9 @@ mod tests {
         let intercept = (c0 * TAU.powi(-3)).ln();
         let law = PowerLaw { slope: -3.0, intercept, range: [1e-6, 1e-4] };
         let (dimension, parameters) = law.fractal_of_surface();
-        assert_relative_eq!(dimension, 1.5, max_relative = 1e-15, epsilon = 0.0);
+        close(dimension, 1.5, 1e-15);
         let roughness = 2.0 * 1.5f64.ln() * 8.0 * PI * c0 / TAU.powi(2);
-        assert_relative_eq!(
-            parameters.unwrap().roughness,
-            roughness,
-            max_relative = 1e-12,
-            epsilon = 0.0
-        );
+        close(parameters.unwrap().roughness, roughness, 1e-12);
     }
 
     #[test]

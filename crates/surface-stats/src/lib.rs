@@ -47,3 +47,10 @@ pub use statistics::{STATISTICS, Spectra, Statistic, SurfaceStatistics};
 pub use steps::height_step;
 pub use summits::Summits;
 pub use warning::Warning;
+
+#[cfg(test)]
+#[track_caller]
+fn close(found: f64, exact: f64, tolerance: f64) {
+    // By default the macro also has an absolute tolerance of 2e-16, which any two small numbers pass.
+    approx::assert_relative_eq!(found, exact, max_relative = tolerance, epsilon = 0.0);
+}

@@ -100,10 +100,10 @@ impl NoiseFloor {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::close;
     use crate::spectrum::{PowerSpectrum, Window};
     use crate::synthesis::rough;
     use crate::{Edges, moments};
-    use approx::assert_relative_eq;
     use contact_types::{Grid, HeightMap};
     use rand_pcg::Pcg64;
     use rand_pcg::rand_core::Rng;
@@ -128,17 +128,17 @@ mod tests {
         let white = map(&|i| noise[i]);
         let ([m2, m4], found) =
             (white_noise_moments(rms, grid.pixel()), moments(&white, Edges::Periodic).unwrap());
-        assert_relative_eq!(found.m2, m2, max_relative = 0.03, epsilon = 0.0);
-        assert_relative_eq!(found.m4, m4, max_relative = 0.03, epsilon = 0.0);
+        close(found.m2, m2, 0.03);
+        close(found.m4, m4, 0.03);
         assert_eq!(floor(&white).unwrap().reliable, None);
 
         let clean = rough(grid, 0.8, [40e-6, 8e-6], 200e-9, 1);
         for line in [0.0, rms] {
             let sign = |i: usize| if (i % 256).is_multiple_of(2) { line } else { -line };
             let found = floor(&map(&|i| clean.heights()[i] + noise[i] + sign(i))).unwrap();
-            assert_relative_eq!(found.reliable.unwrap(), 8e-6, max_relative = 0.05, epsilon = 0.0);
+            close(found.reliable.unwrap(), 8e-6, 0.05);
             if line <= 0.0 {
-                assert_relative_eq!(found.rms, rms, max_relative = 0.025, epsilon = 0.0);
+                close(found.rms, rms, 0.025);
             }
         }
     }

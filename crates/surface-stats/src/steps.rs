@@ -46,7 +46,7 @@ pub fn height_step(heights: &[f64]) -> Option<f64> {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use approx::assert_relative_eq;
+    use crate::close;
 
     fn wavy(n: usize) -> impl Iterator<Item = f64> {
         (0..n).map(|i| 1e-6 * ((i as f64 * 0.37).sin() + 0.6 * (i as f64 * 0.011).cos()))
@@ -57,20 +57,10 @@ mod tests {
         for offset in [0.0, 76e-3, -1.0] {
             let stepped: Vec<f64> =
                 wavy(20_000).map(|h| offset + (h / 10e-9).round() * 10e-9).collect();
-            assert_relative_eq!(
-                height_step(&stepped).unwrap(),
-                10e-9,
-                max_relative = 1e-6,
-                epsilon = 0.0
-            );
+            close(height_step(&stepped).unwrap(), 10e-9, 1e-6);
         }
         let stored: Vec<f64> = wavy(20_000).map(|h| f64::from((76e-3 + h) as f32)).collect();
-        assert_relative_eq!(
-            height_step(&stored).unwrap(),
-            0.0625 / 8388608.0,
-            max_relative = 1e-9,
-            epsilon = 0.0
-        );
+        close(height_step(&stored).unwrap(), 0.0625 / 8388608.0, 1e-9);
     }
 
     /// Numbers near 1e9 are 2^-23 apart.

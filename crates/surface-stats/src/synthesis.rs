@@ -10,11 +10,6 @@ use std::f64::consts::TAU;
 
 /// What fixes the height of the surface.
 #[derive(Debug, Clone, Copy, PartialEq)]
-#[cfg_attr(
-    feature = "serde",
-    derive(serde::Serialize, serde::Deserialize),
-    serde(rename_all = "snake_case")
-)]
 pub enum Scale {
     /// Rms height of the map (m).
     RmsHeight(f64),
@@ -35,7 +30,6 @@ pub enum Scale {
 /// White Gaussian noise is filtered, then scaled to have exactly the rms height or gradient asked for. The same recipe
 /// gives the same map with every version and on every machine up to the last digits of `sin`, `cos` and `ln`.
 #[derive(Debug, Clone, Copy, PartialEq)]
-#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub struct SelfAffine {
     /// Pixels of the map.
     pub grid: Grid,

@@ -162,7 +162,7 @@ fn axis_ratio(curvature_ratio: f64) -> f64 {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use approx::assert_relative_eq;
+    use crate::close;
 
     fn one_pascal() -> ContactModulus {
         ContactModulus::from_pascals(1.0).unwrap()
@@ -174,11 +174,11 @@ mod tests {
         let (radius, force) = (2e-3, 3.0);
         let contact = Hertz::sphere(radius, modulus).unwrap().at_force(force).unwrap();
         let a = (3.0 * force * radius / (4.0 * 115e9_f64)).cbrt();
-        assert_relative_eq!(contact.semi_axes[0], a, max_relative = 1e-14);
-        assert_relative_eq!(contact.semi_axes[1], a, max_relative = 1e-14);
-        assert_relative_eq!(contact.approach, a * a / radius, max_relative = 1e-14);
+        close(contact.semi_axes[0], a, 1e-14);
+        close(contact.semi_axes[1], a, 1e-14);
+        close(contact.approach, a * a / radius, 1e-14);
         let p0 = 3.0 * force / (2.0 * PI * a * a);
-        assert_relative_eq!(contact.max_pressure, p0, max_relative = 1e-14);
+        close(contact.max_pressure, p0, 1e-14);
     }
 
     /// 30-digit values from the ellipsoidal potential; larger curvature, modulus and approach 1.
@@ -191,12 +191,12 @@ mod tests {
             let &[ratio, k, a, b, p0, area, load] = &v[..] else { panic!("{line}") };
             let hertz = Hertz::new([1.0, 1.0 / ratio], one_pascal()).unwrap();
             let contact = hertz.at_approach(1.0).unwrap();
-            assert_relative_eq!(hertz.axis_ratio, k, max_relative = 2e-13);
-            assert_relative_eq!(contact.semi_axes[0], b, max_relative = 2e-13);
-            assert_relative_eq!(contact.semi_axes[1], a, max_relative = 2e-13);
-            assert_relative_eq!(contact.max_pressure, p0, max_relative = 2e-13);
-            assert_relative_eq!(contact.area(), area, max_relative = 2e-13);
-            assert_relative_eq!(contact.force, load, max_relative = 2e-13);
+            close(hertz.axis_ratio, k, 2e-13);
+            close(contact.semi_axes[0], b, 2e-13);
+            close(contact.semi_axes[1], a, 2e-13);
+            close(contact.max_pressure, p0, 2e-13);
+            close(contact.area(), area, 2e-13);
+            close(contact.force, load, 2e-13);
             rows += 1;
         }
         assert!(rows >= 9);

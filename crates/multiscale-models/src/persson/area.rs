@@ -66,11 +66,9 @@ impl Persson {
     /// Argument of the error function.
     fn area_argument(&self, pressure: f64) -> Result<f64, ModelError> {
         require::pressure(MODEL, pressure)?;
-        let stiffness = self.slope * self.modulus.pascals();
-        if stiffness.is_zero() {
+        let Some(x) = self.load(pressure) else {
             return Ok(if pressure > 0.0 { f64::INFINITY } else { 0.0 }); // flat: all or nothing
-        }
-        let x = Wide::from(pressure) / stiffness;
+        };
         Ok(match self.area_law {
             AreaLaw::Diffusion => x.value(),
             AreaLaw::ReducedDiffusion => reduced_argument(x, self.gamma),

@@ -1,8 +1,8 @@
 //! Archard's levels and the fractal distributions of spots.
 
+use crate::close;
 use crate::pascals;
 use crate::quadrature::{geometric_integral, integral};
-use approx::assert_relative_eq;
 use contact_types::{ContactModel, FractalParameters};
 use multiscale_models::{Archard, MajumdarBhushan, YanKomvopoulos};
 use std::f64::consts::PI;
@@ -17,12 +17,7 @@ fn archard_is_the_integral_over_the_hertz_spot() {
     let expected =
         spot * integral(0.0, 1.0, |s| m * fine * (peak * (1.0 - s).sqrt() / m).powf(2.0 / 3.0));
     let model = Archard::from_constants(vec![k, fine], vec![1.0, m]).unwrap();
-    assert_relative_eq!(
-        model.at_pressure(load).unwrap().area_fraction,
-        expected,
-        max_relative = 1e-12,
-        epsilon = 0.0
-    );
+    close(model.at_pressure(load).unwrap().area_fraction, expected, 1e-12);
 }
 
 #[test]
@@ -39,9 +34,9 @@ fn fractal_loads_are_the_integrals_over_the_spots() {
         let load = |a: f64| 4.0 * PI.sqrt() / 3.0 * e * g.powf(d - 1.0) * a.powf((3.0 - d) / 2.0);
         let expected = geometric_integral(critical, largest, 8.0, |a| number(a) * load(a)) / area;
         let found = model.pressure_at_area(fraction).unwrap();
-        assert_relative_eq!(found, expected, max_relative = 1e-13, epsilon = 0.0);
+        close(found, expected, 1e-13);
         let back = model.at_pressure(expected).unwrap().area_fraction;
-        assert_relative_eq!(back, fraction, max_relative = 1e-12, epsilon = 0.0);
+        close(back, fraction, 1e-12);
     }
     for d in [2.1, 2.5, 2.5 - 1e-12, 2.8] {
         let (g, area, critical) = (1e-9, 1e-4, 1e-13);
@@ -59,17 +54,12 @@ fn fractal_loads_are_the_integrals_over_the_spots() {
         };
         let expected = geometric_integral(critical, largest, 8.0, |a| number(a) * load(a)) / area;
         let found = model.pressure_at_largest_spot(largest).unwrap();
-        assert_relative_eq!(found, expected, max_relative = 1e-13, epsilon = 0.0);
+        close(found, expected, 1e-13);
         // Real area: half of each elastic spot, all of each plastic one.
         let elastic = geometric_integral(critical, largest, 8.0, |a| 0.5 * number(a) * a);
         let plastic = geometric_integral(1e-80 * critical, critical, 1e4, |a| number(a) * a);
         let state = model.at_pressure(expected).unwrap();
-        assert_relative_eq!(
-            state.area_fraction,
-            (elastic + plastic) / area,
-            max_relative = 1e-7,
-            epsilon = 0.0
-        );
+        close(state.area_fraction, (elastic + plastic) / area, 1e-7);
     }
 }
 
@@ -83,28 +73,18 @@ fn hardness_makes_small_spots_plastic() {
     // At a_c the deformation G^(D-1) a^(1-D/2) is (pi H/2E*)^2 times the radius a^(D/2)/(pi^2 G^(D-1)).
     let g = 1e-9_f64.powf(0.4);
     let radius = critical.powf(0.7) / (PI * PI * g);
-    assert_relative_eq!(
-        g * critical.powf(0.3),
-        (PI * hardness / (2.0 * e)).powi(2) * radius,
-        max_relative = 1e-13,
-        epsilon = 0.0
-    );
+    close(g * critical.powf(0.3), (PI * hardness / (2.0 * e)).powi(2) * radius, 1e-13);
     // While all spots are plastic the real pressure is the hardness.
     let light = 0.5 * hardness * 1.4 / 0.6 * critical / 1e-4;
     let state = hard.at_pressure(light).unwrap();
-    assert_relative_eq!(
-        state.real_pressure().unwrap(),
-        hardness,
-        max_relative = 1e-14,
-        epsilon = 0.0
-    );
+    close(state.real_pressure().unwrap(), hardness, 1e-14);
     // Above, elastic and plastic loads add up.
     let fraction = 0.01;
     let elastic = model.with_critical_area(critical).unwrap().pressure_at_area(fraction).unwrap();
     let largest = 0.6 / 1.4 * fraction * 1e-4;
     let plastic = hardness * 1.4 / 0.6 * largest.powf(0.7) * critical.powf(0.3) / 1e-4;
     let total = hard.pressure_at_area(fraction).unwrap();
-    assert_relative_eq!(total, elastic + plastic, max_relative = 1e-14, epsilon = 0.0);
+    close(total, elastic + plastic, 1e-14);
     let back = hard.at_pressure(total).unwrap().area_fraction;
-    assert_relative_eq!(back, fraction, max_relative = 1e-13, epsilon = 0.0);
+    close(back, fraction, 1e-13);
 }

@@ -1,7 +1,7 @@
 //! Jackson and Streator's recursion over the waves.
 
+use crate::close;
 use crate::pascals;
-use approx::assert_relative_eq;
 use contact_types::{AmplitudeSpectrum, ContactModel, Wave};
 use multiscale_models::{JacksonStreator, SinusoidLaw};
 use std::f64::consts::PI;
@@ -20,12 +20,12 @@ fn recursion_has_its_limits() {
         for x in [1e-9, 0.03, 0.5, 0.95, 1.0, 3.0] {
             let area =
                 one_wave(1e-7).with_law(law).at_pressure(x * complete).unwrap().area_fraction;
-            assert_relative_eq!(area, law.area_fraction(x), max_relative = 1e-14, epsilon = 0.0);
+            close(area, law.area_fraction(x), 1e-14);
         }
         // Hertz at light load: both crests of a cell.
         let x = 1e-30;
         let hertz = PI * (3.0 * x / (8.0 * PI)).powf(2.0 / 3.0);
-        assert_relative_eq!(law.area_fraction(x), hertz, max_relative = 1e-9, epsilon = 0.0);
+        close(law.area_fraction(x), hertz, 1e-9);
     }
     // A short wave of no amplitude changes nothing; a steep one takes over.
     let two = |amplitude| {
@@ -34,17 +34,7 @@ fn recursion_has_its_limits() {
         JacksonStreator::new(AmplitudeSpectrum::new(waves, 1e-3).unwrap(), pascals(1e9)).unwrap()
     };
     let area = |model: &JacksonStreator| model.at_pressure(1e5).unwrap().area_fraction;
-    assert_relative_eq!(
-        area(&two(0.0)),
-        area(&one_wave(1e-7)),
-        max_relative = 1e-15,
-        epsilon = 0.0
-    );
-    assert_relative_eq!(
-        area(&two(1e-14)),
-        area(&one_wave(1e-7)),
-        max_relative = 1e-15,
-        epsilon = 0.0
-    );
+    close(area(&two(0.0)), area(&one_wave(1e-7)), 1e-15);
+    close(area(&two(1e-14)), area(&one_wave(1e-7)), 1e-15);
     assert!(area(&two(1e-7)) < 0.1 * area(&one_wave(1e-7)));
 }

@@ -18,3 +18,9 @@ fn persson(spectrum: SelfAffineSpectrum, e: f64, gamma: f64) -> Persson {
     let model = Persson::from_self_affine(spectrum, pascals(e)).expect("a band");
     model.with_gamma(gamma).expect("a published gamma")
 }
+
+#[track_caller]
+fn close(found: f64, exact: f64, tolerance: f64) {
+    // By default the macro also has an absolute tolerance of 2e-16, which any two small numbers pass.
+    approx::assert_relative_eq!(found, exact, max_relative = tolerance, epsilon = 0.0);
+}

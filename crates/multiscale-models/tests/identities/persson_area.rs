@@ -1,7 +1,7 @@
 //! Persson's area.
 
+use crate::close;
 use crate::pascals;
-use approx::assert_relative_eq;
 use contact_types::{ContactModel, SpectralMoments};
 use libm::erf;
 use multiscale_models::{AreaLaw, Persson};
@@ -16,14 +16,9 @@ fn light_load_slope_of_the_area() {
         let state = model.at_pressure(1.0).unwrap();
         state.area_fraction * 1e9 * moments.rms_gradient() / 1.0
     };
-    assert_relative_eq!(slope(&model), (8.0 / PI).sqrt(), max_relative = 1e-14, epsilon = 0.0);
+    close(slope(&model), (8.0 / PI).sqrt(), 1e-14);
     let reduced = model.with_gamma(0.45).unwrap().with_area_law(AreaLaw::ReducedDiffusion);
-    assert_relative_eq!(
-        slope(&reduced),
-        (8.0 / (0.45 * PI)).sqrt(),
-        max_relative = 1e-6,
-        epsilon = 0.0
-    );
+    close(slope(&reduced), (8.0 / (0.45 * PI)).sqrt(), 1e-6);
 }
 
 /// The reduced diffusion as the differential equation it is, integrated from the full-contact
@@ -55,19 +50,9 @@ fn reduced_diffusion_solves_its_equation() {
         }
         // p/(E* sqrt m2) = x with E* = m2 = 1.
         let area = model.area_fraction(x).unwrap();
-        assert_relative_eq!(area, erf((2.0 * v).powf(-0.5)), max_relative = 1e-11, epsilon = 0.0);
-        assert_relative_eq!(
-            model.pressure_at_area(area).unwrap(),
-            x,
-            max_relative = 1e-13,
-            epsilon = 0.0
-        );
+        close(area, erf((2.0 * v).powf(-0.5)), 1e-11);
+        close(model.pressure_at_area(area).unwrap(), x, 1e-13);
     }
     let plain = model.clone().with_gamma(1.0).unwrap();
-    assert_relative_eq!(
-        plain.area_fraction(0.3).unwrap(),
-        erf(0.3),
-        max_relative = 1e-15,
-        epsilon = 0.0
-    );
+    close(plain.area_fraction(0.3).unwrap(), erf(0.3), 1e-15);
 }

@@ -1,9 +1,9 @@
 //! Persson's mean gap and the moments below it: continuous spectra and shells.
 
+use crate::close;
 use crate::quadrature::geometric_integral;
 use crate::spectrum::{Definition, SPECTRA};
 use crate::{pascals, persson};
-use approx::assert_relative_eq;
 use contact_types::{RoughnessSpectrum, Shell};
 use libm::erfc;
 use multiscale_models::{Persson, SelfAffineSpectrum};
@@ -14,15 +14,10 @@ fn moments_of_the_self_affine_spectrum() {
     for (hurst, q) in SPECTRA {
         let definition = Definition::new(hurst, q, 2.5);
         let moments = SelfAffineSpectrum::from_wavenumbers(hurst, q, 2.5).unwrap().moments();
-        assert_relative_eq!(moments.m0, 2.5, max_relative = 1e-15, epsilon = 0.0);
-        assert_relative_eq!(
-            moments.m2,
-            PI * definition.moment(3, q[2]),
-            max_relative = 1e-13,
-            epsilon = 0.0
-        );
+        close(moments.m0, 2.5, 1e-15);
+        close(moments.m2, PI * definition.moment(3, q[2]), 1e-13);
         let m4 = 0.75 * PI * definition.moment(5, q[2]);
-        assert_relative_eq!(moments.m4, m4, max_relative = 1e-13, epsilon = 0.0);
+        close(moments.m4, m4, 1e-13);
     }
 }
 
@@ -37,7 +32,7 @@ fn mean_gap_is_the_printed_integral() {
             for x in [0.01, 0.3, 1.7] {
                 let expected = definition.mean_gap(x * slope, gamma);
                 let found = model.mean_gap(x * slope).unwrap();
-                assert_relative_eq!(found, expected, max_relative = 1e-11, epsilon = 0.0);
+                close(found, expected, 1e-11);
             }
         }
     }
@@ -81,7 +76,7 @@ fn shells_have_their_closed_forms() {
         for (found, expected) in
             [(model.mean_gap(p), two * sum(&gap)), (model.stiffness(p), p / (two * sum(&slope)))]
         {
-            assert_relative_eq!(found.unwrap(), expected, max_relative = 1e-12, epsilon = 0.0);
+            close(found.unwrap(), expected, 1e-12);
         }
     }
 }
@@ -94,26 +89,11 @@ fn light_load_constants_are_the_limit() {
         let [u0, b] = model.light_load().unwrap();
         for p in [1e-12, 1e-100, 1e-306] {
             let limit = u0 * ((3.0 * b).ln() - f64::ln(p));
-            assert_relative_eq!(
-                model.mean_gap(p).unwrap(),
-                limit,
-                max_relative = 1e-12,
-                epsilon = 0.0
-            );
-            assert_relative_eq!(
-                model.stiffness(p).unwrap(),
-                p / u0,
-                max_relative = 1e-11,
-                epsilon = 0.0
-            );
+            close(model.mean_gap(p).unwrap(), limit, 1e-12);
+            close(model.stiffness(p).unwrap(), p / u0, 1e-11);
         }
     }
     // u0 = sqrt(pi) int q^2 C w dq, a number found independently: MODELS table of the theory.
     let model = persson(spectrum, 1.0, 1.0);
-    assert_relative_eq!(
-        model.light_load().unwrap()[0],
-        1.05357529,
-        max_relative = 1e-8,
-        epsilon = 0.0
-    );
+    close(model.light_load().unwrap()[0], 1.05357529, 1e-8);
 }

@@ -313,7 +313,8 @@ impl Round {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use approx::{assert_abs_diff_eq, assert_relative_eq};
+    use crate::close;
+    use approx::assert_abs_diff_eq;
 
     fn grid() -> Grid {
         Grid::new([60, 80], [2e-6, 1e-6]).unwrap()
@@ -342,7 +343,7 @@ mod tests {
                 panic!("not a sphere")
             };
             assert_eq!(points, 60 * 80 - 500);
-            assert_relative_eq!(found, radius, max_relative = 1e-6, epsilon = 0.0);
+            close(found, radius, 1e-6);
             for (at, apex) in at.iter().zip(apex) {
                 assert_abs_diff_eq!(*at, apex, epsilon = 1e-9 * (1.0 + radius.abs() / 1e-3));
             }
@@ -367,7 +368,7 @@ mod tests {
             else {
                 panic!("not a cylinder")
             };
-            assert_relative_eq!(found, radius, max_relative = 1e-6, epsilon = 0.0);
+            close(found, radius, 1e-6);
             assert_abs_diff_eq!((angle - direction).sin(), 0.0, epsilon = 1e-8);
             let sign = (angle - direction).cos().signum();
             assert_abs_diff_eq!(sign * slope, tilt, epsilon = 1e-9);

@@ -8,7 +8,6 @@ const REACH: usize = 2;
 
 /// What was found; nothing has been changed.
 #[derive(Debug, Clone, PartialEq)]
-#[cfg_attr(feature = "serde", derive(serde::Serialize))]
 #[non_exhaustive]
 pub struct Outliers {
     /// Indices of the spikes, rising.

@@ -7,7 +7,6 @@ use contact_types::Grid;
 /// or catches something between two rows, or drifts, makes that median jump from row to row; a surface makes it small
 /// (its slopes cancel along a row) or smooth (a lay along the rows, sampled by several of them).
 #[derive(Debug, Clone, PartialEq)]
-#[cfg_attr(feature = "serde", derive(serde::Serialize))]
 #[non_exhaustive]
 pub struct RowOffsets {
     /// Height of each row (m): the sum of the medians, less the straight line through them, a tilt, which stays.

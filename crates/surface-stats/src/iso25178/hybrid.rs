@@ -5,7 +5,6 @@ use contact_types::HeightMap;
 
 /// Hybrid parameters, from heights and spacings (ISO 25178-2:2021, 4.4).
 #[derive(Debug, Clone, Copy, PartialEq)]
-#[cfg_attr(feature = "serde", derive(serde::Serialize))]
 #[non_exhaustive]
 pub struct Hybrid {
     /// Sdq by forward differences: `√(<(Δx z/dx)²> + <(Δy z/dy)²>)`, each mean over all pairs (-).
@@ -86,6 +85,7 @@ fn seven_point(map: &HeightMap) -> Option<f64> {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::close;
     use approx::assert_relative_eq;
     use contact_types::Grid;
 
@@ -99,9 +99,9 @@ mod tests {
             let h = Hybrid::of(&HeightMap::from_fn(grid, plane).unwrap()).unwrap();
             let (gradient, seven) = (0.5 * scale, h.rms_gradient_seven_point.unwrap());
             let ratio = h.developed_area_ratio;
-            assert_relative_eq!(h.rms_gradient, gradient, max_relative = 1e-13, epsilon = 0.0);
-            assert_relative_eq!(seven, gradient, max_relative = 1e-13, epsilon = 0.0);
-            assert_relative_eq!(ratio, excess, max_relative = error, epsilon = 0.0);
+            close(h.rms_gradient, gradient, 1e-13);
+            close(seven, gradient, 1e-13);
+            close(ratio, excess, error);
         }
     }
 

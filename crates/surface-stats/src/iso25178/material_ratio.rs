@@ -22,7 +22,6 @@ pub(crate) struct MaterialRatioCurve {
 
 /// Parameters of the core line (ISO 25178-2:2021, 4.5).
 #[derive(Debug, Clone, Copy, PartialEq)]
-#[cfg_attr(feature = "serde", derive(serde::Serialize))]
 #[non_exhaustive]
 pub struct CoreRoughness {
     /// Sk: height of the core (m).
@@ -40,7 +39,6 @@ pub struct CoreRoughness {
 /// Volumes per area between material ratios of 10 % and 80 % (ISO 25178-2:2021, 4.5); 1 m³/m² is
 /// 10⁶ ml/m².
 #[derive(Debug, Clone, Copy, PartialEq)]
-#[cfg_attr(feature = "serde", derive(serde::Serialize))]
 pub struct Volumes {
     /// Vmp: material above the height of ratio 10 % (m).
     pub peak_material: f64,
@@ -171,7 +169,7 @@ impl MaterialRatioCurve {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use approx::assert_relative_eq;
+    use crate::close;
     use contact_types::Grid;
 
     fn curve(z: impl Fn(f64) -> f64) -> MaterialRatioCurve {
@@ -186,16 +184,16 @@ mod tests {
     fn a_straight_curve_is_all_core() {
         let c = curve(|t| 1e-6 * t);
         let core = c.core();
-        assert_relative_eq!(core.core_height, 1e-6, max_relative = 1e-9, epsilon = 0.0);
+        close(core.core_height, 1e-6, 1e-9);
         assert!(core.reduced_peak_height < 1e-12 && core.reduced_valley_depth < 1e-12);
-        assert_relative_eq!(c.height(0.1), 0.4e-6, max_relative = 1e-9, epsilon = 0.0);
-        assert_relative_eq!(c.ratio(0.25e-6), 0.25, max_relative = 1e-9, epsilon = 0.0);
-        assert_relative_eq!(c.peak_extreme_height(), 0.475e-6, max_relative = 1e-9, epsilon = 0.0);
+        close(c.height(0.1), 0.4e-6, 1e-9);
+        close(c.ratio(0.25e-6), 0.25, 1e-9);
+        close(c.peak_extreme_height(), 0.475e-6, 1e-9);
         let v = c.volumes();
-        assert_relative_eq!(v.peak_material, 0.005e-6, max_relative = 1e-6, epsilon = 0.0); // 0.1² / 2
-        assert_relative_eq!(v.core_material, 0.315e-6, max_relative = 1e-6, epsilon = 0.0); // 0.8²/2 - 0.1²/2
-        assert_relative_eq!(v.core_void, 0.385e-6, max_relative = 1e-6, epsilon = 0.0); // 0.9²/2 - 0.2²/2
-        assert_relative_eq!(v.valley_void, 0.02e-6, max_relative = 1e-6, epsilon = 0.0);
+        close(v.peak_material, 0.005e-6, 1e-6); // 0.1² / 2
+        close(v.core_material, 0.315e-6, 1e-6); // 0.8²/2 - 0.1²/2
+        close(v.core_void, 0.385e-6, 1e-6); // 0.9²/2 - 0.2²/2
+        close(v.valley_void, 0.02e-6, 1e-6);
     }
 
     /// Top and bottom of a sine are equally flat: the window is the one at the top, whatever rounding
@@ -206,12 +204,7 @@ mod tests {
             let wave = |t: f64| amplitude * (t * 40.0 * std::f64::consts::TAU).sin() + 0.3e-6;
             let core = curve(wave).core();
             assert!(core.reduced_peak_height < 0.03e-6, "{core:?}");
-            assert_relative_eq!(
-                core.reduced_valley_depth,
-                0.445e-6,
-                max_relative = 0.02,
-                epsilon = 0.0
-            );
+            close(core.reduced_valley_depth, 0.445e-6, 0.02);
         }
     }
 }

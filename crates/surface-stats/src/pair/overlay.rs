@@ -5,7 +5,6 @@ use contact_types::Grid;
 
 /// How two maps were laid on each other.
 #[derive(Debug, Clone, Copy, PartialEq)]
-#[cfg_attr(feature = "serde", derive(serde::Serialize))]
 #[non_exhaustive]
 pub struct Placed {
     /// How far the second was moved along `[y, x]` (m): the shift asked for in whole points.

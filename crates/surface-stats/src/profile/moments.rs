@@ -49,7 +49,7 @@ fn mean_square(values: impl ExactSizeIterator<Item = f64>) -> f64 {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use approx::assert_relative_eq;
+    use crate::close;
     use std::f64::consts::TAU;
 
     /// A wave over whole periods: A²/2 times the transfer functions [2 sin(q n Δ/2)/(n Δ)]² and
@@ -62,14 +62,9 @@ mod tests {
             .unwrap();
         for (distance, found) in moments_by_spacing(&trace).into_iter().take(6) {
             let factor = (2.0 * (0.5 * q * distance).sin() / distance).powi(2);
-            assert_relative_eq!(found.m0, 0.5 * a * a, max_relative = 1e-9, epsilon = 0.0);
-            assert_relative_eq!(found.m2, 0.5 * a * a * factor, max_relative = 5e-3, epsilon = 0.0);
-            assert_relative_eq!(
-                found.m4,
-                0.5 * a * a * factor * factor,
-                max_relative = 5e-3,
-                epsilon = 0.0
-            );
+            close(found.m0, 0.5 * a * a, 1e-9);
+            close(found.m2, 0.5 * a * a * factor, 5e-3);
+            close(found.m4, 0.5 * a * a * factor * factor, 5e-3);
         }
     }
 }

@@ -140,7 +140,7 @@ fn element_width(trace: &Trace, peak: f64, pit: f64) -> Option<f64> {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use approx::assert_relative_eq;
+    use crate::close;
     use std::f64::consts::{PI, SQRT_2, TAU};
 
     fn profile(n: usize, z: impl Fn(f64) -> f64) -> Trace {
@@ -233,9 +233,9 @@ mod tests {
         let wave = |x: f64| 1e-6 * (TAU * x / 250e-6).sin();
         let ripple = |x: f64| 0.05e-6 * (TAU * x / 5e-6 + 1.0).sin();
         let found = width(|x| wave(x) + ripple(x)).unwrap();
-        assert_relative_eq!(found, 250e-6, max_relative = 2e-3, epsilon = 0.0);
+        close(found, 250e-6, 2e-3);
         let all = width(|x| 20.0 * ripple(x)).unwrap();
-        assert_relative_eq!(all, 5e-6, max_relative = 1e-2, epsilon = 0.0);
+        close(all, 5e-6, 1e-2);
     }
 
     /// Wide dales of 300 um between hills of 100 um: the elements are 400 um wide, counted from
@@ -244,9 +244,9 @@ mod tests {
     fn an_element_is_a_hill_and_a_dale_in_either_direction() {
         let z = |x: f64| if (x + 0.5e-6).rem_euclid(400e-6) < 100e-6 { 1e-6 } else { -1e-6 };
         let found = width(z).unwrap();
-        assert_relative_eq!(found, 400e-6, max_relative = 1e-9, epsilon = 0.0);
+        close(found, 400e-6, 1e-9);
         let back = width(|x| z(4.999e-3 - x)).unwrap();
-        assert_relative_eq!(back, found, max_relative = 1e-9, epsilon = 0.0);
+        close(back, found, 1e-9);
     }
 
     #[test]

@@ -152,6 +152,7 @@ pub(super) fn choose_setting(traces: &[Trace], short: Option<f64>) -> Result<Set
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::close;
     use approx::assert_relative_eq;
     use std::f64::consts::{LN_2, PI, TAU};
 
@@ -174,20 +175,10 @@ mod tests {
         assert_relative_eq!(found.evaluated[1], 5e-3, epsilon = 1e-6);
         let left = 4e-6 * (1.0 - (-LN_2 * 0.0256f64).exp());
         let rq = (0.5e-12 + 0.5 * left * left).sqrt();
-        assert_relative_eq!(
-            found.parameters[1].mean.unwrap(),
-            rq,
-            max_relative = 1e-3,
-            epsilon = 0.0
-        );
+        close(found.parameters[1].mean.unwrap(), rq, 1e-3);
         // λs of 40 µm takes half of the fine wave's amplitude.
         let half = roughness(&trace, Setting::asked(0.8e-3, Some(40e-6), 1e-6)).unwrap();
-        assert_relative_eq!(
-            half.parameters[0].mean.unwrap(),
-            1e-6 / PI,
-            max_relative = 2e-2,
-            epsilon = 0.0
-        );
+        close(half.parameters[0].mean.unwrap(), 1e-6 / PI, 2e-2);
     }
 
     #[test]

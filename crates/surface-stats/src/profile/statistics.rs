@@ -226,9 +226,9 @@ impl ProfileStatistics {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::close;
     use crate::synthesis::rough;
     use crate::{Edges, StatsOptions, SurfaceStatistics};
-    use approx::assert_relative_eq;
     use contact_types::Grid;
 
     /// Rows of an isotropic map: their moments, Hurst exponent and scales are those that the map's own
@@ -246,12 +246,12 @@ mod tests {
             .map(|row| Trace::new(1e-6, row.to_vec()).unwrap())
             .collect();
         let (of_lines, ..) = ProfileStatistics::of(&traces, &ProfileOptions::default()).unwrap();
-        assert_relative_eq!(of_lines.moments.m2, surface.m2, max_relative = 0.1, epsilon = 0.0);
-        assert_relative_eq!(of_lines.moments.m4, surface.m4, max_relative = 0.1, epsilon = 0.0);
+        close(of_lines.moments.m2, surface.m2, 0.1);
+        close(of_lines.moments.m4, surface.m4, 0.1);
         let [low, high] = of_lines.intervals[0].unwrap();
         assert!(low < surface.m0 && surface.m0 < high, "{low:e} {high:e} {:e}", surface.m0);
-        assert_relative_eq!(of_lines.rolloff.unwrap(), 128e-6, max_relative = 0.5, epsilon = 0.0);
-        assert_relative_eq!(of_lines.cutoff.unwrap(), 8e-6, max_relative = 0.1, epsilon = 0.0);
+        close(of_lines.rolloff.unwrap(), 128e-6, 0.5);
+        close(of_lines.cutoff.unwrap(), 8e-6, 0.1);
         // The profile PSD bends near both ends (the book says how much): fit between them.
         let fractal_range = Some([20e-6, 80e-6]);
         let inner = ProfileOptions { fractal_range, ..ProfileOptions::default() };
@@ -280,17 +280,12 @@ mod tests {
         };
         let of = |traces: [Trace; 2]| ProfileStatistics::of(&traces, &ProfileOptions::default());
         let (both, ..) = of([trace(1e-7, 4000), trace(3e-7, 4000)]).unwrap();
-        assert_relative_eq!(both.moments.m0, 2.5e-14, max_relative = 1e-2, epsilon = 0.0);
+        close(both.moments.m0, 2.5e-14, 1e-2);
         let rq = &both.primary[1];
         assert_eq!(rq.symbol, "Pq");
-        assert_relative_eq!(
-            rq.mean.unwrap(),
-            2e-7 / 2f64.sqrt(),
-            max_relative = 1e-2,
-            epsilon = 0.0
-        );
+        close(rq.mean.unwrap(), 2e-7 / 2f64.sqrt(), 1e-2);
         // Two values 2e-7/√2 apart: 1e-7.
-        assert_relative_eq!(rq.deviation.unwrap(), 1e-7, max_relative = 2e-2, epsilon = 0.0);
+        close(rq.deviation.unwrap(), 1e-7, 2e-2);
         let different = of([trace(1e-7, 4000), trace(1e-7, 3000)]);
         assert!(matches!(different, Err(StatsError::Shape { .. })));
     }

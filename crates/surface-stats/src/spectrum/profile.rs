@@ -72,6 +72,7 @@ pub(crate) fn psd_1d(line: &HeightMap) -> Vec<ProfileBin> {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::close;
     use approx::assert_relative_eq;
     use contact_types::Grid;
     use std::f64::consts::TAU;
@@ -89,12 +90,7 @@ mod tests {
                 assert_relative_eq!(wave.amplitude, expected, epsilon = 1e-18);
             }
             let variance: f64 = psd_1d(&map).iter().map(|bin| bin.psd / length).sum();
-            assert_relative_eq!(
-                variance,
-                amplitude * amplitude / 2.0,
-                max_relative = 1e-9,
-                epsilon = 0.0
-            );
+            close(variance, amplitude * amplitude / 2.0, 1e-9);
         }
         let point = HeightMap::new(Grid::new([4, 1], [1.0, 1.0]).unwrap(), vec![0.0; 4]).unwrap();
         assert!(matches!(amplitudes(&point), Err(StatsError::TooSmall { .. })));
