@@ -1,7 +1,7 @@
 //! From a scaled state to the solution in SI units with its diagnostics.
 
 use crate::engine::Engine;
-use crate::methods::{Outcome, Top, under};
+use crate::methods::{Outcome, under};
 use crate::problem::Problem;
 use crate::simd::vectorised;
 use crate::tally::{Tally, tally};
@@ -22,9 +22,7 @@ impl<T: Real> Engine<T> {
         clock: Clock,
     ) -> Solution {
         let mut transforms = run.transforms;
-        let ceilings = self.ceilings.clone();
-        let ceiling = self.top(problem, &ceilings);
-        let hardness_map = self.settings.hardness_map.clone();
+        let ceiling = self.ceiling(problem);
         let energy_bound = match run.exact {
             _ if !self.settings.certified => None,
             Some(_) => Some(0.0),
@@ -43,11 +41,9 @@ impl<T: Real> Engine<T> {
         let (units, settings, state) = (problem.units, &self.settings, &self.state);
         let (p, u, h, level) =
             (&state.pressure, &state.displacement, &problem.heights, state.level);
-        let is_full = |i: usize| p[i] >= ceiling.at(i);
-        let hardness = |i: usize| hardness_map.as_ref().map_or(settings.hardness, |map| map[i]);
+        let (top, hardness) = (T::of(ceiling), settings.hardness);
         // To the last digit, whatever the units of the iteration are.
-        let pressure =
-            |i: usize| if is_full(i) { hardness(i) } else { p[i].wide() * units.pressure };
+        let pressure = |i: usize| if p[i] >= top { hardness } else { p[i].wide() * units.pressure };
         let gap = |i: usize| (u[i].wide() - h[i].wide() - level) * units.height;
         let (pixels, n) = (p.len(), p.len() as f64);
         let grid = problem.given;
@@ -57,30 +53,23 @@ impl<T: Real> Engine<T> {
         let Tally { sums, extremes: [lowest, highest, largest] } = under!(ceiling, top => {
             tally(top, [p, u, h], level, boundary, shape, blocks, &mut coarse_gap)
         });
-        let [below, contact, full, borne, work, complementarity, duality, open, depth] = sums;
+        let [below, contact, full, work, complementarity, duality, open, depth] = sums;
         for gap in &mut coarse_gap {
             *gap *= units.height;
         }
-        let borne = match (full > 0.0, &hardness_map) {
-            (false, _) => 0.0,
-            (true, None) => full * settings.hardness,
-            (true, Some(_)) => borne * units.pressure,
-        };
+        let borne = if full > 0.0 { full * hardness } else { 0.0 };
         let load_sum = below * units.pressure + borne;
         let [perimeter, sharp] = edges(problem.grid, p, ceiling, settings.boundary);
         let (contact_perimeter, cut) = (perimeter as f64 / n, (perimeter - sharp) as f64 / n);
-        let hardest = hardness_map
-            .as_ref()
-            .map_or(settings.hardness, |map| map.iter().copied().fold(0.0, f64::max));
         let yielded = ceiling.is_finite().then(|| Yielded {
-            hardness: hardest,
+            hardness,
             area_fraction: full / n,
             load_share: if load_sum > 0.0 { borne / load_sum } else { 0.0 },
             mean_flattening: depth * units.height / n,
         });
         let touching = contact / n;
         // No pressure exceeds the hardness: whatever the line, it takes this area to carry the load.
-        let least = (load_sum / n / hardest).min(touching);
+        let least = (load_sum / n / hardness).min(touching);
         let gap_rounding = problem.rounding + T::EPSILON * (highest + 1.0) * units.height;
         let residuals = Residuals {
             preconditioned: run.residual,
@@ -113,7 +102,7 @@ impl<T: Real> Engine<T> {
             contact_pixels: contact as usize,
             contact_perimeter,
             yielded,
-            max_pressure: (largest * units.pressure).max(0.0).min(hardest),
+            max_pressure: (largest * units.pressure).max(0.0).min(hardness),
             elastic_energy: 0.5 * (work / n) * units.pressure * units.height,
         };
         let mean_pressure = match load {
@@ -148,15 +137,11 @@ impl<T: Real> Engine<T> {
 
 /// Edges between a pixel in contact and a neighbour (of four) that is not, across the edge of the map only if that
 /// repeats; and of these, the edges of pixels at the ceiling, where the pressure drops at once, whatever the pixel.
-fn edges<T: Real>(
-    grid: Grid,
-    pressure: &[T],
-    ceiling: Top<'_, T>,
-    boundary: Boundary,
-) -> [usize; 2] {
+fn edges<T: Real>(grid: Grid, pressure: &[T], ceiling: f64, boundary: Boundary) -> [usize; 2] {
     let [ny, nx] = grid.shape();
     let is_on = |p: &T| *p > T::zero();
-    let is_full = |i: usize| pressure[i] >= ceiling.at(i);
+    let top = T::of(ceiling);
+    let is_full = |i: usize| pressure[i] >= top;
     let is_edge = |i: usize, j: usize| is_on(&pressure[i]) != is_on(&pressure[j]);
     let is_sharp = |i: usize, j: usize| is_edge(i, j) && (is_full(i) || is_full(j));
     let wraps = boundary == Boundary::Periodic;
@@ -197,9 +182,9 @@ mod tests {
             0.0, 0.0, 0.0, 0.0, //
             1.0, 0.0, 0.0, 0.0,
         ];
-        let none = Top::NONE;
+        let none = f64::INFINITY;
         assert_eq!(edges(grid, &pressure, none, Boundary::Periodic), [12 - 4, 0]);
         assert_eq!(edges(grid, &pressure, none, Boundary::Free), [12 - 2 - 5, 0]);
-        assert_eq!(edges(grid, &pressure, Top::Same(1.0), Boundary::Periodic), [12 - 4; 2]);
+        assert_eq!(edges(grid, &pressure, 1.0, Boundary::Periodic), [12 - 4; 2]);
     }
 }

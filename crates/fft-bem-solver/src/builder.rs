@@ -1,7 +1,6 @@
 //! The settings of a solver.
 
 use crate::{Boundary, Maps, Method, Precision};
-use std::sync::Arc;
 
 /// Settings of a [`Solver`](crate::Solver), each with a default.
 #[derive(Debug, Clone)]
@@ -17,10 +16,8 @@ pub struct SolverBuilder {
     pub(crate) certified: bool,
     pub(crate) maps: Maps,
     pub(crate) section: Option<usize>,
-    /// Pa; infinite for elastic bodies, the mean of a map.
+    /// Pa; infinite for elastic bodies.
     pub(crate) hardness: f64,
-    /// Of each pixel (Pa).
-    pub(crate) hardness_map: Option<Arc<[f64]>>,
 }
 
 impl Default for SolverBuilder {
@@ -36,7 +33,6 @@ impl Default for SolverBuilder {
             maps: Maps::default(),
             section: None,
             hardness: f64::INFINITY,
-            hardness_map: None,
         }
     }
 }
@@ -121,20 +117,6 @@ impl SolverBuilder {
     #[must_use]
     pub fn hardness(mut self, pascals: f64) -> Self {
         self.hardness = pascals;
-        self.hardness_map = None;
-        self
-    }
-
-    /// [`hardness`](Self::hardness) of each pixel (Pa), row by row, all finite: for a part that stays elastic, one well
-    /// above its pressures. The contact bears no more than their mean.
-    #[must_use]
-    pub fn hardness_map(mut self, pascals: &[f64]) -> Self {
-        let lowest = pascals.iter().copied().fold(f64::INFINITY, f64::min);
-        let highest = pascals.iter().copied().fold(0.0, f64::max);
-        // A sum of equal numbers, divided, is not always that number.
-        let mean = pascals.iter().sum::<f64>() / pascals.len() as f64;
-        self.hardness = if highest <= lowest { lowest } else { mean };
-        self.hardness_map = Some(pascals.into());
         self
     }
 }

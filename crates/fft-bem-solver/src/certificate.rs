@@ -20,14 +20,14 @@
 //!
 //! The bound says nothing about the contact area.
 
-use crate::methods::{Ceiling, Compliance, NoCeiling, State, Top, level_under, under};
+use crate::methods::{Ceiling, Compliance, NoCeiling, State, level_under, under};
 use crate::row_work::{Partial, TASK};
 use crate::{End, Real, fields};
 use std::f64::consts::FRAC_PI_2;
 
 /// `displacement - heights` in contact, averaged with the pressure as weight; under a ceiling, that of
 /// [`level_under`].
-pub(crate) fn level<T: Real>(state: &State<T>, heights: &[T], ceiling: Top<'_, T>) -> f64 {
+pub(crate) fn level<T: Real>(state: &State<T>, heights: &[T], ceiling: f64) -> f64 {
     let (p, u) = (&state.pressure, &state.displacement);
     if ceiling.is_finite() {
         let mut partial = vec![Partial::default(); p.len().div_ceil(TASK)];
@@ -39,11 +39,11 @@ pub(crate) fn level<T: Real>(state: &State<T>, heights: &[T], ceiling: Top<'_, T
 
 /// `g - mu = min(g, p / 1.2)`: the part of the gap that should not be there. Under a ceiling, no less than
 /// `-(H - p) / 1.2` either.
-fn violation<T: Real, C: Ceiling<T>>(ceiling: C, node: usize, pressure: T, gap: T) -> T {
+fn violation<T: Real, C: Ceiling<T>>(ceiling: C, pressure: T, gap: T) -> T {
     let most = pressure / T::of(1.2);
     let violation = if gap < most { gap } else { most };
     if C::IS_FINITE {
-        return violation.larger((pressure - ceiling.at(node)) / T::of(1.2));
+        return violation.larger((pressure - ceiling.top()) / T::of(1.2));
     }
     violation
 }
@@ -58,14 +58,14 @@ pub(crate) fn energy_error<T: Real, C: Ceiling<T>>(
     operator: &mut dyn Compliance<T>,
 ) -> Option<f64> {
     let p = &state.pressure;
-    fields::write(scratch, |i, _| violation(ceiling, i, p[i], gap(i)));
+    fields::write(scratch, |i, _| violation(ceiling, p[i], gap(i)));
     if !operator.invert(scratch) {
         return None;
     }
     let twice_bound = fields::sum_of(p.len(), |i| {
-        let r = violation(ceiling, i, p[i], gap(i));
+        let r = violation(ceiling, p[i], gap(i));
         let mu = gap(i) - r; // or -nu
-        let room = if C::IS_FINITE && mu < T::zero() { p[i] - ceiling.at(i) } else { p[i] };
+        let room = if C::IS_FINITE && mu < T::zero() { p[i] - ceiling.top() } else { p[i] };
         r.wide() * scratch[i].wide() + 2.0 * room.wide() * mu.wide()
     });
     let energy = fields::dot(p, &state.displacement).abs();
@@ -114,7 +114,7 @@ impl Patience {
         operator: &mut dyn Compliance<T>,
     ) -> Judgement {
         let p = &state.pressure;
-        let square = |i: usize| violation(NoCeiling, i, p[i], gap[i]).wide().powi(2);
+        let square = |i: usize| violation(NoCeiling, p[i], gap[i]).wide().powi(2);
         let plain = FRAC_PI_2 * (fields::sum_of(p.len(), square) / fields::dot(p, p)).sqrt();
         let is_rounding = is_rounding(state, heights, gap);
         if plain > self.worthwhile.max(30.0 * T::ATTAINABLE) && !is_rounding {
@@ -145,7 +145,7 @@ impl Patience {
 /// True if what is left of the gap in contact is rounding of the two fields it is made of.
 fn is_rounding<T: Real>(state: &State<T>, heights: &[T], gap: &[T]) -> bool {
     let (p, u) = (&state.pressure, &state.displacement);
-    let violation = |i: usize| violation(NoCeiling, i, p[i], gap[i]).wide().abs();
+    let violation = |i: usize| violation(NoCeiling, p[i], gap[i]).wide().abs();
     let worst = fields::largest_of(p.len(), violation);
     let size = fields::largest_of(p.len(), |i| {
         let matters = violation(i) > 0.0 || p[i] > T::zero();

@@ -1,7 +1,7 @@
 //! From a surface and a load in SI units to a solution, through the scaled problem.
 
 use crate::methods::{
-    self, Compliance, ContactMethod, ContactTask, IterateView, Outcome, Start, State, Target, Top,
+    self, Compliance, ContactMethod, ContactTask, IterateView, Outcome, Start, State, Target,
 };
 use crate::observer::Observe;
 use crate::problem::Problem;
@@ -21,8 +21,6 @@ pub(crate) struct Engine<T> {
     pub(crate) operator: Box<dyn Compliance<T>>,
     pub(crate) state: State<T>,
     problem: Option<Arc<Problem<T>>>,
-    /// Hardness of each pixel in units of the problem, if it is not the same everywhere.
-    pub(crate) ceilings: Arc<[T]>,
     /// Mean pressure that closes every gap of the problem, once it is known.
     closing_load: Option<f64>,
     /// Mean pressure below which the method does not expect that, once it was asked.
@@ -66,7 +64,6 @@ impl<T: Real> Engine<T> {
             operator,
             state: State::new(scaled.len()),
             problem: None,
-            ceilings: Arc::new([]),
             closing_load: None,
             suspected_closing_load: None,
             is_warm: false,
@@ -87,11 +84,7 @@ impl<T: Real> AnyEngine for Engine<T> {
         self.closing_load = None;
         self.suspected_closing_load = None;
         self.problem = None;
-        let problem = Problem::new(surface, self.scaled, self.modulus)?;
-        if let Some(map) = &self.settings.hardness_map {
-            self.ceilings = map.iter().map(|h| T::of(h / problem.units.pressure)).collect();
-        }
-        self.problem = Some(Arc::new(problem));
+        self.problem = Some(Arc::new(Problem::new(surface, self.scaled, self.modulus)?));
         Ok(())
     }
 
@@ -102,8 +95,7 @@ impl<T: Real> AnyEngine for Engine<T> {
         clock: Clock,
     ) -> Result<Solution, SolverError> {
         let problem = &*self.problem.clone().ok_or(SolverError::NoSurface)?;
-        let ceilings = self.ceilings.clone();
-        let ceiling = self.top(problem, &ceilings);
+        let ceiling = self.ceiling(problem);
         let prescribed = self.prescribed(problem, load, ceiling)?;
         let start = if self.is_warm { Start::Warm } else { Start::Cold };
         self.is_warm = false; // until this solve has left a useful state behind
@@ -131,9 +123,8 @@ impl<T: Real> AnyEngine for Engine<T> {
 
 impl<T: Real> Engine<T> {
     /// The highest pressure, in units of the problem.
-    pub(crate) fn top<'a>(&self, problem: &Problem<T>, ceilings: &'a [T]) -> Top<'a, T> {
-        let mean = self.settings.hardness / problem.units.pressure;
-        if ceilings.is_empty() { Top::Same(mean) } else { Top::Map(ceilings, mean) }
+    pub(crate) fn ceiling(&self, problem: &Problem<T>) -> f64 {
+        self.settings.hardness / problem.units.pressure
     }
 
     /// Checks the load and says what it means for this problem.
@@ -141,7 +132,7 @@ impl<T: Real> Engine<T> {
         &self,
         problem: &Problem<T>,
         load: Load,
-        ceiling: Top<'_, T>,
+        ceiling: f64,
     ) -> Result<LoadMeaning, SolverError> {
         let (quantity, value, unit) = match load {
             Load::MeanPressure(p) => ("mean pressure", p, "Pa"),
@@ -203,12 +194,6 @@ impl<T: Real> Engine<T> {
             return Ok(LoadMeaning::Apart(level));
         }
         if is_periodic && yields && level >= 1.0 {
-            if self.settings.hardness_map.is_some() {
-                return bad(
-                    "it would take the flat deeper than the lowest point, and with a map of hardness \
-                            nobody knows where all yields; prescribe the mean pressure instead",
-                );
-            }
             return Ok(LoadMeaning::Yielded); // deeper than the lowest point
         }
         if is_periodic && !yields && level >= most {
@@ -235,12 +220,11 @@ impl<T: Real> Engine<T> {
     }
 
     /// Everything at the ceiling. The flat is where the lowest point still touches it.
-    fn yielded(&mut self, problem: &Problem<T>, ceiling: Top<'_, T>) -> Outcome {
+    fn yielded(&mut self, problem: &Problem<T>, ceiling: f64) -> Outcome {
         let State { pressure, displacement, level } = &mut self.state;
-        fields::write(pressure, |i, _| ceiling.at(i));
+        fields::fill(ceiling, pressure);
         let mut spent = 0.0;
-        let is_even = self.settings.hardness_map.is_none();
-        if self.settings.boundary == Boundary::Periodic && is_even {
+        if self.settings.boundary == Boundary::Periodic {
             displacement.fill(T::zero());
         } else {
             self.operator.apply(pressure, displacement);
@@ -254,7 +238,7 @@ impl<T: Real> Engine<T> {
     fn target(
         &mut self,
         problem: &Problem<T>,
-        ceiling: Top<'_, T>,
+        ceiling: f64,
         target: Target,
         mut start: Start,
         observer: &mut Observe<'_>,
@@ -312,15 +296,15 @@ impl<T: Real> Engine<T> {
         &mut self,
         problem: &Problem<T>,
         load: f64,
-        ceiling: Top<'_, T>,
+        ceiling: f64,
         start: &mut Start,
     ) -> (Option<&'static str>, f64) {
         let mut spent = 0.0;
         let (operator, state) = (self.operator.as_mut(), &mut self.state);
         let total = load * problem.heights.len() as f64;
-        let bears = |summit: &usize| total <= ceiling.at(*summit).wide();
-        let summit = special_cases::lonely_summit(problem, load).filter(bears);
-        if let Some(summit) = summit {
+        let ceiling = T::of(ceiling).wide();
+        let summit = special_cases::lonely_summit(problem, load);
+        if let Some(summit) = summit.filter(|_| total <= ceiling) {
             spent += 1.0;
             if special_cases::single_pixel(problem, summit, load, operator, state) {
                 return (Some("single pixel in contact"), spent);
@@ -330,9 +314,7 @@ impl<T: Real> Engine<T> {
         if self.settings.boundary != Boundary::Periodic {
             return (None, spent);
         }
-        let bears = |i: usize| load <= ceiling.at(i).wide();
-        let n = problem.heights.len();
-        if problem.is_flat() && (self.settings.hardness_map.is_none() || (0..n).all(bears)) {
+        if problem.is_flat() {
             state.pressure.fill(T::of(load));
             state.displacement.fill(T::zero());
             state.level = 0.0;
@@ -355,11 +337,8 @@ impl<T: Real> Engine<T> {
             };
             spent += 1.0;
             self.closing_load = special_cases::flattening_pressure(problem, operator, &mut field);
-            let mut closes = self.closing_load.is_some_and(|least| load >= least);
-            if ceiling.is_finite() && closes {
-                let over = |i: usize| field[i].wide() + load - ceiling.at(i).wide();
-                closes = fields::largest_of(field.len(), over) <= 0.0;
-            }
+            let closes = self.closing_load.is_some_and(|least| load >= least)
+                && (ceiling.is_infinite() || fields::max(&field) + load <= ceiling);
             if closes || *start == Start::Cold {
                 state.pressure = field;
             }

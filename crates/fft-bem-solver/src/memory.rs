@@ -23,8 +23,6 @@ pub(crate) fn bytes(settings: &SolverBuilder, grid: Grid) -> u128 {
         Maps::Pressure => 8.0,
         Maps::PressureAndGap => 16.0,
     };
-    // As given, and as the iteration has it.
-    let ceilings = if settings.hardness_map.is_some() { 8.0 + t } else { 0.0 };
     let (heights, iterate) = (t, 2.0 * t);
     let points = match settings.boundary {
         Boundary::Periodic => grid.len(),
@@ -46,7 +44,7 @@ pub(crate) fn bytes(settings: &SolverBuilder, grid: Grid) -> u128 {
         Boundary::Periodic => (t, 0.0), // half spectrum
         Boundary::Free => (3.0 * t, 64.0 - 2.0 * t - heights - iterate), // on a doubled grid
     };
-    let solving = ceilings + heights + iterate + method + half_space;
+    let solving = heights + iterate + method + half_space;
     let answering = maps + if settings.certified { t } else { 0.0 };
     ((solving + f64::max(answering, building)) * grid.len() as f64) as u128
 }

@@ -1,6 +1,5 @@
 //! The nearest pressure that is nowhere negative and carries the load.
 
-use crate::methods::Ceiling;
 use crate::simd::{LANES, four, vectorised};
 use crate::{Real, fields};
 use fearless_simd::{Select, SimdBase, SimdFloat, f64x4};
@@ -36,16 +35,14 @@ pub(crate) fn onto_admissible<T: Real>(field: &mut [T], load: f64) {
 ///
 /// The load carried rises with `c`, piecewise linearly: Newton's method, and bisection where it would leave
 /// the bracket.
-pub(crate) fn between<T: Real, C: Ceiling<T>>(field: &mut [T], load: f64, ceiling: C) {
+pub(crate) fn between<T: Real>(field: &mut [T], load: f64, ceiling: T) {
     let total = load * field.len() as f64;
-    let n = field.len();
-    let top = |i: usize| ceiling.at(i).wide();
-    let most = fields::largest_of(n, top);
+    let top = ceiling.wide();
     let mut low = -fields::max(field);
-    let mut high = fields::largest_of(n, |i| top(i) - field[i].wide());
+    let mut high = top - fields::min(field);
     let mut shift = low.max(0.0).min(high);
     for _ in 0..MOST_STEPS {
-        let [full, sum, free] = cut(field, [1.0, shift], ceiling);
+        let [full, sum, free] = cut(field, [1.0, shift], top);
         let carried = full + sum + free * shift;
         if carried > total {
             high = shift;
@@ -58,12 +55,12 @@ pub(crate) fn between<T: Real, C: Ceiling<T>>(field: &mut [T], load: f64, ceilin
         }
         let next = if newton > low && newton < high { newton } else { 0.5 * (low + high) };
         // On one piece the step is exact; where nothing is free, a jump is all there is.
-        if (next - shift).abs() <= f64::EPSILON * (shift.abs() + f64::EPSILON * most) {
+        if (next - shift).abs() <= f64::EPSILON * (shift.abs() + f64::EPSILON * top) {
             break;
         }
         shift = next;
     }
-    fields::write(field, |i, p| T::of((p.wide() + shift).clamp(0.0, top(i))));
+    fields::write(field, |_, p| T::of((p.wide() + shift).clamp(0.0, top)));
     scale_below(field, total, ceiling, 1.0); // rounding
 }
 
@@ -72,24 +69,24 @@ const MOST_STEPS: usize = 200;
 
 /// Of `factor field + shift`, cut to the bounds: what the nodes at the ceiling carry, the sum of the field over those between
 /// the bounds, and their number.
-fn cut<T: Real, C: Ceiling<T>>(field: &[T], [factor, shift]: [f64; 2], ceiling: C) -> [f64; 3] {
+fn cut<T: Real>(field: &[T], [factor, shift]: [f64; 2], top: f64) -> [f64; 3] {
     let piece = |range: Range<usize>| {
-        let (field, ceiling) = (&field[range.clone()], ceiling.after(range.start));
+        let field = &field[range];
         let whole = field.len() - field.len() % LANES;
         vectorised!(x => {
-            let (zero, one) = (f64x4::splat(x, 0.0), f64x4::splat(x, 1.0));
+            let [zero, one, most] = [0.0, 1.0, top].map(|value| f64x4::splat(x, value));
             let [mut full, mut sum, mut free] = [zero; 3];
             for i in (0..whole).step_by(LANES) {
-                let (p, top) = (T::widened(four(x, field, i)), ceiling.four(x, i));
+                let p = T::widened(four(x, field, i));
                 let moved = p * factor + shift;
-                let (is_below, is_loaded) = (moved.simd_lt(top), moved.simd_gt(zero));
-                full += is_below.select(zero, top);
+                let (is_below, is_loaded) = (moved.simd_lt(most), moved.simd_gt(zero));
+                full += is_below.select(zero, most);
                 sum += is_below.select(is_loaded.select(p, zero), zero);
                 free += is_below.select(is_loaded.select(one, zero), zero);
             }
             let mut sums = [full, sum, free].map(|lanes| lanes.iter().sum());
-            for (i, p) in field.iter().enumerate().skip(whole) {
-                let (moved, top) = (p.wide() * factor + shift, ceiling.at(i).wide());
+            for p in &field[whole..] {
+                let moved = p.wide() * factor + shift;
                 let [full, sum, free] = &mut sums;
                 if moved >= top {
                     *full += top;
@@ -106,23 +103,16 @@ fn cut<T: Real, C: Ceiling<T>>(field: &[T], [factor, shift]: [f64; 2], ceiling: 
 
 /// Multiplies the nodes below `ceiling` by the factor that lets all carry `total`; those that would come above
 /// it stay there. False, and nothing done, if no factor within `most` of 1 does.
-pub(crate) fn scale_below<T: Real, C: Ceiling<T>>(
-    field: &mut [T],
-    total: f64,
-    ceiling: C,
-    most: f64,
-) -> bool {
-    let n = field.len();
-    let top = |i: usize| ceiling.at(i).wide();
+pub(crate) fn scale_below<T: Real>(field: &mut [T], total: f64, ceiling: T, most: f64) -> bool {
+    let top = ceiling.wide();
     let mut factor = 1.0;
     for _ in 0..MOST_STEPS {
         // What is at the ceiling stays there.
-        let [full, free, _] = cut(field, [f64::max(factor, 1.0), 0.0], ceiling);
+        let [full, free, _] = cut(field, [f64::max(factor, 1.0), 0.0], top);
         let next = (total - full) / free;
         if !(next >= 1.0 - most && next <= 1.0 + most) {
             // Nothing to scale, and nothing lacks.
-            let most = fields::largest_of(n, top);
-            return free <= 0.0 && (total - full).abs() <= 1e-9 * most;
+            return free <= 0.0 && (total - full).abs() <= 1e-9 * top;
         }
         let is_same = (next - factor).abs() <= f64::EPSILON;
         factor = next;
@@ -130,9 +120,9 @@ pub(crate) fn scale_below<T: Real, C: Ceiling<T>>(
             break;
         }
     }
-    fields::write(field, |i, p| {
+    fields::write(field, |_, p| {
         let scaled = p.wide() * factor;
-        if p.wide() >= top(i) || scaled >= top(i) { ceiling.at(i) } else { T::of(scaled) }
+        if p.wide() >= top || scaled >= top { ceiling } else { T::of(scaled) }
     });
     true
 }
@@ -140,7 +130,6 @@ pub(crate) fn scale_below<T: Real, C: Ceiling<T>>(
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::methods::UniformCeiling;
     use proptest::prelude::*;
 
     proptest! {
@@ -156,7 +145,7 @@ mod tests {
             let mut projected = field.clone();
             let load = part * ceiling.min(1e3);
             if ceiling.is_finite() {
-                between(&mut projected, load, UniformCeiling(ceiling));
+                between(&mut projected, load, ceiling);
             } else {
                 onto_admissible(&mut projected, load);
             }

@@ -23,7 +23,7 @@ impl SolverBuilder {
     /// # Errors
     /// [`SolverError::BadSetting`] or [`SolverError::Range`] if a setting or the grid cannot be used,
     /// [`SolverError::Memory`] if the machine does not have the memory it would take.
-    pub fn build(mut self, grid: Grid, modulus: ContactModulus) -> Result<Solver, SolverError> {
+    pub fn build(self, grid: Grid, modulus: ContactModulus) -> Result<Solver, SolverError> {
         let bad = |setting, value, limit| Err(SolverError::BadSetting { setting, value, limit });
         if !(self.tolerance > 0.0 && self.tolerance < 1.0) {
             return bad("tolerance", self.tolerance, "it must lie between 0 and 1");
@@ -44,15 +44,6 @@ impl SolverBuilder {
         if let Some(row) = self.section.filter(|row| *row >= grid.shape()[0]) {
             return bad("section", row as f64, "it must be a row of the map, counted from 0");
         }
-        if let Some(map) = &self.hardness_map {
-            if map.len() != grid.len() {
-                let (setting, n) = ("length of hardness_map", map.len() as f64);
-                return bad(setting, n, "it must have one number for each pixel of the grid");
-            }
-            if let Some(h) = map.iter().find(|h| !(**h > 0.0 && h.is_finite())) {
-                return bad("hardness_map", *h, "each must be a pressure above 0 Pa, and finite");
-            }
-        }
         if self.hardness.is_nan() || self.hardness <= 0.0 {
             return bad("hardness", self.hardness, "it must be a pressure above 0 Pa, or infinite");
         }
@@ -63,9 +54,6 @@ impl SolverBuilder {
                 way_out: "choose the method chord, or solve for elastic bodies",
             });
         }
-        // The same everywhere is one number, which needs no array.
-        let hardness = self.hardness;
-        self.hardness_map = self.hardness_map.filter(|map| map.iter().any(|h| *h < hardness));
         let scaled = problem::scaled_grid(grid)?;
         memory::check(grid, self.bytes(grid))?;
         // Transforms are planned for the threads of the pool they are planned in.

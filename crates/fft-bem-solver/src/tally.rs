@@ -14,13 +14,12 @@ pub(crate) struct Tally {
     /// In this order
     /// - the pressure of the pixels that are not full;
     /// - pixels that carry pressure, and those of them that are full;
-    /// - the pressure of the full;
     /// - `p u`;
     /// - `p |g|`, of the full only where they stand off;
     /// - `p g`; under a ceiling H, `p max(g, 0) + (H - p) max(-g, 0)`;
     /// - the gap: 0 where it is closed, which all of the contact is under a free boundary, and the full anywhere;
     /// - the depths by which the full are flattened.
-    pub(crate) sums: [f64; 9],
+    pub(crate) sums: [f64; 8],
     /// Least gap, of the full 0; largest `|u|`; largest pressure.
     pub(crate) extremes: [f64; 3],
 }
@@ -44,7 +43,7 @@ pub(crate) fn tally<T: Real, C: Ceiling<T>>(
     [by, bx]: [usize; 2],
     means: &mut [f64],
 ) -> Tally {
-    let mut rows = vec![([0.0; 9], NO_EXTREMES); by];
+    let mut rows = vec![([0.0; 8], NO_EXTREMES); by];
     let blocks = rows.par_iter_mut().zip(means.par_chunks_mut(bx)).enumerate();
     blocks.for_each(|(block, (row, means))| {
         let lines = pixels(block, by, ny);
@@ -55,7 +54,7 @@ pub(crate) fn tally<T: Real, C: Ceiling<T>>(
             *mean /= (lines.len() * pixels(column, bx, nx).len()) as f64;
         }
     });
-    let (mut sums, mut extremes) = ([0.0; 9], NO_EXTREMES);
+    let (mut sums, mut extremes) = ([0.0; 8], NO_EXTREMES);
     for (more, [lowest, highest, largest]) in rows {
         sums.iter_mut().zip(more).for_each(|(sum, x)| *sum += x);
         extremes = [extremes[0].min(lowest), extremes[1].max(highest), extremes[2].max(largest)];
@@ -76,11 +75,11 @@ fn block_row<S: Simd, T: Real, C: Ceiling<T>>(
     nx: usize,
     lines: Range<usize>,
     blocks: &mut [f64],
-) -> ([f64; 9], [f64; 3]) {
+) -> ([f64; 8], [f64; 3]) {
     let (zero, one) = (f64x4::splat(x, 0.0), f64x4::splat(x, 1.0));
     let positive = |a: f64x4<S>| a.simd_gt(zero).select(a, zero);
     let larger = |a: f64x4<S>, b: f64x4<S>| a.simd_gt(b).select(a, b);
-    let mut sums = [zero; 9];
+    let mut sums = [zero; 8];
     let [mut lowest, mut highest, mut largest] = NO_EXTREMES.map(|none| f64x4::splat(x, none));
     blocks.fill(0.0);
     let count = blocks.len();
@@ -111,10 +110,9 @@ fn block_row<S: Simd, T: Real, C: Ceiling<T>>(
                 let mut counted = if is_free { is_on.select(zero, gap) } else { gap };
                 let (mut below, mut off) = (p, open + overlap);
                 let (mut least, mut bound) = (gap, p * gap);
-                let [load, contact, full, borne, work, complementarity, duality, mean, depth] =
-                    &mut sums;
+                let [load, contact, full, work, complementarity, duality, mean, depth] = &mut sums;
                 if C::IS_FINITE {
-                    let top = ceiling.four(x, i);
+                    let top = f64x4::splat(x, ceiling.top().wide());
                     let is_full = p.simd_ge(top);
                     below = is_full.select(zero, p);
                     off = is_full.select(open, off);
@@ -122,9 +120,7 @@ fn block_row<S: Simd, T: Real, C: Ceiling<T>>(
                     counted = is_full.select(zero, counted);
                     bound = p * open + (top - p) * overlap;
                     // The zeros behind the last pixel are not full, whatever H is.
-                    let here = is_on.select(is_full.select(one, zero), zero);
-                    *full += here;
-                    *borne += here * p;
+                    *full += is_on.select(is_full.select(one, zero), zero);
                     *depth += is_full.select(overlap, zero);
                 }
                 *load += below;

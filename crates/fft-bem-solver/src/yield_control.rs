@@ -6,7 +6,7 @@
 
 use crate::methods::{
     Compliance, ContactMethod, ContactTask, IterateObserver, IterateView, Outcome, RISE, Start,
-    State, Target, Top,
+    State, Target,
 };
 use crate::problem::Problem;
 use crate::{End, Real, certificate, fields};
@@ -17,10 +17,11 @@ const MOST_LOADS: usize = 60;
 const FARTHEST: f64 = 2.0;
 
 /// Mean gap: what overlaps at the ceiling is flattened and no gap.
-fn open_gap<T: Real>(state: &State<T>, heights: &[T], level: f64, top: Top<'_, T>) -> f64 {
+fn open_gap<T: Real>(state: &State<T>, heights: &[T], level: f64, ceiling: f64) -> f64 {
     let (p, u) = (&state.pressure, &state.displacement);
     let open = |i: usize| (u[i] - heights[i]).wide() - level;
-    let gap = |i: usize| if p[i] >= top.at(i) { 0.0 } else { open(i) };
+    let top = T::of(ceiling);
+    let gap = |i: usize| if p[i] >= top { 0.0 } else { open(i) };
     fields::sum_of(u.len(), gap) / u.len() as f64
 }
 
@@ -45,7 +46,7 @@ pub(crate) fn solve<T: Real>(
     state: &mut State<T>,
     watch: &mut IterateObserver<'_, T>,
 ) -> Outcome {
-    let h = task.ceiling.mean();
+    let h = task.ceiling;
     let load_of = |y: f64| h / (1.0 + (-y).exp());
     let y_of = |load: f64| (load / (h - load)).ln();
     let first = match start {

@@ -1,6 +1,6 @@
 //! What the two baselines have in common: fields, start, stopping rule.
 
-use super::ceiling::{NoCeiling, Top};
+use super::ceiling::NoCeiling;
 use super::compliance::Compliance;
 use super::contract::{
     ContactMethod, ContactTask, IterateObserver, IterateView, Outcome, Start, State, Target,
@@ -91,7 +91,7 @@ impl<T: Real, S: BaselineStep<T>> ContactMethod<T> for Baseline<T, S> {
         if end == End::Exhausted && residual <= task.tolerance {
             end = End::Converged;
         }
-        state.level = certificate::level(state, heights, Top::NONE);
+        state.level = certificate::level(state, heights, f64::INFINITY);
         Outcome { end, iterations, transforms, residual, ..Outcome::NOTHING }
     }
 }

@@ -18,7 +18,6 @@
 //! - A method that does not control the level itself (`controls_level`) is driven by
 //!   [`control`](crate::control): a secant in the logarithm of the load.
 
-use super::ceiling::Top;
 use super::compliance::Compliance;
 use crate::problem::Problem;
 use crate::{End, Fallbacks, Real, fields};
@@ -42,8 +41,8 @@ pub(crate) enum Target {
 pub(crate) struct ContactTask<'a, T> {
     pub(crate) problem: &'a Problem<T>,
     pub(crate) target: Target,
-    /// Highest pressure, in scaled units.
-    pub(crate) ceiling: Top<'a, T>,
+    /// Highest pressure, in scaled units; infinite for elastic bodies.
+    pub(crate) ceiling: f64,
     /// Relative rms pressure error to reach.
     pub(crate) tolerance: f64,
     pub(crate) max_iterations: usize,

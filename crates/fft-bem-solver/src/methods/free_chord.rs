@@ -5,14 +5,14 @@
 //! touch. The displacement is that of the free half space, computed on the map alone. Where the map is much longer
 //! than wide, `S` is made from the kernel of the free half space itself.
 
-use super::ceiling::{Ceiling, Top, under};
+use super::ceiling::{Ceiling, under};
 use super::chord::Chord;
 use super::compliance::Compliance;
 use super::contract::{
     ContactMethod, ContactTask, IterateObserver, IterateView, Outcome, Start, State, Target,
 };
 use crate::problem::Problem;
-use crate::{Boundary, End, Real, SolverError, fields, projection};
+use crate::{Boundary, End, Real, SolverError, fields};
 use contact_types::Grid;
 
 /// Height of the pixels around the map; those of the map lie between -1 and 0.
@@ -127,26 +127,13 @@ impl<T: Real> ContactMethod<T> for FreeChord<T> {
         let is_beyond = under!(task.ceiling, top => top.is_passed(factor, &state.pressure));
         if start == Start::Cold || is_beyond {
             state.pressure.fill(T::of(load));
-            under!(task.ceiling, top => if top.is_passed(1.0, &state.pressure) {
-                projection::between(&mut state.pressure, load, top);
-            });
             operator.apply(&state.pressure, &mut state.displacement);
             transforms += 1.0;
         }
         let around = T::of(1.5 * fields::max(&state.displacement).max(0.0));
         embed(map, &state.pressure, T::zero(), stride, &mut self.state.pressure);
         embed(map, &state.displacement, around, stride, &mut self.state.displacement);
-        // Beside the map nothing is pressed, whatever it bears.
-        let mut bears = Vec::new();
-        let ceiling = match task.ceiling {
-            Top::Same(top) => Top::Same(top),
-            Top::Map(top, mean) => {
-                bears.resize(self.state.pressure.len(), T::zero());
-                embed(map, top, T::of(mean), stride, &mut bears);
-                Top::Map(&bears, mean)
-            }
-        };
-        let task = ContactTask { problem: &self.problem, target, ceiling, ..*task };
+        let task = ContactTask { problem: &self.problem, target, ..*task };
         let mut shown = |step: &IterateView<'_, T>| {
             cut(map, &step.state.pressure, stride, &mut state.pressure);
             cut(map, &step.state.displacement, stride, &mut state.displacement);

@@ -59,12 +59,12 @@ pub(crate) fn level_under<T: Real, C: Ceiling<T>>(
     // Sums over the nodes that have still to give way, and over those at the ceiling.
     let mut rises = |level: Option<f64>| -> [f64; 4] {
         let of = |from: usize, p: &[T]| {
-            let (ceiling, fields) = (ceiling.after(from), u[from..].iter().zip(&h[from..]));
+            let fields = u[from..].iter().zip(&h[from..]);
             vectorised!(_vectors => {
                 let (mut sum, mut count, mut full, mut its_sum) = (0.0, 0.0, 0.0, 0.0);
-                for (i, (p, (u, h))) in p.iter().zip(fields.clone()).enumerate() {
+                for (p, (u, h)) in p.iter().zip(fields.clone()) {
                     let rise = (*u - *h).wide();
-                    let (is_loaded, is_full) = (*p > T::zero(), ceiling.is_reached(i, *p));
+                    let (is_loaded, is_full) = (*p > T::zero(), ceiling.is_reached(*p));
                     let counts = match level {
                         Some(level) if !is_loaded => rise < level,
                         Some(level) if is_full => rise > level,

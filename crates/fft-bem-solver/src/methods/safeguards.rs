@@ -1,7 +1,6 @@
 //! Tests that force each safeguard of the chord iteration.
 
 use super::baseline::Baseline;
-use super::ceiling::Top;
 use super::chord::{Chord, StepKind};
 use super::contract::{ContactMethod, ContactTask, Outcome, Start, State, Target};
 use super::polonsky_keer::PolonskyKeer;
@@ -37,8 +36,8 @@ fn run<T: Real>(
     let mut half_space = HalfSpace::new(problem.grid, modulus);
     let mut state = State::new(problem.grid.len());
     let target = Target::Pressure(load);
-    let task =
-        ContactTask { problem, target, ceiling: Top::NONE, tolerance, max_iterations: 20_000 };
+    let ceiling = f64::INFINITY;
+    let task = ContactTask { problem, target, ceiling, tolerance, max_iterations: 20_000 };
     let mut watch = |_: &super::contract::IterateView<'_, T>| ControlFlow::Continue(());
     let outcome = method.solve(&task, &mut half_space, Start::Cold, &mut state, &mut watch);
     (outcome, state)

@@ -136,8 +136,8 @@ impl Sweep {
                                 return; // as most lines, but in a first step
                             }
                             let fields = line.iter_mut().zip(nodes).zip(&trial[first..]);
-                            for (i, ((l, m), p)) in fields.enumerate() {
-                                let top = if fills(*m) { ceiling.at(first + i) } else { T::zero() };
+                            for ((l, m), p) in fields {
+                                let top = if fills(*m) { ceiling.top() } else { T::zero() };
                                 let beyond = (*p - top).narrow(); // read anyway: no branch
                                 *l += factor * if is_off(*m) { beyond } else { 0.0 };
                             }
@@ -174,8 +174,7 @@ impl Sweep {
             .zip(level.value.par_chunks_mut(rows * mx))
             .zip(level.weight.par_chunks_mut(rows * mx))
             .zip(nodes.par_chunks_mut(fine).zip(trial.par_chunks(fine)))
-            .enumerate()
-            .for_each(|(task, (cells, (nodes, trial)))| {
+            .for_each(|(cells, (nodes, trial))| {
                 let (((((found, smallest), added), beyond), value), weight) = cells;
                 vectorised!({
                     if has_more {
@@ -183,7 +182,6 @@ impl Sweep {
                             *a += share * more;
                         }
                     }
-                    let ceiling = ceiling.after(task * fine);
                     let t = &t;
                     let mut rows = CellRows {
                         t,

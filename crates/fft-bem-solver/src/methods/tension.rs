@@ -27,7 +27,7 @@ fn tension_flags(smallest: &[f32], added: &[f32], has_ceiling: bool) -> [u8; BLO
 pub(super) struct CellRows<'a, T, C> {
     pub(super) t: &'a Transfer,
     pub(super) capacity: Capacity,
-    /// The bound, from these nodes on, and whether it counts by now.
+    /// The bound, and whether it counts by now.
     pub(super) ceiling: C,
     pub(super) fills: bool,
     pub(super) trial: &'a [T],
@@ -82,7 +82,7 @@ impl<T: Real, C: Ceiling<T>> CellRows<'_, T, C> {
         }
         if C::IS_FINITE {
             for k in 0..4 {
-                let top = self.ceiling.at(places[k]);
+                let top = self.ceiling.top();
                 let fills = on[k] & self.fills & (p[k] > top.wide());
                 nodes[places[k]] = nodes[places[k]].or(NodeState::Full, fills);
                 load[k] += if fills { p[k] - top.wide() } else { 0.0 };

@@ -18,7 +18,6 @@ mod certificate;
 mod chord;
 mod direct;
 mod extremes;
-mod hardness_map;
 mod load_curve;
 mod perimeter_correction;
 mod properties;

@@ -187,10 +187,10 @@ impl<T: Real, C: Ceiling<T>> Classify<'_, T, C> {
                 *is_in = if (*load > release * open) | (*g < 0.0) { 1.0 } else { 0.0 };
             }
             nodes.iter_mut().zip(&*is_in).for_each(|(m, is_in)| *m = NodeState::of(*is_in > 0.0));
-            let ceiling = self.ceiling.after(first);
+            let top = self.ceiling.top();
             if C::IS_FINITE {
-                for (i, ((m, p), g)) in nodes.iter_mut().zip(p).zip(&*g).enumerate() {
-                    let room = ceiling.at(i) - *p;
+                for ((m, p), g) in nodes.iter_mut().zip(p).zip(&*g) {
+                    let room = top - *p;
                     let yields = room <= T::of(self.release * f64::from((-g).max(0.0)));
                     *m = m.or(NodeState::Full, yields & (*g <= 0.0));
                 }
@@ -216,8 +216,7 @@ impl<T: Real, C: Ceiling<T>> Classify<'_, T, C> {
             active += nodes.iter().map(|m| u32::from(m.is_in())).sum::<u32>();
             released += nodes.iter().map(|m| u32::from(*m == NodeState::Released)).sum::<u32>();
             if C::IS_FINITE {
-                for (i, (m, p)) in nodes.iter_mut().zip(p).enumerate() {
-                    let top = ceiling.at(i);
+                for (m, p) in nodes.iter_mut().zip(p) {
                     let is_filled = m.is_full() & ((*p < top) | (*p > top));
                     *m = m.or(NodeState::Filled, is_filled);
                     released += u32::from(is_filled);

@@ -30,7 +30,7 @@ pub(super) fn step<T: Real, C: Ceiling<T>>(run: &mut Run<'_, T, C>, level: f64) 
         if nodes[i].is_in() && p[i] <= T::zero() && z[i] > 0.0 {
             nodes[i] = NodeState::Gap;
         }
-        if C::IS_FINITE && nodes[i].is_in() && ceiling.is_reached(i, p[i]) && z[i] < 0.0 {
+        if C::IS_FINITE && nodes[i].is_in() && ceiling.is_reached(p[i]) && z[i] < 0.0 {
             nodes[i] = NodeState::Full;
         }
     }

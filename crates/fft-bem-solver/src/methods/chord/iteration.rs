@@ -33,7 +33,7 @@ use super::memory::{Known, StepKind};
 use super::run::Run;
 use super::work::Work;
 use crate::memory::is_large;
-use crate::methods::ceiling::{Ceiling, Top, under};
+use crate::methods::ceiling::{Ceiling, under};
 use crate::methods::compliance::Compliance;
 use crate::methods::contract::{
     ContactMethod, ContactTask, IterateObserver, IterateView, Outcome, Start, State,
@@ -153,7 +153,7 @@ impl<T: Real> Chord<T> {
         let residual = run.memory.residual.max(run.level_error());
         let yielding = C::IS_FINITE.then(|| run.level_of_iterate());
         let Run { transforms, fallbacks, .. } = run;
-        let level = || certificate::level(state, &task.problem.heights, Top::NONE);
+        let level = || certificate::level(state, &task.problem.heights, f64::INFINITY);
         state.level = yielding.unwrap_or_else(level);
         Outcome { exact: None, end, iterations: iteration, transforms, residual, fallbacks }
     }

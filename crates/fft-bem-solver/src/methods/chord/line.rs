@@ -105,7 +105,7 @@ impl<T: Real, C: Ceiling<T>> Run<'_, T, C> {
         let before = if has_before { &work.pairs.before.pressure[..] } else { p }; // without one, d = 0
         let finish = |first: usize, scale: T, qv: [&mut [T]; 2], gap: &mut [f32]| {
             let [p, u, h, b] = [p, u, h, before].map(|x| &x[first..][..gap.len()]);
-            inner_products(ceiling.after(first), [p, u, h], level, qv, scale, b, gap)
+            inner_products(ceiling, [p, u, h], level, qv, scale, b, gap)
         };
         let around = RowWork {
             prepare: &prepare,
@@ -173,18 +173,16 @@ impl<T: Real, C: Ceiling<T>> Run<'_, T, C> {
         let trial = &work.pairs.trial.pressure;
         let partial = &mut work.partial[..p.len().div_ceil(TASK)];
         let pieces = p.par_chunks(TASK).zip(trial.par_chunks(TASK)).zip(partial.par_iter_mut());
-        pieces.enumerate().for_each(|(task, ((p, q), partial))| {
-            let ceiling = ceiling.after(task * TASK);
+        pieces.for_each(|((p, q), partial)| {
             let (mut largest, mut loss) = ([0.0; LANES], [0.0; TILE]);
             vectorised!({
-                for (k, (p, q)) in p.chunks(TILE).zip(q.chunks(TILE)).enumerate() {
-                    let ceiling = ceiling.after(k * TILE);
+                for (p, q) in p.chunks(TILE).zip(q.chunks(TILE)) {
                     loss.fill(0.0);
-                    for (i, ((loss, p), q)) in loss.iter_mut().zip(p).zip(q).enumerate() {
+                    for ((loss, p), q) in loss.iter_mut().zip(p).zip(q) {
                         let (p, q) = (p.wide(), q.wide());
                         *loss = if q < p { (p - q) / p } else { 0.0 };
                         if C::IS_FINITE && q > p {
-                            *loss = (q - p) / (ceiling.at(i).wide() - p);
+                            *loss = (q - p) / (ceiling.top().wide() - p);
                         }
                     }
                     for four in loss.as_chunks::<LANES>().0 {
@@ -219,7 +217,7 @@ impl<T: Real, C: Ceiling<T>> Run<'_, T, C> {
             let [p, u, h, q, v] =
                 [p, u, h, &trial.pressure, &trial.displacement].map(|field| &field[from..][..n]);
             let fits = vectorised!(vectors => {
-                let fits = step_pressure(ceiling.after(from), p, q, b, x);
+                let fits = step_pressure(ceiling, p, q, b, x);
                 step_linearly(u, v, b, w);
                 *partial = contact_sums(vectors, x, w, h);
                 fits
@@ -244,10 +242,9 @@ impl<T: Real, C: Ceiling<T>> Run<'_, T, C> {
         both.zip(partial.par_iter_mut()).enumerate().for_each(|(task, ((q, v), partial))| {
             let (from, n) = (task * TASK, q.len());
             let [p, u, h] = [p, u, h].map(|x| &x[from..][..n]);
-            let ceiling = ceiling.after(from);
             vectorised!(vectors => {
-                for (i, (q, p)) in q.iter_mut().zip(p).enumerate() {
-                    *q = ceiling.clip(i, *p + length * (*q - *p));
+                for (q, p) in q.iter_mut().zip(p) {
+                    *q = ceiling.clip(*p + length * (*q - *p));
                 }
                 for (v, u) in v.iter_mut().zip(u) {
                     *v = *u + length * (*v - *u);
@@ -279,14 +276,14 @@ fn step_pressure<T: Real, C: Ceiling<T>>(
 ) -> bool {
     step_linearly(p, trial, b, before);
     let mut misfits = 0_u32;
-    for (i, (x, q)) in before.iter_mut().zip(trial).enumerate() {
+    for (x, q) in before.iter_mut().zip(trial) {
         let misfit = (*x < T::zero()) | ((*q <= T::zero()) & (*x > T::zero()));
         misfits += u32::from(misfit);
         if C::IS_FINITE {
-            let top = ceiling.at(i);
+            let top = ceiling.top();
             misfits += u32::from((*x > top) | ((*q >= top) & (*x < top)));
         }
-        *x = ceiling.clip(i, *x);
+        *x = ceiling.clip(*x);
     }
     misfits == 0
 }
@@ -312,7 +309,7 @@ fn inner_products<T: Real, C: Ceiling<T>>(
         let (mut last, mut its_gap) = (rest(q), [0.0; LANES]);
         let fields = fields.map(rest);
         let fields = fields.each_ref().map(|x| &x[..]);
-        let (vectors, ceiling) = (Fallback::new(), ceiling.after(whole));
+        let vectors = Fallback::new();
         let more =
             products_by_fours(vectors, ceiling, fields, level, &mut last, scale, &mut its_gap);
         sums.iter_mut().zip(more).for_each(|(sum, x)| *sum += x);
@@ -355,7 +352,7 @@ fn products_by_fours<S: Simd, T: Real, C: Ceiling<T>>(
         let (was, is) = (T::widened(p).simd_gt(zero), T::widened(trial).simd_gt(zero));
         dropped += is.select(zero, was.select(one, zero));
         if C::IS_FINITE {
-            let top = ceiling.four(vectors, i);
+            let top = f64x4::splat(vectors, ceiling.top().wide());
             let (was, is) = (T::widened(p).simd_ge(top), T::widened(trial).simd_ge(top));
             dropped += was.select(zero, is.select(one, zero));
         }

@@ -68,17 +68,11 @@ impl<'a, T: Real, C: Ceiling<T>> Run<'a, T, C> {
         self.load * self.heights.len() as f64
     }
 
-    /// Begins with the constant pressure, cut to the ceiling; that of a constant one is zero on a periodic half
-    /// space.
+    /// Begins with the constant pressure; its displacement is zero on a periodic half space.
     pub(super) fn begin_constant(&mut self) {
         let state = &mut *self.iterate;
         fields::fill(self.load, &mut state.pressure);
-        // Where the ceiling varies, the load may be above it in places.
-        let is_cut = self.ceiling.is_passed(1.0, &state.pressure);
-        if is_cut {
-            project(self.ceiling, &mut state.pressure, self.load);
-        }
-        if self.operator.boundary() == Boundary::Periodic && !is_cut {
+        if self.operator.boundary() == Boundary::Periodic {
             fields::fill(0.0, &mut state.displacement);
             self.first_level = Some(-self.mean_height);
         } else {
@@ -127,7 +121,7 @@ impl<'a, T: Real, C: Ceiling<T>> Run<'a, T, C> {
 /// The nearest pressure within the bounds that carries the load.
 pub(super) fn project<T: Real, C: Ceiling<T>>(ceiling: C, field: &mut [T], load: f64) {
     if C::IS_FINITE {
-        projection::between(field, load, ceiling);
+        projection::between(field, load, ceiling.top());
     } else {
         projection::onto_admissible(field, load);
     }

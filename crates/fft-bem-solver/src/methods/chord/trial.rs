@@ -157,22 +157,22 @@ impl<T: Real, C: Ceiling<T>> Run<'_, T, C> {
     /// others, if that is a small matter. Else the contact set is too small or too large to carry it, and the
     /// nodes that come next, those with the least gap in the iterate or the least overlap, join or leave it.
     fn give_load_below_ceiling(&mut self, level: f64) {
-        let (load, total, ceiling) = (self.load, self.total(), self.ceiling);
+        let (load, total, top) = (self.load, self.total(), self.ceiling.top());
         let heights = self.heights;
         let (trial, u) = (&mut self.work.pairs.trial.pressure, &self.iterate.displacement);
-        if projection::scale_below(trial, total, ceiling, sweep::ROUGH) {
+        if projection::scale_below(trial, total, top, sweep::ROUGH) {
             return;
         }
         let (stiffness, level) = (T::of(STIFFNESS), T::of(level));
         fields::write(trial, |i, p| {
             let step = stiffness * (u[i] - heights[i] - level);
-            match (p > T::zero(), p < ceiling.at(i)) {
+            match (p > T::zero(), p < top) {
                 (true, true) => p,
                 (false, _) => T::zero() - step.larger(T::zero()),
                 (_, false) => p + (T::zero() - step).larger(T::zero()),
             }
         });
-        projection::between(trial, load, ceiling);
+        projection::between(trial, load, top);
     }
 
     /// `trial = p - alpha g`, projected on the pressures that are positive and carry the load.
@@ -252,15 +252,15 @@ impl<T: Real, C: Ceiling<T>> PressureStep<'_, T, C> {
         least: &mut [f32],
         sums: &mut [f64x4<S>; 4],
     ) {
-        let (p, ceiling) = (&self.p[first..][..z.len()], self.ceiling.after(first));
+        let (p, top) = (&self.p[first..][..z.len()], self.ceiling.top());
         let mut off = [0.0; TILE];
         let off = &mut off[..nodes.len()];
         off.iter_mut().zip(nodes).for_each(|(off, m)| *off = if m.is_in() { 0.0 } else { 1.0 });
         z.iter_mut().zip(&*off).for_each(|(z, off)| *z *= 1.0 - off);
         if C::IS_FINITE {
             let mut lacking = 0.0;
-            for (i, ((off, m), p)) in off.iter_mut().zip(nodes).zip(p).enumerate() {
-                let lacks = if m.is_full() { (ceiling.at(i) - *p).wide() } else { 0.0 };
+            for ((off, m), p) in off.iter_mut().zip(nodes).zip(p) {
+                let lacks = if m.is_full() { (top - *p).wide() } else { 0.0 };
                 *off = if m.is_full() { 0.0 } else { *off };
                 lacking += lacks * lacks;
             }
@@ -279,8 +279,8 @@ impl<T: Real, C: Ceiling<T>> PressureStep<'_, T, C> {
             *least = if here < *least { here } else { *least };
         }
         if C::IS_FINITE {
-            for (i, ((least, t), m)) in least.iter_mut().zip(&*trial).zip(nodes).enumerate() {
-                let room = if m.is_in() { (ceiling.at(i) - *t).narrow() } else { f32::INFINITY };
+            for ((least, t), m) in least.iter_mut().zip(&*trial).zip(nodes) {
+                let room = if m.is_in() { (top - *t).narrow() } else { f32::INFINITY };
                 *least = if room < *least { room } else { *least };
             }
         }
@@ -356,12 +356,11 @@ pub(super) fn end_trial<T: Real, C: Ceiling<T>>(
                 } else {
                     more[..t.len()].copy_from_slice(&added[k * TILE..][..t.len()]);
                 }
-                let ceiling = ceiling.after((first_row + i) * nx + k * TILE);
-                for (i, ((t, m), a)) in t.iter_mut().zip(nodes).zip(&more).enumerate() {
-                    let kept = ceiling.clip(i, *t + T::of(f64::from(*a)));
+                for ((t, m), a) in t.iter_mut().zip(nodes).zip(&more) {
+                    let kept = ceiling.clip(*t + T::of(f64::from(*a)));
                     *t = if m.is_in() { kept } else { T::zero() };
                     if C::IS_FINITE && m.is_full() {
-                        *t = ceiling.at(i);
+                        *t = ceiling.top();
                     }
                 }
                 for i in (0..t.len() - t.len() % LANES).step_by(LANES) {
