@@ -15,8 +15,7 @@ fn pascals(e: f64) -> ContactModulus {
 }
 
 fn persson(spectrum: SelfAffineSpectrum, e: f64, gamma: f64) -> Persson {
-    let model = Persson::from_self_affine(spectrum, pascals(e)).expect("a band");
-    model.with_gamma(gamma).expect("a published gamma")
+    Persson::from_self_affine(spectrum, pascals(e)).with_gamma(gamma).expect("a published gamma")
 }
 
 #[track_caller]
