@@ -5,7 +5,6 @@ mod jackson_streator;
 mod persson_area;
 mod persson_gap;
 mod quadrature;
-mod spectrum;
 
 use contact_types::ContactModulus;
 use multiscale_models::{Persson, SelfAffineSpectrum};

@@ -2,7 +2,6 @@
 
 use crate::close;
 use crate::quadrature::geometric_integral;
-use crate::spectrum::{Definition, SPECTRA};
 use crate::{pascals, persson};
 use contact_types::{ContactModel, RoughnessSpectrum, Shell};
 use libm::erfc;
@@ -12,34 +11,6 @@ use std::f64::consts::PI;
 fn gap(model: &Persson, pressure: f64) -> f64 {
     let state = model.at_pressure(pressure).expect("an answer");
     state.mean_gap.expect("a spectrum has a gap")
-}
-
-#[test]
-fn moments_of_the_self_affine_spectrum() {
-    for (hurst, q) in SPECTRA {
-        let definition = Definition::new(hurst, q, 2.5);
-        let moments = SelfAffineSpectrum::from_wavenumbers(hurst, q, 2.5).unwrap().moments();
-        close(moments.m0, 2.5, 1e-15);
-        close(moments.m2, PI * definition.moment(3, q[2]), 1e-13);
-        let m4 = 0.75 * PI * definition.moment(5, q[2]);
-        close(moments.m4, m4, 1e-13);
-    }
-}
-
-#[test]
-fn mean_gap_is_the_printed_integral() {
-    for (hurst, q) in SPECTRA {
-        let definition = Definition::new(hurst, q, 1.0);
-        let spectrum = SelfAffineSpectrum::from_wavenumbers(hurst, q, 1.0).unwrap();
-        let slope = spectrum.moments().m2.sqrt();
-        for gamma in [1.0, 0.45] {
-            let model = persson(spectrum, 1.0, gamma);
-            for x in [0.01, 0.3, 1.7] {
-                let expected = definition.mean_gap(x * slope, gamma);
-                close(gap(&model, x * slope), expected, 1e-11);
-            }
-        }
-    }
 }
 
 /// On a shell q is constant, and for gamma = 1 the integrals over it are elementary:
