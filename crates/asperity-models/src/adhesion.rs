@@ -5,87 +5,59 @@
 //! Fuller & Tabor (1975), doi:10.1098/rspa.1975.0138; Tabor (1977), doi:10.1016/0021-9797(77)90366-6; Pastewka & Robbins
 //! (2014), doi:10.1073/pnas.1320846111, re-derived; their criterion is disputed: Ciavarella (2016), doi:10.1115/1.4034530.
 
-use contact_types::{ModelError, require};
+use contact_types::AsperityStatistics;
 use std::f64::consts::PI;
-
-const MODEL: &str = "adhesion";
 
 /// Mean pressure of light contact is `E* g/κ` with this κ.
 const KAPPA: f64 = 2.0;
 
-/// A work of adhesion that acts between bodies with this contact modulus.
+/// What a work of adhesion does on a surface; each is `None` where one of its numbers is not finite and positive.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub struct Attraction {
-    modulus: f64,
-    work: f64,
-    range: f64,
-}
-
-impl Attraction {
-    /// From the contact modulus E* (Pa), the work of adhesion (J/m²) and the distance over which the surfaces attract
-    /// (m).
-    ///
-    /// # Errors
-    /// [`ModelError::InvalidInput`] unless all are finite and positive.
-    pub fn new(modulus: f64, work: f64, range: f64) -> Result<Self, ModelError> {
-        require::positive(MODEL, "modulus", modulus)?;
-        require::positive(MODEL, "work of adhesion", work)?;
-        require::positive(MODEL, "range of attraction", range)?;
-        Ok(Self { modulus, work, range })
-    }
-
-    /// Tabor's `μ = (R w²/(E*² z0³))^(1/3)` of a sphere of this radius (m) \[-\]: below 0.1 the attraction leaves its
-    /// shape alone, above 5 it makes the contact of Johnson, Kendall and Roberts.
-    ///
-    /// # Errors
-    /// [`ModelError::InvalidInput`] unless the radius is finite and positive.
-    pub fn tabor(&self, radius: f64) -> Result<f64, ModelError> {
-        require::positive(MODEL, "radius", radius)?;
-        let Self { modulus, work, range } = *self;
-        Ok((radius * (work / modulus).powi(2) / range.powi(3)).cbrt())
-    }
-
-    /// Fuller and Tabor's `θ = E* σ_s^(3/2)/(w √R)` \[-\] of summits with this deviation of heights and radius (m): from
-    /// 10 on nothing is left of the pull-off force.
-    ///
-    /// # Errors
-    /// [`ModelError::InvalidInput`] unless both are finite and positive.
-    pub fn fuller_tabor(&self, height_std: f64, radius: f64) -> Result<f64, ModelError> {
-        require::positive(MODEL, "asperity height deviation", height_std)?;
-        require::positive(MODEL, "asperity radius", radius)?;
-        Ok(self.modulus * height_std.powf(1.5) / (self.work * radius.sqrt()))
-    }
-
-    /// Pastewka and Robbins's criterion for surfaces of this rms gradient g \[-\] and rms curvature h″ (1/m, half the
-    /// rms Laplacian): `(g Δr/(κ l_a)) (g d/(4 Δr))^(2/3)` with `l_a = w/E*`, `d = 4 g/h″` and κ = 2. They stick below
-    /// [`STICKY`].
-    ///
-    /// # Errors
-    /// [`ModelError::InvalidInput`] unless both are finite and positive.
-    pub fn pastewka_robbins(&self, gradient: f64, curvature: f64) -> Result<f64, ModelError> {
-        let diameter = diameter(gradient, curvature)?;
-        let Self { modulus, work, range } = *self;
-        let strength = gradient * range * modulus / (KAPPA * work);
-        Ok(strength * (gradient * diameter / (4.0 * range)).powf(2.0 / 3.0))
-    }
-
+pub struct Stickiness {
+    /// Fuller and Tabor's `θ = E* σ_s^(3/2)/(w √R)` of summits with deviation σ_s of heights and radius R \[-\]: from 10 on
+    /// nothing is left of the pull-off force.
+    pub fuller_tabor: Option<f64>,
+    /// Tabor's `μ = (R w²/(E*² z0³))^(1/3)` of a summit \[-\]: below 0.1 the attraction leaves its shape alone, above 5 it
+    /// makes the contact of Johnson, Kendall and Roberts.
+    pub tabor: Option<f64>,
+    /// Pastewka and Robbins's criterion `(g Δr/(κ l_a)) (g d/(4 Δr))^(2/3)` with `l_a = w/E*`, `d = 4 g/h″` and κ = 2:
+    /// surfaces stick below [`STICKY`].
+    pub pastewka_robbins: Option<f64>,
     /// Area that attracts over the area of contact \[-\], by the geometry of that criterion: a rim of the width in which
     /// the gap beside a spot stays below the range, `π d_att/d` with `d_att = (3 Δr √d/(4 g))^(2/3)`.
-    ///
-    /// # Errors
-    /// As [`pastewka_robbins`](Self::pastewka_robbins).
-    pub fn attracting_area(&self, gradient: f64, curvature: f64) -> Result<f64, ModelError> {
-        let diameter = diameter(gradient, curvature)?;
-        let rim = (3.0 * self.range * diameter.sqrt() / (4.0 * gradient)).powf(2.0 / 3.0);
-        Ok(PI * rim / diameter)
-    }
+    pub attracting_area: Option<f64>,
 }
 
-/// `d = 4 g/h″` (m): of a spot, by rms gradient and rms curvature.
-fn diameter(gradient: f64, curvature: f64) -> Result<f64, ModelError> {
-    require::positive(MODEL, "rms gradient", gradient)?;
-    require::positive(MODEL, "rms curvature", curvature)?;
-    Ok(4.0 * gradient / curvature)
+impl Stickiness {
+    /// Of bodies with the contact modulus E* (Pa), the work of adhesion w (J/m²) and the distance z0 or Δr over which they
+    /// attract (m), on a surface of this rms gradient g \[-\] and rms curvature h″ (1/m, half the rms Laplacian).
+    pub fn of(
+        modulus: f64,
+        [work, range]: [f64; 2],
+        [gradient, curvature]: [f64; 2],
+        summits: Option<AsperityStatistics>,
+    ) -> Self {
+        let usable = |numbers: &[f64]| {
+            let attraction = [modulus, work, range];
+            attraction.iter().chain(numbers).all(|number| number.is_finite() && *number > 0.0)
+        };
+        let of_summits = summits.filter(|s| usable(&[s.radius]));
+        let of_heights = of_summits.filter(|s| usable(&[s.height_std]));
+        let diameter = usable(&[gradient, curvature]).then(|| 4.0 * gradient / curvature);
+        Self {
+            fuller_tabor: of_heights
+                .map(|s| modulus * s.height_std.powf(1.5) / (work * s.radius.sqrt())),
+            tabor: of_summits.map(|s| (s.radius * (work / modulus).powi(2) / range.powi(3)).cbrt()),
+            pastewka_robbins: diameter.map(|d| {
+                let strength = gradient * range * modulus / (KAPPA * work);
+                strength * (gradient * d / (4.0 * range)).powf(2.0 / 3.0)
+            }),
+            attracting_area: diameter.map(|d| {
+                let rim = (3.0 * range * d.sqrt() / (4.0 * gradient)).powf(2.0 / 3.0);
+                PI * rim / d
+            }),
+        }
+    }
 }
 
 /// `π (3/16)^(2/3)`: where attraction and repulsion of light contact are equal.
@@ -121,27 +93,42 @@ mod tests {
             let [r, w, e, z0, g, curvature, sigma, tabor, theta, criterion] = cells[..] else {
                 panic!("{row}")
             };
-            let found = Attraction::new(e, w, z0).expect("positive");
-            close(found.tabor(r).expect("a radius"), tabor);
-            close(found.fuller_tabor(sigma, r).expect("summits"), theta);
-            close(found.pastewka_robbins(g, curvature).expect("slopes"), criterion);
+            let summits = Some(AsperityStatistics {
+                density: 1.0,
+                radius: r,
+                height_std: sigma,
+                mean_offset: 0.0,
+            });
+            let found = Stickiness::of(e, [w, z0], [g, curvature], summits);
+            close(found.tabor.expect("a radius"), tabor);
+            close(found.fuller_tabor.expect("summits"), theta);
+            close(found.pastewka_robbins.expect("slopes"), criterion);
             // At the threshold the rim pulls as hard as the spots push: π d_att/d (w/Δr) = E* g/κ.
-            let pull = found.attracting_area(g, curvature).expect("slopes") * w / z0;
+            let pull = found.attracting_area.expect("slopes") * w / z0;
             close(pull / (e * g * LIGHT), STICKY / criterion);
         }
         close(STICKY, PI * (3.0f64 / 16.0).powf(2.0 / 3.0));
     }
 
     #[test]
-    fn bad_input_is_refused() {
+    fn bad_input_has_no_numbers() {
+        let summits = |radius, height_std| {
+            Some(AsperityStatistics { density: 1.0, radius, height_std, mean_offset: 0.0 })
+        };
+        let nothing = Stickiness {
+            fuller_tabor: None,
+            tabor: None,
+            pastewka_robbins: None,
+            attracting_area: None,
+        };
         for [e, w, z] in [[0.0, 1.0, 1.0], [1.0, -1.0, 1.0], [1.0, 1.0, f64::NAN], [1.0, 1.0, 0.0]]
         {
-            assert!(Attraction::new(e, w, z).is_err());
+            assert_eq!(Stickiness::of(e, [w, z], [1.0; 2], summits(1.0, 1.0)), nothing);
         }
-        let one = Attraction::new(1.0, 1.0, 1.0).expect("positive");
-        assert!(one.tabor(0.0).is_err() && one.fuller_tabor(1.0, -1.0).is_err());
-        assert!(
-            one.pastewka_robbins(0.0, 1.0).is_err() && one.attracting_area(1.0, f64::NAN).is_err()
-        );
+        for [g, curvature] in [[0.0, 1.0], [1.0, f64::NAN]] {
+            assert_eq!(Stickiness::of(1.0, [1.0; 2], [g, curvature], summits(0.0, 1.0)), nothing);
+        }
+        let found = Stickiness::of(1.0, [1.0; 2], [1.0; 2], summits(1.0, -1.0));
+        assert!(found.fuller_tabor.is_none() && found.tabor.is_some());
     }
 }

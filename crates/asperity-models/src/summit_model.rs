@@ -85,15 +85,10 @@ impl SummitModel {
             return Err(require::refused(law.name(), BANDWIDTH, bandwidth, requirement));
         }
         if bandwidth < 1.5 * (1.0 - 1e-14) {
-            return Err(ModelError::OutsideDomain {
-                model: law.name().into(),
-                quantity: BANDWIDTH.into(),
-                value: bandwidth,
-                domain: 1.5..=f64::MAX,
-                reason: "no isotropic Gaussian surface has less; the Greenwood-Williamson model \
-                         still answers above 0.8968"
-                    .into(),
-            });
+            let reason = "no isotropic Gaussian surface has less; the Greenwood-Williamson model \
+                          still answers above 0.8968";
+            let domain = 1.5..=f64::MAX;
+            return Err(require::outside(law.name(), BANDWIDTH, bandwidth, domain, reason));
         }
         let bandwidth = bandwidth.max(1.5);
         let correlation = Correlation {
@@ -139,13 +134,9 @@ impl SummitModel {
     pub fn ln_mean_pressure(&self, separation: f64) -> Result<f64, ModelError> {
         let h = self.dimensionless(separation)?;
         if h.abs() > FARTHEST {
-            return Err(ModelError::OutsideDomain {
-                model: self.law.name().into(),
-                quantity: "separation / rms height".into(),
-                value: h,
-                domain: -FARTHEST..=FARTHEST,
-                reason: "powers of it leave the range of doubles".into(),
-            });
+            let (quantity, domain) = ("separation / rms height", -FARTHEST..=FARTHEST);
+            let reason = "powers of it leave the range of doubles";
+            return Err(require::outside(self.law.name(), quantity, h, domain, reason));
         }
         let [load, _] = self.correlation.integrate(h, |summit| self.load(summit));
         Ok(self.dimensionless_scale().ln()

@@ -304,13 +304,7 @@ fn below(
     if ratio < most {
         return Ok(ratio);
     }
-    Err(ModelError::OutsideDomain {
-        model: MODEL.into(),
-        quantity: quantity.into(),
-        value: ratio,
-        domain: 0.0..=most,
-        reason: reason.into(),
-    })
+    Err(require::outside(MODEL, quantity, ratio, 0.0..=most, reason))
 }
 
 #[cfg(test)]

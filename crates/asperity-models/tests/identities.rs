@@ -156,24 +156,3 @@ fn light_load_limit_is_root_two_pi() {
         assert!((kappa - expected).abs() < 6e-4, "{bandwidth}: {kappa}");
     }
 }
-
-#[test]
-fn stiffness_is_the_slope_of_pressure() {
-    for bandwidth in [1.5, 1.8, 30.0] {
-        let full = model(SummitLaw::BushGibsonThomas, bandwidth);
-        for h in [-1.0, 0.4, 2.0, 8.0] {
-            let [near, far] = [-1e-4, 1e-4].map(|e| full.at_separation(h + e).unwrap());
-            let slope = (near.mean_pressure - far.mean_pressure) / 2e-4;
-            assert!((full.stiffness(h).unwrap() / slope - 1.0).abs() < 1e-6, "{bandwidth} {h}");
-        }
-    }
-}
-
-/// Greenwood (2006): the simplification adds about 2 % of area.
-#[test]
-fn order_of_the_three_models() {
-    let at = |law| model(law, 2.0).at_separation(0.0).unwrap().area_fraction;
-    let full = at(SummitLaw::BushGibsonThomas);
-    assert!((at(SummitLaw::GreenwoodElliptical) / full - 1.018).abs() < 1e-3);
-    assert!(at(SummitLaw::MeanCurvature) < 0.95 * full);
-}

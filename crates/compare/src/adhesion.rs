@@ -1,8 +1,7 @@
 //! Whether the bodies stick: a verdict, where a work of adhesion was given. Nothing here solves a contact that does.
 
 use crate::inputs::Inputs;
-use asperity_models::adhesion::{Attraction, LIGHT, STICKY};
-use contact_types::AsperityStatistics;
+use asperity_models::adhesion::{LIGHT, STICKY, Stickiness};
 use serde::{Deserialize, Serialize};
 
 /// Fuller and Tabor's parameter from which nothing is left of the pull-off force.
@@ -69,17 +68,16 @@ impl Adhesion {
         let (modulus, gradient) = (inputs.modulus.pascals(), inputs.rms_gradient());
         // Half the Laplacian of an isotropic surface: <(h_xx + h_yy)²> = 8/3 m4.
         let curvature = (2.0 / 3.0 * inputs.moments.map_or(0.0, |m| m.m4)).sqrt();
-        let acts = Attraction::new(modulus, given.work, given.range).ok();
-        let of_summits = |number: fn(&Attraction, AsperityStatistics) -> Option<f64>| {
-            acts.as_ref().zip(inputs.asperities()).and_then(|(acts, a)| number(acts, a))
-        };
-        let fuller_tabor = of_summits(|acts, a| acts.fuller_tabor(a.height_std, a.radius).ok());
-        let tabor = of_summits(|acts, a| acts.tabor(a.radius).ok());
-        let criterion = acts.as_ref().and_then(|a| a.pastewka_robbins(gradient, curvature).ok());
+        let Stickiness { fuller_tabor, tabor, pastewka_robbins, attracting_area: rim } =
+            Stickiness::of(
+                modulus,
+                [given.work, given.range],
+                [gradient, curvature],
+                inputs.asperities(),
+            );
         let shells = inputs.spectrum.as_ref().map(|s| s.shells().iter());
         let first_moment = shells.map(|all| all.map(|s| s.variance * s.wavenumber).sum::<f64>());
         let energy = first_moment.map(|m1| 0.25 * modulus * m1);
-        let rim = acts.as_ref().and_then(|a| a.attracting_area(gradient, curvature).ok());
         let solved = contacts.iter().filter(|[p, area]| *p > 0.0 && *area > 0.0);
         let shares = solved.filter_map(|[p, area]| {
             // No more of the surface can attract than there is.
@@ -94,7 +92,7 @@ impl Adhesion {
             given,
             fuller_tabor,
             tabor,
-            pastewka_robbins: criterion,
+            pastewka_robbins,
             sticky: STICKY,
             full_contact_energy: energy,
             effective_work: energy.map(|u| given.work - u),
@@ -104,7 +102,7 @@ impl Adhesion {
             shortest,
             negligible: is_none
                 || (fuller_tabor.is_some_and(|theta| theta > NO_PULL_OFF)
-                    && criterion.is_some_and(|c| c > STICKY)
+                    && pastewka_robbins.is_some_and(|c| c > STICKY)
                     && attraction.is_some_and(|share| share < NEGLIGIBLE_ATTRACTION)),
         }
     }
@@ -113,7 +111,9 @@ impl Adhesion {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use contact_types::{ContactModulus, RoughnessSpectrum, Shell, SpectralMoments};
+    use contact_types::{
+        AsperityStatistics, ContactModulus, RoughnessSpectrum, Shell, SpectralMoments,
+    };
     use std::f64::consts::{PI, TAU};
 
     /// Gradient 0.1.

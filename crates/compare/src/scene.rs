@@ -58,7 +58,8 @@ impl Scene {
     /// What is said before any number: units, yield, slopes.
     pub(crate) fn findings(&self) -> Vec<Finding> {
         let found = [self.unit(), self.rounding(), self.beyond_yield(), self.steep()];
-        let warned = self.tilted.map(Finding::warned).into_iter().chain(self.rows_jump());
+        let rows = self.rows.as_ref().and_then(RowOffsets::warning);
+        let warned = self.tilted.into_iter().chain(rows).map(Finding::warned);
         found.into_iter().flatten().chain(warned).collect()
     }
 
@@ -77,11 +78,6 @@ impl Scene {
     fn rounding(&self) -> Option<Finding> {
         let rms_height = self.rms_height.filter(|rms| *rms > 0.0 && *rms < 4.0 * self.spacing)?;
         Some(Finding::warned(Warning::Rounding { rms_height, spacing: self.spacing }))
-    }
-
-    fn rows_jump(&self) -> Option<Finding> {
-        let rows = self.rows.as_ref().filter(|rows| rows.rows_jump())?;
-        Some(Finding::warned(Warning::RowsJump { jump: rows.jump, share: rows.share }))
     }
 
     fn steep(&self) -> Option<Finding> {

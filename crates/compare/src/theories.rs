@@ -16,8 +16,8 @@ use contact_types::{
 };
 use gw_closed_form::GreenwoodWilliamson;
 use multiscale_models::{
-    Archard, Equation, JacksonStreator, MajumdarBhushan, Persson, PerssonWithYield, Stacked,
-    YanKomvopoulos,
+    Archard, Equation, JacksonStreator, MajumdarBhushan, Persson, PerssonWithYield, PlasticSpots,
+    Stacked, YanKomvopoulos,
 };
 use std::sync::Arc;
 
@@ -117,11 +117,11 @@ const ROWS: &[ModelDescriptor] = &[
         domain: "depends on the record length and on the direction of the rows",
         assumes: Assumes::Amplitudes,
         build: Build::Pressure(|inputs| {
-            if let Some(ratio) = inputs.max_amplitude_ratio {
-                return Ok(Box::new(Stacked::new(ratio, inputs.modulus)?));
-            }
-            let amplitudes = amplitudes(inputs, "Stacked multiscale")?;
-            Ok(Box::new(Stacked::from_amplitudes(amplitudes, inputs.modulus)?))
+            let ratio = match inputs.max_amplitude_ratio {
+                Some(ratio) => ratio,
+                None => amplitudes(inputs, "Stacked multiscale")?.max_amplitude_ratio(),
+            };
+            Ok(Box::new(Stacked::new(ratio, inputs.modulus)?))
         }),
     },
     ModelDescriptor {
@@ -134,7 +134,7 @@ const ROWS: &[ModelDescriptor] = &[
         assumes: Assumes::Amplitudes,
         build: Build::Pressure(|inputs| {
             let amplitudes = amplitudes(inputs, "Jackson-Streator multiscale")?;
-            Ok(Box::new(JacksonStreator::new(amplitudes.clone(), inputs.modulus)?))
+            Ok(Box::new(JacksonStreator::new(amplitudes.clone(), inputs.modulus)))
         }),
     },
     ModelDescriptor {
@@ -164,12 +164,7 @@ const ROWS: &[ModelDescriptor] = &[
         assumes: Assumes::Fractal,
         build: Build::Pressure(|inputs| {
             let (fractal, area) = fractal(inputs, "Majumdar-Bhushan")?;
-            let model = MajumdarBhushan::new(fractal, area, inputs.modulus)?;
-            Ok(Box::new(match (inputs.critical_area, inputs.hardness) {
-                (Some(critical), _) => model.with_critical_area(critical)?,
-                (None, Some(hardness)) => model.with_hardness(hardness)?,
-                (None, None) => model,
-            }))
+            Ok(Box::new(MajumdarBhushan::new(fractal, area, inputs.modulus, plastic(inputs))?))
         }),
     },
     ModelDescriptor {
@@ -186,12 +181,8 @@ const ROWS: &[ModelDescriptor] = &[
         build: Build::Pressure(|inputs| {
             let (fractal, area) = fractal(inputs, "Yan-Komvopoulos")?;
             let FractalParameters { dimension, roughness } = fractal;
-            let model = YanKomvopoulos::new(dimension, roughness, area, inputs.modulus)?;
-            Ok(Box::new(match (inputs.critical_area, inputs.hardness) {
-                (Some(critical), _) => model.with_critical_area(critical)?,
-                (None, Some(hardness)) => model.with_hardness(hardness)?,
-                (None, None) => model,
-            }))
+            let (modulus, plastic) = (inputs.modulus, plastic(inputs));
+            Ok(Box::new(YanKomvopoulos::new(dimension, roughness, area, modulus, plastic)?))
         }),
     },
     ModelDescriptor {
@@ -277,6 +268,15 @@ const ROWS: &[ModelDescriptor] = &[
     },
 ];
 
+/// Spots that are plastic by a critical area, or else by a hardness.
+fn plastic(inputs: &Inputs) -> PlasticSpots {
+    match (inputs.critical_area, inputs.hardness) {
+        (Some(critical), _) => PlasticSpots::Below(critical),
+        (None, Some(hardness)) => PlasticSpots::OfHardness(hardness),
+        (None, None) => PlasticSpots::None,
+    }
+}
+
 /// Mean absolute slope and rms height of both surfaces together.
 fn joint(inputs: &Inputs, model: &'static str) -> Result<(f64, f64), BuildError> {
     let what = "rms height and mean absolute slope, or the moments m0 and m2";
@@ -286,7 +286,7 @@ fn joint(inputs: &Inputs, model: &'static str) -> Result<(f64, f64), BuildError>
 fn persson(inputs: &Inputs) -> Result<Box<dyn ContactModel>, BuildError> {
     let with_gamma = |model: Persson| model.with_gamma(inputs.gamma());
     if let Some(spectrum) = inputs.self_affine {
-        let model = Persson::from_self_affine(spectrum, inputs.modulus)?;
+        let model = Persson::from_self_affine(spectrum, inputs.modulus);
         return Ok(Box::new(with_gamma(model)?));
     }
     let of_m2 = |m2| {

@@ -79,12 +79,6 @@ impl Grid {
         let [qy, qx] = self.wave_vector(iy, ix);
         qy.hypot(qx)
     }
-
-    /// The grid with its two axes exchanged.
-    #[must_use]
-    pub fn transposed(&self) -> Self {
-        Self { shape: [self.shape[1], self.shape[0]], pixel: [self.pixel[1], self.pixel[0]] }
-    }
 }
 
 #[cfg(test)]

@@ -19,7 +19,6 @@ mod height_map;
 mod material;
 mod moments;
 mod named;
-mod psd;
 #[cfg(feature = "serde")]
 mod reading;
 pub mod require;
@@ -34,7 +33,6 @@ pub use height_map::HeightMap;
 pub use material::{ContactModulus, Elastic};
 pub use moments::{AsperityStatistics, FractalParameters, SpectralMoments};
 pub use named::Named;
-pub use psd::PsdConvention;
 pub use spectrum::{AmplitudeSpectrum, RoughnessSpectrum, Shell, Wave};
 
 #[cfg(test)]

@@ -82,13 +82,15 @@ impl AsperityStatistics {
         }
         let bandwidth = moments.bandwidth().min(f64::MAX);
         if bandwidth <= LEAST_BANDWIDTH {
-            return Err(ModelError::OutsideDomain {
-                model: SUMMITS.into(),
-                quantity: "bandwidth m0 m4 / m2^2".into(),
-                value: bandwidth,
-                domain: LEAST_BANDWIDTH..=f64::MAX,
-                reason: "the variance of summit heights would not be positive".into(),
-            });
+            let domain = LEAST_BANDWIDTH..=f64::MAX;
+            let reason = "the variance of summit heights would not be positive";
+            return Err(require::outside(
+                SUMMITS,
+                "bandwidth m0 m4 / m2^2",
+                bandwidth,
+                domain,
+                reason,
+            ));
         }
         let summits = Self {
             density: m4 / m2 / (6.0 * PI * 3f64.sqrt()),

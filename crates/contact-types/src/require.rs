@@ -10,6 +10,8 @@
 //! ```
 
 use crate::ModelError;
+use std::borrow::Cow;
+use std::ops::RangeInclusive;
 
 /// The nominal pressure (Pa) of `at_pressure`: finite and not negative.
 ///
@@ -47,21 +49,6 @@ pub fn positive(
         return Ok(value);
     }
     Err(refused(model, quantity, value, "must be finite and greater than 0"))
-}
-
-/// An area fraction between 0 and 1, both included.
-///
-/// # Errors
-/// [`ModelError::InvalidInput`].
-pub fn fraction(
-    model: &'static str,
-    quantity: &'static str,
-    value: f64,
-) -> Result<f64, ModelError> {
-    if (0.0..=1.0).contains(&value) {
-        return Ok(value);
-    }
-    Err(refused(model, quantity, value, "must lie between 0 and 1"))
 }
 
 /// A result that must be a finite double.
@@ -127,11 +114,17 @@ fn beyond_doubles(
     value: f64,
     reason: &'static str,
 ) -> ModelError {
-    ModelError::OutsideDomain {
-        model: model.into(),
-        quantity: quantity.into(),
-        value,
-        domain: f64::MIN..=f64::MAX,
-        reason: reason.into(),
-    }
+    outside(model, quantity, value, f64::MIN..=f64::MAX, reason)
+}
+
+/// The error of a number at which the theory has no meaning.
+pub fn outside(
+    model: &'static str,
+    quantity: &'static str,
+    value: f64,
+    domain: RangeInclusive<f64>,
+    reason: impl Into<Cow<'static, str>>,
+) -> ModelError {
+    let (model, quantity, reason) = (model.into(), quantity.into(), reason.into());
+    ModelError::OutsideDomain { model, quantity, value, domain, reason }
 }

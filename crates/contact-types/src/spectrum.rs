@@ -13,7 +13,8 @@ pub struct Shell {
 }
 
 /// Height variance by wavenumber: the discrete two-dimensional PSD, summed over shells of equal
-/// |q|. Sorted by rising wavenumber, without the mean.
+/// |q|. Sorted by rising wavenumber, without the mean. Of a PSD `C(q)` \[m⁴\] with `m0 = ∫ C d²q` a shell has `2π ∫ C q dq`;
+/// one against cycles per metre is (2π)² as large.
 #[derive(Debug, Clone, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize))]
 pub struct RoughnessSpectrum {

@@ -2,13 +2,13 @@
 
 use crate::complete::Subject;
 use crate::failure::Failure;
-use crate::iso::{IsoParameter, iso};
 use crate::scene;
 use contact_compare::{Finding, Level, ProfileSurface, Settings, Spikes, WorkOfAdhesion};
 use contact_types::ContactModulus;
 use serde::Deserialize;
 use serde_json::{Value, json};
 use std::path::Path;
+use surface_stats::iso25178::{self, IsoParameter};
 use surface_stats::profile::ProfileStatistics;
 use surface_stats::{
     ByDistance, Edges, StatsError, StatsOptions, SurfaceStatistics, by_distance, level,
@@ -70,7 +70,7 @@ pub fn statistics(subject: &Subject<'_>, asked: &StatisticsRequest) -> Result<St
     let levelled = is_used.then(|| level(map, s.level)).transpose().map_err(refused)?;
     let mut iso = None;
     if let Some(map) = levelled.as_ref().filter(|_| asked.iso) {
-        let found = self::iso(map, options.edges).map_err(refused)?;
+        let found = iso25178::parameters(map, options.edges).map_err(refused)?;
         json["iso25178"] = found.iter().map(|p| (p.symbol.to_owned(), json!(p.value))).collect();
         iso = Some(found);
     }

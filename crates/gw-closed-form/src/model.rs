@@ -124,22 +124,6 @@ impl GreenwoodWilliamson {
         Ok((scale + ln_load(a, height_std)).max(-f64::MAX))
     }
 
-    /// The contact whose real area fraction is `area_fraction`: pressure and separation, right to
-    /// rounding like the area at a pressure. At 0 nothing touches and there is no finite separation.
-    ///
-    /// # Errors
-    /// [`ModelError::InvalidInput`] unless it is finite and not negative,
-    /// [`ModelError::OutsideDomain`] if pressure or separation exceed the largest double.
-    pub fn at_area(&self, area_fraction: f64) -> Result<ContactState, ModelError> {
-        require::not_negative(MODEL, "area fraction", area_fraction)?;
-        if area_fraction <= 0.0 {
-            return Ok(ContactState::nothing_touches());
-        }
-        let [pressure, separation] =
-            self.inverted([Order::One, Order::ThreeHalves], "area fraction", area_fraction)?;
-        Ok(self.state(pressure, area_fraction, separation))
-    }
-
     /// a = d - y_s [m].
     fn height_above_summit_mean(&self, separation: f64) -> Result<f64, ModelError> {
         Ok(require::finite(MODEL, "separation", separation)? - self.asperities.mean_offset)
@@ -160,24 +144,6 @@ impl GreenwoodWilliamson {
     fn scaled(&self, order: Order, [i, j, k]: [f64; 3]) -> f64 {
         let [a, b, c, d] = self.scale(order);
         product(&[a, b, c, d, i, j, k])
-    }
-
-    /// The wanted one of pressure and area, and the separation (m), where the known one is `value`.
-    fn inverted(
-        &self,
-        [known, wanted]: [Order; 2],
-        quantity: &'static str,
-        value: f64,
-    ) -> Result<[f64; 2], ModelError> {
-        let AsperityStatistics { height_std: s, mean_offset, .. } = self.asperities;
-        let ([a, b, c, d], [i, j]) = (self.scale(known), powers(known, s));
-        let integral = Quotient::of(value, &[a, b, c, d, i, j]);
-        let alpha = alpha_of(known, integral)?;
-        let separation = require::answer(MODEL, mean_offset + alpha * s, quantity, value)?;
-        let [i, j] = powers(wanted, s);
-        let k = moved_along([known, wanted], alpha, integral.value);
-        let found = require::answer(MODEL, self.scaled(wanted, [i, j, k]), quantity, value)?;
-        Ok([found, separation])
     }
 
     fn state(&self, mean_pressure: f64, area_fraction: f64, separation: f64) -> ContactState {
@@ -215,8 +181,15 @@ impl ContactModel for GreenwoodWilliamson {
         if mean_pressure <= 0.0 {
             return Ok(ContactState::nothing_touches());
         }
-        let [area, separation] =
-            self.inverted([Order::ThreeHalves, Order::One], "mean pressure", mean_pressure)?;
+        let AsperityStatistics { height_std: s, mean_offset, .. } = self.asperities;
+        let answer = |result| require::answer(MODEL, result, "mean pressure", mean_pressure);
+        let ([a, b, c, d], [i, j]) =
+            (self.scale(Order::ThreeHalves), powers(Order::ThreeHalves, s));
+        let load = Quotient::of(mean_pressure, &[a, b, c, d, i, j]);
+        let alpha = alpha_of(load)?;
+        let separation = answer(mean_offset + alpha * s)?;
+        let [i, j] = powers(Order::One, s);
+        let area = answer(self.scaled(Order::One, [i, j, area_at(alpha, load.value)]))?;
         Ok(self.state(mean_pressure, area, separation))
     }
 }
@@ -232,28 +205,27 @@ impl SeparationModel for GreenwoodWilliamson {
     }
 }
 
-/// J of order `wanted` at the α where J of order `known` is `target`.
+/// J_1 at the α where J_3/2 is `load`.
 ///
-/// α is a rounded number, and both change by α² times its rounding. What the known one still lacks
-/// at this α can be computed, so the wanted one is moved along with it.
-fn moved_along([known, wanted]: [Order; 2], alpha: f64, target: f64) -> f64 {
-    let j = partial_moments::value(known, alpha);
-    let representable = target.is_normal() && j.is_normal();
-    let missing = if representable { target / j - 1.0 } else { 0.0 };
-    let elasticity = partial_moments::ln_derivative(wanted, alpha)
-        / partial_moments::ln_derivative(known, alpha);
-    partial_moments::value(wanted, alpha) * (1.0 + missing * elasticity)
+/// α is a rounded number, and both change by α² times its rounding. What the load still lacks
+/// at this α can be computed, so the area is moved along with it.
+fn area_at(alpha: f64, load: f64) -> f64 {
+    let j = partial_moments::value(Order::ThreeHalves, alpha);
+    let representable = load.is_normal() && j.is_normal();
+    let missing = if representable { load / j - 1.0 } else { 0.0 };
+    let elasticity = partial_moments::ln_derivative(Order::One, alpha)
+        / partial_moments::ln_derivative(Order::ThreeHalves, alpha);
+    partial_moments::value(Order::One, alpha) * (1.0 + missing * elasticity)
 }
 
-/// α where J_n(α) is the quotient, also where no double can hold that.
-fn alpha_of(order: Order, quotient: Quotient) -> Result<f64, ModelError> {
-    let found = if quotient.value.is_normal() {
-        inverse::from_value(order, quotient.value)
+/// α where J_3/2(α) is the quotient, also where no double can hold that.
+fn alpha_of(load: Quotient) -> Result<f64, ModelError> {
+    let found = if load.value.is_normal() {
+        inverse::from_value(Order::ThreeHalves, load.value)
     } else {
-        inverse::from_ln(order, quotient.logarithm)
+        inverse::from_ln(Order::ThreeHalves, load.logarithm)
     };
     found.ok_or_else(|| {
-        let quantity = "ln of the dimensionless load or area";
-        require::refused(MODEL, quantity, quotient.logarithm, "must be below 708")
+        require::refused(MODEL, "ln of the dimensionless load", load.logarithm, "must be below 708")
     })
 }

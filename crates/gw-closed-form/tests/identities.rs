@@ -1,9 +1,7 @@
-//! The partial moments against their definition, their order, and what their slopes mean.
+//! The partial moments against their definition, and their order.
 
 mod common;
 use common::{Worst, relative_error};
-use contact_types::{AsperityStatistics, ContactModulus, SeparationModel, SpectralMoments};
-use gw_closed_form::GreenwoodWilliamson;
 use gw_closed_form::partial_moments::{Order, scaled, value};
 use std::f64::consts::{PI, TAU};
 
@@ -61,22 +59,5 @@ fn falls_to_the_last_bit() {
             let (near, far) = (value(order, alpha), value(order, alpha.next_up()));
             assert!(far <= near, "{order:?} at {alpha:e}: {near:e} then {far:e}");
         }
-    }
-}
-
-/// Stiffness and contact number are minus the derivatives of pressure and area.
-#[test]
-fn stiffness_is_the_slope_of_pressure() {
-    let moments = SpectralMoments { m0: 1e-13, m2: 4e-3, m4: 4e8 };
-    let modulus = ContactModulus::from_pascals(80e9).unwrap();
-    let model = GreenwoodWilliamson::from_moments(moments, modulus).unwrap();
-    let per_area = PI * AsperityStatistics::from_moments(moments).unwrap().radius;
-    for h in [-1.0, 0.5, 2.0, 4.0] {
-        let (d, e) = (h * moments.rms_height(), 1e-4 * moments.rms_height());
-        let [below, above] = [d - e, d + e].map(|d| model.at_separation(d).unwrap());
-        let slope = (below.mean_pressure - above.mean_pressure) / (2.0 * e);
-        assert!(relative_error(model.stiffness(d).unwrap(), slope) < 1e-6);
-        let slope = (below.area_fraction - above.area_fraction) / (2.0 * e);
-        assert!(relative_error(per_area * model.contact_density(d).unwrap(), slope) < 1e-6);
     }
 }

@@ -1,7 +1,6 @@
-//! What the answers of all models share: citations, refusals and caveats.
+//! What the answers of all models share: citations and caveats.
 
-use contact_types::{Caveat, Citation, ModelError};
-use std::ops::RangeInclusive;
+use contact_types::{Caveat, Citation};
 
 /// The paper of a model; an empty `doi` if it has none.
 pub(crate) fn citation(
@@ -17,23 +16,6 @@ pub(crate) fn citation(
         title: title.into(),
         journal: journal.into(),
         doi: doi.into(),
-    }
-}
-
-/// The refusal of a number at which the theory has no meaning.
-pub(crate) fn outside(
-    model: &'static str,
-    quantity: &'static str,
-    value: f64,
-    domain: RangeInclusive<f64>,
-    reason: &'static str,
-) -> ModelError {
-    ModelError::OutsideDomain {
-        model: model.into(),
-        quantity: quantity.into(),
-        value,
-        domain,
-        reason: reason.into(),
     }
 }
 

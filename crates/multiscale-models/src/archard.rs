@@ -37,8 +37,9 @@ pub struct SphereLevel {
 /// let level = |radius, density| SphereLevel { radius, density };
 /// let levels = [level(1e-3, 1e5), level(1e-6, 1e11)];
 /// let model = Archard::new(&levels, ContactModulus::from_pascals(110e9)?)?;
-/// assert!((model.exponent() - 8.0 / 9.0).abs() < 1e-15);
-/// assert!(model.at_pressure(1e6)?.area_fraction > 0.0);
+/// let [light, heavy] = [1e6, 8e6].map(|pressure| model.at_pressure(pressure));
+/// let exponent = (heavy?.area_fraction / light?.area_fraction).log(8.0);
+/// assert!((exponent - 8.0 / 9.0).abs() < 1e-14);
 /// # Ok::<(), Box<dyn std::error::Error>>(())
 /// ```
 ///
@@ -63,44 +64,26 @@ impl Archard {
     ///
     /// # Errors
     /// [`ModelError::InvalidInput`] without levels, or for a radius or density that is not
-    /// finite and positive; [`ModelError::OutsideDomain`] if `k` is beyond the range of a double.
+    /// finite and positive, or a `k` beyond the range of a double.
     pub fn new(levels: &[SphereLevel], modulus: ContactModulus) -> Result<Self, ModelError> {
-        let mut constants = Vec::with_capacity(levels.len());
-        let mut densities = Vec::with_capacity(levels.len());
+        if levels.is_empty() {
+            return Err(require::refused(
+                MODEL,
+                "number of levels",
+                0.0,
+                "needs at least one level",
+            ));
+        }
+        let mut model = Self { constants: Vec::new(), densities: Vec::new() };
         for level in levels {
             let radius = require::positive(MODEL, "sphere radius", level.radius)?;
             // k = pi (3R/(4E*))^(2/3)
             let root = (Wide::from(radius) * 0.75 / modulus.pascals()).cbrt();
-            constants.push((root * root * PI).value());
-            densities.push(level.density);
+            let constant = (root * root * PI).value();
+            model.constants.push(require::positive(MODEL, "contact constant k", constant)?);
+            model.densities.push(require::positive(MODEL, "sphere density", level.density)?);
         }
-        Self::from_constants(constants, densities)
-    }
-
-    /// From the constants `k` of `A = k W^(2/3)` \[m² N^(-2/3)\] and the densities \[m⁻²\] of each
-    /// level, coarse to fine.
-    ///
-    /// # Errors
-    /// [`ModelError::InvalidInput`] without levels, with lists of different length, or for a
-    /// value that is not finite and positive.
-    pub fn from_constants(constants: Vec<f64>, densities: Vec<f64>) -> Result<Self, ModelError> {
-        if constants.is_empty() || constants.len() != densities.len() {
-            let levels = constants.len().min(densities.len()) as f64;
-            let requirement = "needs at least one level, each with a constant and a density";
-            return Err(require::refused(MODEL, "number of levels", levels, requirement));
-        }
-        for &constant in &constants {
-            require::positive(MODEL, "contact constant k", constant)?;
-        }
-        for &density in &densities {
-            require::positive(MODEL, "sphere density", density)?;
-        }
-        Ok(Self { constants, densities })
-    }
-
-    /// Exponent of the area of one coarse sphere, `1 - 3^-n` for n levels.
-    pub fn exponent(&self) -> f64 {
-        1.0 - lack(self.constants.len())
+        Ok(model)
     }
 
     /// Real area of one coarse sphere under a load, `C W^e` with `W^e = W / W^(1/3^n)`.

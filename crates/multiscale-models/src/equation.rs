@@ -1,7 +1,7 @@
 //! A closed form fitted to deterministic solutions.
 
 use crate::answer::{beyond, steep};
-use crate::special::{erf, erf_inv};
+use crate::special::erf;
 use contact_types::{
     Caveat, Citation, ContactModel, ContactModulus, ContactState, ModelError, SpectralMoments,
     require,
@@ -42,8 +42,6 @@ const AREA: [f64; 2] = [0.001, 0.995];
 /// let state = law.at_pressure(50e6)?;
 /// let [low, high] = law.area_interval(state.area_fraction).expect("it knows its error");
 /// assert!(low < state.area_fraction && state.area_fraction < high);
-/// let back = law.pressure_at_area(state.area_fraction)?;
-/// assert!((back / 50e6 - 1.0).abs() < 1e-13);
 /// # Ok::<(), Box<dyn std::error::Error>>(())
 /// ```
 ///
@@ -81,28 +79,6 @@ impl Equation {
         let terms = [1.0, t.sqrt(), t * t, log, t * log];
         let w: f64 = terms.iter().zip(FITTED).map(|(f, c)| f * c).sum();
         SQRT_2 * x * w.exp()
-    }
-
-    /// The nominal pressure (Pa) at which the area fraction is `area`, below 1.
-    ///
-    /// # Errors
-    /// [`ModelError::InvalidInput`] outside 0 to 1; [`ModelError::OutsideDomain`] at 1.
-    pub fn pressure_at_area(&self, area: f64) -> Result<f64, ModelError> {
-        let y = erf_inv(require::fraction(MODEL, "area fraction", area)?);
-        let y = require::representable(MODEL, "pressure of full contact", y)?;
-        if y <= 0.0 {
-            return Ok(0.0);
-        }
-        // Between e^-3 and e^3 times Persson's; the argument rises strictly.
-        let [mut low, mut high] = [-3.0f64, 3.0].map(|s| y / SQRT_2 * s.exp());
-        for _ in 0..200 {
-            let middle = 0.5 * (low + high);
-            if middle <= low || middle >= high {
-                break;
-            }
-            if self.argument(middle) < y { low = middle } else { high = middle }
-        }
-        Ok(0.5 * (low + high) * self.unit)
     }
 
     /// What must be known of an area under a load.

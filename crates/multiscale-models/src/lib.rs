@@ -29,8 +29,7 @@ mod yan_komvopoulos;
 
 pub use contact_types::{
     AmplitudeSpectrum, Caveat, Citation, ContactModel, ContactModulus, ContactState, Elastic,
-    FractalParameters, ModelError, PsdConvention, RoughnessSpectrum, Shell, SpectralMoments,
-    SurfaceError, Wave,
+    FractalParameters, ModelError, RoughnessSpectrum, Shell, SpectralMoments, SurfaceError, Wave,
 };
 
 pub use archard::{Archard, SphereLevel};
@@ -38,7 +37,7 @@ pub use equation::Equation;
 pub use jackson_streator::JacksonStreator;
 pub use majumdar_bhushan::MajumdarBhushan;
 pub use persson::{AreaLaw, Persson, PerssonWithYield, SelfAffineSpectrum, YieldShares};
-pub use sinusoid::SinusoidLaw;
+pub use spots::PlasticSpots;
 pub use stacked::Stacked;
 pub use yan_komvopoulos::YanKomvopoulos;
 

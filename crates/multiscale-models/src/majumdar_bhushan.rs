@@ -1,7 +1,7 @@
 //! Majumdar and Bhushan's fractal model, elastic part.
 
-use crate::answer::{citation, outside};
-use crate::spots::FractalContact;
+use crate::answer::citation;
+use crate::spots::{FractalContact, PlasticSpots};
 use crate::wide::Wide;
 use contact_types::{
     Citation, ContactModel, ContactModulus, ContactState, FractalParameters, ModelError, require,
@@ -31,41 +31,44 @@ const MODEL: &str = "Majumdar-Bhushan";
 ///
 /// ```
 /// use contact_types::{ContactModel, ContactModulus, FractalParameters};
-/// use multiscale_models::MajumdarBhushan;
+/// use multiscale_models::{MajumdarBhushan, PlasticSpots};
 /// let modulus = ContactModulus::from_pascals(110e9)?;
 /// // D = 1.62 has an answer only with a critical area:
 /// let rough = FractalParameters { dimension: 1.62, roughness: 1e-11 };
-/// let model = MajumdarBhushan::new(rough, 1e-6, modulus)?;
-/// assert!(model.at_pressure(10e6).is_err());
-/// assert!(model.with_critical_area(1e-16)?.at_pressure(10e6).is_ok());
+/// let model = |plastic| MajumdarBhushan::new(rough, 1e-6, modulus, plastic);
+/// assert!(model(PlasticSpots::None)?.at_pressure(10e6).is_err());
+/// assert!(model(PlasticSpots::Below(1e-16))?.at_pressure(10e6).is_ok());
 /// # Ok::<(), Box<dyn std::error::Error>>(())
 /// ```
 ///
 /// # Source
 /// Majumdar & Bhushan (1991), doi:10.1115/1.2920588.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub struct MajumdarBhushan {
-    roughness: f64,
-    modulus: ContactModulus,
-    contact: FractalContact,
-}
+pub struct MajumdarBhushan(FractalContact);
 
 impl MajumdarBhushan {
-    /// A fractal surface of profile dimension `1 < D < 2` and roughness `G` (m) on a nominal
-    /// area (m²), without critical area.
+    /// A fractal surface of profile dimension `1 < D < 2` and roughness `G` (m) on a nominal area (m²). By the hardness `H`
+    /// (Pa) a spot yields where its deformation `G^(D-1) a^(1-D/2)` exceeds `(pi H / 2E*)^2 R`, with the radius
+    /// `R = a^(D/2)/(pi^2 G^(D-1))` of its asperity:
+    ///
+    /// ```math
+    /// a_c = G^2 \left(\frac{2E^*}{H}\right)^{2/(D-1)}, \qquad
+    /// F_p = H \frac{D}{2-D} a_l^{D/2} a_c^{(2-D)/2}
+    /// ```
     ///
     /// # Errors
-    /// [`ModelError::OutsideDomain`] unless `1 < D < 2`; [`ModelError::InvalidInput`] for a
-    /// roughness or area that is not finite and positive.
+    /// [`ModelError::OutsideDomain`] unless `1 < D < 2`, and if `a_c` is beyond the range of a double;
+    /// [`ModelError::InvalidInput`] for another number that is not finite and positive.
     pub fn new(
         surface: FractalParameters,
         nominal_area: f64,
         modulus: ContactModulus,
+        plastic: PlasticSpots,
     ) -> Result<Self, ModelError> {
         let FractalParameters { dimension: d, roughness } = surface;
         if !(d > 1.0 && d < 2.0) {
             let reason = "the dimension of a fractal profile lies strictly between 1 and 2";
-            return Err(outside(MODEL, "D", d, 1.0..=2.0, reason));
+            return Err(require::outside(MODEL, "D", d, 1.0..=2.0, reason));
         }
         require::positive(MODEL, "fractal roughness", roughness)?;
         require::positive(MODEL, "nominal area", nominal_area)?;
@@ -82,57 +85,12 @@ impl MajumdarBhushan {
             nominal_area,
             critical: None,
         };
-        Ok(Self { roughness, modulus, contact })
-    }
-
-    /// Counts as elastic only the spots larger than `critical_area` (m²). Load is the elastic
-    /// load; area is that of all spots.
-    ///
-    /// # Errors
-    /// [`ModelError::InvalidInput`] unless it is finite and positive.
-    pub fn with_critical_area(self, critical_area: f64) -> Result<Self, ModelError> {
-        Ok(Self { contact: self.contact.with_critical_area(critical_area)?, ..self })
-    }
-
-    /// Takes the critical area from the hardness `H` (Pa) of the softer body, and adds to the load
-    /// what the smaller, plastic spots carry at that pressure:
-    ///
-    /// ```math
-    /// a_c = G^2 \left(\frac{2E^*}{H}\right)^{2/(D-1)}, \qquad
-    /// F_p = H \frac{D}{2-D} a_l^{D/2} a_c^{(2-D)/2}
-    /// ```
-    ///
-    /// A spot yields where its deformation `G^(D-1) a^(1-D/2)` exceeds `(pi H / 2E*)^2 R`, with the radius
-    /// `R = a^(D/2)/(pi^2 G^(D-1))` of its asperity.
-    ///
-    /// # Errors
-    /// [`ModelError::InvalidInput`] for a hardness that is not finite and positive;
-    /// [`ModelError::OutsideDomain`] if `a_c` is beyond the range of a double.
-    pub fn with_hardness(self, hardness: f64) -> Result<Self, ModelError> {
-        require::positive(MODEL, "hardness", hardness)?;
-        let softness = Wide::from(2.0) * self.modulus.pascals() / hardness; // 2 E*/H
-        let area = (softness.powf(1.0 / (self.contact.dimension - 1.0)) * self.roughness).powf(2.0);
+        let critical_area = |hardness: f64| {
+            let softness = Wide::from(2.0) * modulus.pascals() / hardness; // 2 E*/H
+            (softness.powf(1.0 / (d - 1.0)) * roughness).powf(2.0)
+        };
         let reason = "G^2 (2 E*/H)^(2/(D-1)) is beyond the range of a double: D is too close to 1";
-        Ok(Self { contact: self.contact.with_hardness(hardness, area, reason)?, ..self })
-    }
-
-    /// Area below which a spot is plastic \[m²\]; 0 if none was set.
-    pub fn critical_area(&self) -> f64 {
-        self.contact.critical.map_or(0.0, |critical| critical.area.value())
-    }
-
-    /// The nominal pressure \[Pa\] at which the area fraction is `area_fraction`.
-    ///
-    /// # Errors
-    /// [`ModelError::InvalidInput`] unless the area fraction is finite and not negative;
-    /// [`ModelError::OutsideDomain`] without a critical area for D >= 1.5, and where the
-    /// pressure exceeds the largest double.
-    pub fn pressure_at_area(&self, area_fraction: f64) -> Result<f64, ModelError> {
-        require::not_negative(MODEL, "area fraction", area_fraction)?;
-        // a_l = (2 - D)/D A_r
-        let d = self.contact.dimension;
-        let area = Wide::from(area_fraction) * self.contact.nominal_area;
-        self.contact.pressure(area * ((2.0 - d) / d))
+        contact.with(plastic, critical_area, reason).map(Self)
     }
 }
 
@@ -144,7 +102,7 @@ impl ContactModel for MajumdarBhushan {
     }
 
     fn at_pressure(&self, mean_pressure: f64) -> Result<ContactState, ModelError> {
-        let share = self.contact.area_share();
-        self.contact.at_pressure(mean_pressure, |largest| largest * share)
+        let share = self.0.area_share();
+        self.0.at_pressure(mean_pressure, |largest| largest * share)
     }
 }

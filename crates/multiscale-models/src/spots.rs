@@ -9,9 +9,20 @@
 //! \qquad \varepsilon = t - s
 //! ```
 
-use crate::answer::{beyond, outside, underflow};
+use crate::answer::{beyond, underflow};
 use crate::wide::Wide;
 use contact_types::{ContactState, ModelError, require};
+
+/// Which spots of a fractal surface are plastic.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub enum PlasticSpots {
+    /// None: every spot is elastic.
+    None,
+    /// Those below a critical area (m²). They count in the area and carry nothing.
+    Below(f64),
+    /// Those that yield at a hardness (Pa) of the softer body, which they carry.
+    OfHardness(f64),
+}
 
 /// The spots of a fractal surface on a nominal area.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -42,36 +53,36 @@ pub(crate) struct Critical {
 }
 
 impl FractalContact {
-    /// With plastic spots below an area, which carry nothing.
-    pub(crate) fn with_critical_area(self, critical_area: f64) -> Result<Self, ModelError> {
-        let area = Wide::from(require::positive(self.model, "critical area", critical_area)?);
-        Ok(Self { critical: Some(Critical { area, hardness: Wide::from(0.0) }), ..self })
-    }
-
-    /// With plastic spots below an area, which carry the hardness; `reason` says when no double holds that area.
-    pub(crate) fn with_hardness(
+    /// The same with these plastic spots. A hardness has a critical area; `reason` says when no double holds it.
+    pub(crate) fn with(
         self,
-        hardness: f64,
-        critical_area: Wide,
+        plastic: PlasticSpots,
+        critical_area: impl Fn(f64) -> Wide,
         reason: &'static str,
     ) -> Result<Self, ModelError> {
-        let area = critical_area.value();
-        if !(area > 0.0 && area.is_finite()) {
-            let domain = f64::MIN_POSITIVE..=f64::MAX;
-            return Err(outside(self.model, "critical area", area.min(f64::MAX), domain, reason));
-        }
-        let critical = Critical { area: Wide::from(area), hardness: Wide::from(hardness) };
+        let critical = match plastic {
+            PlasticSpots::None => return Ok(self),
+            PlasticSpots::Below(area) => {
+                let area = Wide::from(require::positive(self.model, "critical area", area)?);
+                Critical { area, hardness: Wide::from(0.0) }
+            }
+            PlasticSpots::OfHardness(hardness) => {
+                require::positive(self.model, "hardness", hardness)?;
+                let area = critical_area(hardness).value();
+                if !(area > 0.0 && area.is_finite()) {
+                    let (area, domain) = (area.min(f64::MAX), f64::MIN_POSITIVE..=f64::MAX);
+                    return Err(require::outside(
+                        self.model,
+                        "critical area",
+                        area,
+                        domain,
+                        reason,
+                    ));
+                }
+                Critical { area: Wide::from(area), hardness: Wide::from(hardness) }
+            }
+        };
         Ok(Self { critical: Some(critical), ..self })
-    }
-
-    /// The nominal pressure \[Pa\] at which the largest spot has an area.
-    pub(crate) fn pressure(&self, largest: Wide) -> Result<f64, ModelError> {
-        self.check_convergence()?;
-        if largest.is_zero() {
-            return Ok(0.0);
-        }
-        let load = self.load_and_slope(largest).0;
-        require::representable(self.model, "mean pressure", (load / self.nominal_area).value())
     }
 
     /// The answer at a nominal pressure \[Pa\], from the real area that belongs to a largest spot.
@@ -107,17 +118,12 @@ impl FractalContact {
             return Ok(());
         }
         let divergence = self.dimension + self.epsilon; // 3/2 or 5/2, exactly
-        Err(ModelError::OutsideDomain {
-            model: self.model.into(),
-            quantity: "D".into(),
-            value: self.dimension,
-            domain: divergence - 0.5..=divergence,
-            reason: format!(
-                "the load of ever smaller elastic spots diverges for D >= {divergence}; give a critical \
-                 area, below which spots are plastic"
-            )
-            .into(),
-        })
+        let domain = divergence - 0.5..=divergence;
+        let reason = format!(
+            "the load of ever smaller elastic spots diverges for D >= {divergence}; give a critical \
+             area, below which spots are plastic"
+        );
+        Err(require::outside(self.model, "D", self.dimension, domain, reason))
     }
 
     /// Area of all spots over that of the largest, `s/(1 - s)`.

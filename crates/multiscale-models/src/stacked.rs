@@ -2,9 +2,7 @@
 
 use crate::answer::{citation, saturated, underflow};
 use crate::wide::Wide;
-use contact_types::{
-    AmplitudeSpectrum, Citation, ContactModel, ContactModulus, ContactState, ModelError, require,
-};
+use contact_types::{Citation, ContactModel, ContactModulus, ContactState, ModelError, require};
 use std::f64::consts::PI;
 
 const MODEL: &str = "stacked multiscale";
@@ -44,7 +42,8 @@ pub struct Stacked {
 }
 
 impl Stacked {
-    /// From `B_max`, the largest amplitude over wavelength \[-\].
+    /// From `B_max`, the largest amplitude over wavelength \[-\], as
+    /// [`AmplitudeSpectrum::max_amplitude_ratio`](contact_types::AmplitudeSpectrum::max_amplitude_ratio).
     ///
     /// # Errors
     /// [`ModelError::InvalidInput`] if it is negative or not finite. 0, a flat surface, is
@@ -52,17 +51,6 @@ impl Stacked {
     pub fn new(max_amplitude_ratio: f64, modulus: ContactModulus) -> Result<Self, ModelError> {
         require::not_negative(MODEL, "largest amplitude over wavelength", max_amplitude_ratio)?;
         Ok(Self { max_amplitude_ratio, modulus })
-    }
-
-    /// From the amplitudes of a surface, of which only the largest `Δ f` counts.
-    ///
-    /// # Errors
-    /// [`ModelError::InvalidInput`] if that product exceeds the largest double.
-    pub fn from_amplitudes(
-        amplitudes: &AmplitudeSpectrum,
-        modulus: ContactModulus,
-    ) -> Result<Self, ModelError> {
-        Self::new(amplitudes.max_amplitude_ratio(), modulus)
     }
 }
 

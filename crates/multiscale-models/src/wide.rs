@@ -76,19 +76,6 @@ impl Wide {
         result
     }
 
-    /// What `self * other` lost to rounding: the exact product is the computed one times
-    /// `1 + product_error`.
-    pub(crate) fn product_error(self, other: Self) -> f64 {
-        let product = self.mantissa * other.mantissa;
-        self.mantissa.mul_add(other.mantissa, -product) / product // exact: one rounding in all
-    }
-
-    /// The same for `self / other`.
-    pub(crate) fn quotient_error(self, other: Self) -> f64 {
-        let quotient = self.mantissa / other.mantissa;
-        (-quotient).mul_add(other.mantissa, self.mantissa) / self.mantissa
-    }
-
     fn new(value: f64, exponent: i64) -> Self {
         let (mantissa, shift) = libm::frexp(value);
         Self { mantissa, exponent: (exponent + i64::from(shift)).clamp(-LIMIT, LIMIT) }
@@ -170,19 +157,6 @@ mod tests {
         assert!((huge * huge).value().is_infinite());
         assert!((tiny * tiny).value() <= 0.0 && !(tiny * tiny).is_zero());
         close((huge * huge).ln(), 2.0 * f64::MAX.ln(), 1e-15);
-    }
-
-    #[test]
-    fn rounding_errors_are_known() {
-        // (1 + e)^2 = 1 + 2e + e^2 and 1/(1 + e) = 1 - e + e^2 - ..., e = 2^-30.
-        let e = (-30.0_f64).exp2();
-        let x = Wide::from(1.0 + e);
-        close(x.product_error(x), e * e, 1e-8);
-        let exact_minus_rounded = e * e; // 1 - e is a double, the next one lies below e^2 away
-        let error = Wide::from(1.0).quotient_error(x);
-        let computed = (Wide::from(1.0) / x).value();
-        let expected = (1.0 - e) - computed + exact_minus_rounded;
-        assert!((error - expected).abs() < 1e-25, "{error:e} {expected:e}");
     }
 
     #[test]

@@ -1,7 +1,7 @@
 //! Yan and Komvopoulos' fractal surface in three dimensions.
 
-use crate::answer::{citation, outside};
-use crate::spots::FractalContact;
+use crate::answer::citation;
+use crate::spots::{FractalContact, PlasticSpots};
 use crate::wide::Wide;
 use contact_types::{Citation, ContactModel, ContactModulus, ContactState, ModelError, require};
 use std::f64::consts::PI;
@@ -33,26 +33,32 @@ const FREQUENCY_RATIO: f64 = 1.5;
 pub struct YanKomvopoulos(FractalContact);
 
 impl YanKomvopoulos {
-    /// A surface of dimension `2 < dimension < 3` and roughness `G` (m) on a nominal area (m²),
-    /// with the frequency ratio 1.5 and no critical area.
+    /// A surface of dimension `2 < dimension < 3` and roughness `G` (m) on a nominal area (m²), with the frequency ratio
+    /// 1.5. By the hardness `H` (Pa) a spot yields where `Delta F = H a'`:
+    ///
+    /// ```math
+    /// a'_c = \left[\frac{2^{11-2D}}{9\pi^{4-D}}\,G^{2D-4}\left(\frac{E^*}{H}\right)^2
+    ///   \ln\gamma\right]^{1/(D-2)}
+    /// ```
     ///
     /// # Errors
-    /// [`ModelError::OutsideDomain`] unless `2 < dimension < 3`; [`ModelError::InvalidInput`] for
-    /// a roughness or area that is not finite and positive.
+    /// [`ModelError::OutsideDomain`] unless `2 < dimension < 3`, and if `a'_c` is beyond the range of a double;
+    /// [`ModelError::InvalidInput`] for another number that is not finite and positive.
     pub fn new(
         dimension: f64,
         roughness: f64,
         nominal_area: f64,
         modulus: ContactModulus,
+        plastic: PlasticSpots,
     ) -> Result<Self, ModelError> {
         let d = dimension;
         if !(d > 2.0 && d < 3.0) {
             let reason = "the dimension of a fractal surface lies strictly between 2 and 3";
-            return Err(outside(MODEL, "D", d, 2.0..=3.0, reason));
+            return Err(require::outside(MODEL, "D", d, 2.0..=3.0, reason));
         }
         require::positive(MODEL, "fractal roughness", roughness)?;
         require::positive(MODEL, "nominal area", nominal_area)?;
-        Ok(Self(FractalContact {
+        let contact = FractalContact {
             model: MODEL,
             dimension,
             size_exponent: (d - 1.0) / 2.0,
@@ -64,47 +70,11 @@ impl YanKomvopoulos {
                 * FREQUENCY_RATIO.ln().sqrt(),
             nominal_area,
             critical: None,
-        }))
-    }
-
-    /// Counts as elastic only spots of truncated area above `critical_area` (m²). Load is the
-    /// elastic load; area is that of all spots.
-    ///
-    /// # Errors
-    /// [`ModelError::InvalidInput`] unless it is finite and positive.
-    pub fn with_critical_area(self, critical_area: f64) -> Result<Self, ModelError> {
-        self.0.with_critical_area(critical_area).map(Self)
-    }
-
-    /// Takes the critical area from the hardness `H` (Pa), where `Delta F = H a'`,
-    ///
-    /// ```math
-    /// a'_c = \left[\frac{2^{11-2D}}{9\pi^{4-D}}\,G^{2D-4}\left(\frac{E^*}{H}\right)^2
-    ///   \ln\gamma\right]^{1/(D-2)}
-    /// ```
-    ///
-    /// and adds what the smaller, plastic spots carry.
-    ///
-    /// # Errors
-    /// [`ModelError::InvalidInput`] for a hardness that is not finite and positive;
-    /// [`ModelError::OutsideDomain`] if `a'_c` is beyond the range of a double.
-    pub fn with_hardness(self, hardness: f64) -> Result<Self, ModelError> {
-        require::positive(MODEL, "hardness", hardness)?;
+        };
         // c a^((4-D)/2) = H a  =>  a = (c/H)^(2/(D-2))
-        let ratio = self.0.coefficient / hardness;
-        let area = ratio.powf(2.0 / (self.0.dimension - 2.0));
+        let critical_area = |hardness: f64| (contact.coefficient / hardness).powf(2.0 / (d - 2.0));
         let reason = "it is beyond the range of a double: D is too close to 2";
-        self.0.with_hardness(hardness, area, reason).map(Self)
-    }
-
-    /// The nominal pressure \[Pa\] at which the largest truncated spot is `largest` (m²).
-    ///
-    /// # Errors
-    /// [`ModelError::InvalidInput`] unless `largest` is finite and not negative;
-    /// [`ModelError::OutsideDomain`] without a critical area for D >= 2.5, and where the pressure
-    /// exceeds the largest double.
-    pub fn pressure_at_largest_spot(&self, largest: f64) -> Result<f64, ModelError> {
-        self.0.pressure(Wide::from(require::not_negative(MODEL, "largest spot", largest)?))
+        contact.with(plastic, critical_area, reason).map(Self)
     }
 
     /// Real area of all spots: half the truncated area of the elastic ones, all of the plastic.

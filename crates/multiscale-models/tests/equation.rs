@@ -1,4 +1,4 @@
-//! The fitted equation: limits, monotony, inverse, its definition at 60 digits.
+//! The fitted equation: limits, monotony, its definition at 60 digits.
 
 #[path = "../../gw-closed-form/tests/common/mod.rs"]
 mod common;
@@ -22,7 +22,7 @@ fn loads() -> impl Iterator<Item = f64> {
 }
 
 #[test]
-fn area_rises_strictly_and_pressure_follows_from_it() {
+fn area_rises_strictly() {
     for bandwidth in [1.5, 5.0, 30.0, 1000.0] {
         let law = Equation::from_moments(moments(bandwidth), one()).unwrap();
         let mut before = 0.0;
@@ -31,13 +31,6 @@ fn area_rises_strictly_and_pressure_follows_from_it() {
             assert!(area > before || before > 1.0 - 1e-13, "{x}: {area} after {before}");
             assert!(area <= 1.0);
             before = area;
-            if area < 0.9 {
-                // The rounding of an area moves the load by as much as the law is steep there.
-                let back = law.pressure_at_area(area).unwrap();
-                let steep =
-                    (law.pressure_at_area(1.001 * area).unwrap() / back).ln() / 1.001f64.ln();
-                assert!((back / x - 1.0).abs() < 2e-14 * steep.max(1.0), "{x}");
-            }
         }
     }
 }
@@ -55,7 +48,6 @@ fn limits_are_right() {
     assert!((area(20.0) - 1.0).abs() < 1e-15);
     assert!(matches!(law.at_pressure(-1.0), Err(ModelError::InvalidInput { .. })));
     assert!(matches!(law.at_pressure(f64::NAN), Err(ModelError::InvalidInput { .. })));
-    assert!(law.pressure_at_area(1.0).is_err());
     assert!(Equation::from_moments(moments(0.0), one()).is_err());
 }
 

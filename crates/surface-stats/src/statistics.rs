@@ -354,9 +354,8 @@ impl SurfaceStatistics {
         }
         warnings.extend(tilted);
         warnings.extend(unresolved);
-        if let Some(rows) = rows.filter(|rows| rows.rows_jump()) {
-            // Slopes across the rows are those of the jumps: no lay is known.
-            warnings.push(Warning::RowsJump { jump: rows.jump, share: rows.share });
+        if let Some(jump) = rows.and_then(RowOffsets::warning) {
+            warnings.push(jump); // slopes across the rows are those of the jumps: no lay is known
         } else if let Some(ratio) = anisotropy.filter(|&r| r > 2.0) {
             warnings.push(Warning::Anisotropic { ratio });
         }

@@ -125,7 +125,8 @@ proptest! {
         let transpose = |f: &[f64]| -> Vec<f64> {
             (0..ny * nx).map(|i| f[i % ny * nx + i / ny]).collect()
         };
-        let map = HeightMap::new(grid.transposed(), transpose(&h)).unwrap();
+        let across = Grid::new([nx, ny], [1.0, 0.6]).unwrap();
+        let map = HeightMap::new(across, transpose(&h)).unwrap();
         let transposed = solve(&map, method, Boundary::Periodic, load);
         assert_same_field(&transpose(&original.pressure), &transposed.pressure, 1e-6);
     }

@@ -3,7 +3,6 @@
 use super::scales::Scales;
 use super::span::MODEL;
 use super::theory::Persson;
-use crate::answer::outside;
 use crate::special::{erf, half_e1_of_square, squared_erf_tail};
 use crate::wide::Wide;
 use contact_types::{ModelError, require};
@@ -34,7 +33,7 @@ impl Persson {
     /// # Source
     /// Persson (2007), doi:10.1103/PhysRevLett.99.125502, eq. (17); Yang & Persson (2008),
     /// doi:10.1088/0953-8984/20/21/215214.
-    pub fn mean_gap(&self, pressure: f64) -> Result<f64, ModelError> {
+    pub(super) fn mean_gap(&self, pressure: f64) -> Result<f64, ModelError> {
         require::positive(MODEL, "mean pressure", pressure)?;
         let scales = self.spectrum()?;
         let Some(load) = self.load(pressure) else {
@@ -64,8 +63,8 @@ impl Persson {
     /// ```
     ///
     /// # Errors
-    /// As [`mean_gap`](Self::mean_gap); [`ModelError::OutsideDomain`] also where the stiffness
-    /// exceeds the largest double: the contact is full.
+    /// [`ModelError::InvalidInput`] unless the pressure is finite and positive, or if the model was made from moments;
+    /// [`ModelError::OutsideDomain`] where the stiffness exceeds the largest double: the contact is full.
     pub fn stiffness(&self, pressure: f64) -> Result<f64, ModelError> {
         require::positive(MODEL, "mean pressure", pressure)?;
         let scales = self.spectrum()?;
@@ -83,32 +82,6 @@ impl Persson {
         let stiffness =
             if length.is_zero() { f64::INFINITY } else { (Wide::from(pressure) / length).value() };
         require::representable(MODEL, "stiffness", stiffness)
-    }
-
-    /// The constants of the mean gap at light load, `u = u0 ln(b E* / p)`, as `[u0, b]` in m
-    /// and 1:
-    ///
-    /// ```math
-    /// u_0 = \sqrt\pi\,\gamma\int q^2 C w\,dq, \qquad
-    /// \ln b = -\frac{\gamma_E}{2} - \frac{\int q^2 C w\ln w\,dq}{\int q^2 C w\,dq}
-    ///   + \frac{3(1-\gamma)}{\gamma} K(0)
-    /// ```
-    ///
-    /// # Errors
-    /// [`ModelError::InvalidInput`] if the model was made from moments;
-    /// [`ModelError::OutsideDomain`] if the surface is flat.
-    pub fn light_load(&self) -> Result<[f64; 2], ModelError> {
-        let scales = self.spectrum()?;
-        if self.slope.is_zero() {
-            let reason = "a flat surface has no gap at any load";
-            return Err(outside(MODEL, "rms gradient", 0.0, f64::MIN_POSITIVE..=f64::MAX, reason));
-        }
-        let share = scales.integrate(LIGHT, |_| 1.0);
-        let at_light = scales.integrate(LIGHT, |rho| separation(LIGHT / rho, self.gamma));
-        let u0 = self.slope / scales.smallest_wavenumber() * FRAC_2_SQRT_PI * self.gamma * share;
-        // at_light = gamma share (ln b' - ln LIGHT) with b' = b / sqrt(m2)
-        let b = self.slope * (at_light / (self.gamma * share) + LIGHT.ln()).exp();
-        Ok([u0.value(), b.value()])
     }
 
     /// The spectrum, or a refusal that says how to give one.

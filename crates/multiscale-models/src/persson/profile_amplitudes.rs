@@ -1,7 +1,6 @@
 //! Amplitudes of the profiles of a self-affine surface: what the stacked models take.
 
 use super::self_affine::{MODEL, SelfAffineSpectrum};
-use crate::answer::outside;
 use crate::special::gauss_legendre;
 use contact_types::{AmplitudeSpectrum, ModelError, Wave, require};
 use std::f64::consts::{PI, SQRT_2, TAU};
@@ -33,7 +32,7 @@ impl SelfAffineSpectrum {
         if !(1.0..=MOST_WAVES).contains(&count) {
             let quantity = "record length over shortest wavelength";
             let reason = "a record needs at least one wave, and not more than a million";
-            return Err(outside(MODEL, quantity, count, 1.0..=MOST_WAVES, reason));
+            return Err(require::outside(MODEL, quantity, count, 1.0..=MOST_WAVES, reason));
         }
         let step = TAU / length / rolloff; // wavenumbers in units of the roll-off
         let waves = (1..=count as usize).map(|k| {

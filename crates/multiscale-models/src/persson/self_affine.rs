@@ -1,7 +1,6 @@
 //! A continuous self-affine spectrum with a plateau.
 
 use super::span::{Range, check_span};
-use crate::answer::outside;
 use crate::special::gauss_legendre;
 use crate::wide::Wide;
 use contact_types::{ModelError, SpectralMoments, require};
@@ -56,7 +55,7 @@ impl SelfAffineSpectrum {
     ) -> Result<Self, ModelError> {
         if !(0.0..=1.0).contains(&hurst) {
             let reason = "a self-affine surface has a Hurst exponent between 0 and 1";
-            return Err(outside(MODEL, "Hurst exponent", hurst, 0.0..=1.0, reason));
+            return Err(require::outside(MODEL, "Hurst exponent", hurst, 0.0..=1.0, reason));
         }
         let [lower, rolloff, cutoff] = wavenumbers;
         require::positive(MODEL, "lower wavenumber", lower)?;
@@ -65,13 +64,25 @@ impl SelfAffineSpectrum {
         require::not_negative(MODEL, "m0", m0)?;
         if rolloff < lower || rolloff > cutoff {
             let reason = "the roll-off lies between the lower end and the cut-off";
-            return Err(outside(MODEL, "roll-off wavenumber", rolloff, lower..=cutoff, reason));
+            return Err(require::outside(
+                MODEL,
+                "roll-off wavenumber",
+                rolloff,
+                lower..=cutoff,
+                reason,
+            ));
         }
         let span = (Wide::from(cutoff) / Wide::from(lower)).value().min(f64::MAX);
         if cutoff <= lower {
             let reason = "a continuous spectrum needs a band; a single wavenumber is a \
                           RoughnessSpectrum of one shell";
-            return Err(outside(MODEL, "cut-off over lower end", span, 1.0..=1e18, reason));
+            return Err(require::outside(
+                MODEL,
+                "cut-off over lower end",
+                span,
+                1.0..=1e18,
+                reason,
+            ));
         }
         check_span(MODEL, "cut-off over lower end", span)?;
         Ok(Self {

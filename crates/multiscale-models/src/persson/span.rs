@@ -1,8 +1,7 @@
 //! How far a spectrum reaches, and integrals over the part of it that matters.
 
-use crate::answer::outside;
 use crate::special::gauss_legendre;
-use contact_types::ModelError;
+use contact_types::{ModelError, require};
 
 /// Name of the theory in errors.
 pub(super) const MODEL: &str = "Persson";
@@ -66,5 +65,5 @@ pub(super) fn check_span(
         return Ok(());
     }
     let reason = "a spectrum of more than 18 decades is none of a surface";
-    Err(outside(model, quantity, span, domain, reason))
+    Err(require::outside(model, quantity, span, domain, reason))
 }

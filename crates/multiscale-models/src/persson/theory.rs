@@ -3,7 +3,7 @@
 use super::scales::Scales;
 use super::self_affine::SelfAffineSpectrum;
 use super::span::MODEL;
-use crate::answer::{citation, outside, saturated, steep, underflow};
+use crate::answer::{citation, saturated, steep, underflow};
 use crate::wide::Wide;
 use contact_types::{
     Citation, ContactModel, ContactModulus, ContactState, ModelError, RoughnessSpectrum,
@@ -58,8 +58,6 @@ pub struct Persson {
     pub(super) modulus: ContactModulus,
     /// `sqrt(m2)` \[-\].
     pub(super) slope: Wide,
-    /// What the square root lost to rounding, relative.
-    pub(super) slope_error: f64,
     /// The spectrum, in units of `sqrt(m2)`; `None` if only the moments are known.
     pub(super) scales: Option<Arc<Scales>>,
     pub(super) gamma: f64,
@@ -80,12 +78,7 @@ impl Persson {
         modulus: ContactModulus,
     ) -> Result<Self, ModelError> {
         let m2 = require::not_negative(MODEL, "m2", moments.m2)?;
-        let slope = m2.sqrt();
-        let mut model = Self::with_scales(modulus, Wide::from(slope), None);
-        if m2 > 1e-280 {
-            model.slope_error = (-slope).mul_add(slope, m2) / (2.0 * m2); // the residual is exact
-        }
-        Ok(model)
+        Ok(Self::with_scales(modulus, Wide::from(m2.sqrt()), None))
     }
 
     /// The theory of a surface with a measured spectrum (two-dimensional, in shells of equal
@@ -103,21 +96,14 @@ impl Persson {
     }
 
     /// The theory of a continuous self-affine spectrum.
-    ///
-    /// # Errors
-    /// None for a valid spectrum; the `Result` leaves room for limits of the theory.
-    pub fn from_self_affine(
-        spectrum: SelfAffineSpectrum,
-        modulus: ContactModulus,
-    ) -> Result<Self, ModelError> {
-        Ok(Self::with_scales(modulus, spectrum.slope(), Some(Scales::SelfAffine(spectrum))))
+    pub fn from_self_affine(spectrum: SelfAffineSpectrum, modulus: ContactModulus) -> Self {
+        Self::with_scales(modulus, spectrum.slope(), Some(Scales::SelfAffine(spectrum)))
     }
 
     fn with_scales(modulus: ContactModulus, slope: Wide, scales: Option<Scales>) -> Self {
         Self {
             modulus,
             slope,
-            slope_error: 0.0,
             scales: scales.map(Arc::new),
             gamma: Self::GAMMA,
             area_law: AreaLaw::Diffusion,
@@ -135,7 +121,7 @@ impl Persson {
         if !domain.contains(&gamma) {
             let reason = "gamma weighs the energy of partial contact; published values are 0.42 \
                           to 1";
-            return Err(outside(MODEL, "gamma", gamma, domain, reason));
+            return Err(require::outside(MODEL, "gamma", gamma, domain, reason));
         }
         self.gamma = gamma;
         Ok(self)

@@ -1,6 +1,6 @@
 //! Persson's theory with a hardness: the pressure distribution diffuses between two walls.
 
-use crate::answer::{citation, outside, underflow};
+use crate::answer::{citation, underflow};
 use crate::special::{erf, erfc};
 use contact_types::{Citation, ContactModel, ContactModulus, ContactState, ModelError, require};
 use std::f64::consts::PI;
@@ -90,7 +90,7 @@ impl PerssonWithYield {
         if mean_pressure >= self.hardness {
             let reason = "the hardness is the most that any contact carries";
             let domain = 0.0..=self.hardness;
-            return Err(outside(MODEL, "mean pressure", mean_pressure, domain, reason));
+            return Err(require::outside(MODEL, "mean pressure", mean_pressure, domain, reason));
         }
         if mean_pressure <= 0.0 {
             return Ok(YieldShares { open: 1.0, elastic: 0.0, plastic: 0.0 });

@@ -5,7 +5,6 @@ mod jackson_streator;
 mod persson_area;
 mod persson_gap;
 mod quadrature;
-mod spectrum;
 
 use contact_types::ContactModulus;
 use multiscale_models::{Persson, SelfAffineSpectrum};
@@ -15,8 +14,7 @@ fn pascals(e: f64) -> ContactModulus {
 }
 
 fn persson(spectrum: SelfAffineSpectrum, e: f64, gamma: f64) -> Persson {
-    let model = Persson::from_self_affine(spectrum, pascals(e)).expect("a band");
-    model.with_gamma(gamma).expect("a published gamma")
+    Persson::from_self_affine(spectrum, pascals(e)).with_gamma(gamma).expect("a published gamma")
 }
 
 #[track_caller]

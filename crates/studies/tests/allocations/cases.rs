@@ -12,7 +12,8 @@ use fft_bem_solver::{Load, Maps, Solver};
 use grid_fft::GridFft;
 use gw_closed_form::GreenwoodWilliamson;
 use multiscale_models::{
-    Archard, JacksonStreator, MajumdarBhushan, Persson, SelfAffineSpectrum, SphereLevel, Stacked,
+    Archard, JacksonStreator, MajumdarBhushan, Persson, PlasticSpots, SelfAffineSpectrum,
+    SphereLevel, Stacked,
 };
 use std::hint::black_box;
 use std::io::Cursor;
@@ -103,11 +104,11 @@ fn closed_forms() -> Vec<Case> {
         SummitModel::new(SummitLaw::GreenwoodElliptical, moments, steel()).expect(expected);
     let mean = SummitModel::new(SummitLaw::MeanCurvature, moments, steel()).expect(expected);
     let persson = Persson::from_moments(moments, steel()).expect(expected);
-    let with_gap = Persson::from_self_affine(spectrum, steel()).expect(expected);
-    let stacked = Stacked::from_amplitudes(&waves, steel()).expect(expected);
-    let multiscale = JacksonStreator::new(waves, steel()).expect(expected);
+    let with_gap = Persson::from_self_affine(spectrum, steel());
+    let stacked = Stacked::new(waves.max_amplitude_ratio(), steel()).expect(expected);
+    let multiscale = JacksonStreator::new(waves, steel());
     let archard = Archard::new(&spheres, steel()).expect(expected);
-    let bhushan = MajumdarBhushan::new(fractal, 1e-6, steel()).expect(expected);
+    let bhushan = MajumdarBhushan::new(fractal, 1e-6, steel(), PlasticSpots::None).expect(expected);
     let (asperity, multi) = ("asperity-models", "multiscale-models");
     vec![
         Case::of("gw-closed-form", "GW from moments", || {

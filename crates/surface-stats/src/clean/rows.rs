@@ -1,6 +1,6 @@
 //! Scan lines: rows of a probe microscope that stand at heights of their own.
 
-use crate::{StatsError, scale};
+use crate::{StatsError, Warning, scale};
 use contact_types::Grid;
 
 /// How rows of a map stand against each other, by the median of the differences of neighbouring rows. A probe that loses
@@ -14,7 +14,7 @@ pub struct RowOffsets {
     /// Rms of the jumps from row to row (m).
     pub jump: f64,
     /// Share of the mean square difference between neighbouring rows that jumps of whole rows make \[-\].
-    pub share: f64,
+    share: f64,
     /// The same between neighbouring columns \[-\].
     share_of_columns: f64,
     /// How many rows jump: (Σ jump²)² / Σ jump⁴ \[-\]. 1 for a single step edge, a third of the rows for normal jumps.
@@ -66,14 +66,15 @@ pub fn row_offsets(grid: Grid, heights: &[f64]) -> Result<RowOffsets, StatsError
 }
 
 impl RowOffsets {
-    /// Whether the rows jump: their offsets make a good part of the slope across them, far more than those of columns, and
-    /// are neither waves nor a few edges. A lay along the rows that is as fine as the rows looks the same.
-    pub fn rows_jump(&self) -> bool {
-        self.offsets.len() >= FEWEST
+    /// The warning of rows that jump: their offsets make a good part of the slope across them, far more than those of
+    /// columns, and are neither waves nor a few edges. A lay along the rows that is as fine as the rows looks the same.
+    pub fn warning(&self) -> Option<Warning> {
+        let rows_jump = self.offsets.len() >= FEWEST
             && self.share >= LEAST_SHARE
             && self.share >= LEAST_RATIO * self.share_of_columns
             && self.roughness >= LEAST_ROUGHNESS
-            && self.jumping >= LEAST_JUMPING
+            && self.jumping >= LEAST_JUMPING;
+        rows_jump.then_some(Warning::RowsJump { jump: self.jump, share: self.share })
     }
 }
 
@@ -163,7 +164,7 @@ mod tests {
     #[test]
     fn planted_offsets_come_off() {
         let (grid, mut heights) = relief(3);
-        assert!(!row_offsets(grid, &heights).unwrap().rows_jump());
+        assert!(row_offsets(grid, &heights).unwrap().warning().is_none());
         let align = |heights: &mut Vec<f64>| {
             let records = apply(grid, heights, &[Step::Rows], Edges::Open).unwrap();
             let Record::Rows { jump, largest } = records[0] else { panic!("{records:?}") };
@@ -178,7 +179,7 @@ mod tests {
             }
         }
         heights[5000..5100].fill(f64::NAN);
-        assert!(row_offsets(grid, &heights).unwrap().rows_jump());
+        assert!(row_offsets(grid, &heights).unwrap().warning().is_some());
         let [jump, largest] = align(&mut heights);
         // The difference of two numbers between -1 and 1 has the variance 2/3.
         assert!((jump / 30e-9 - (2.0f64 / 3.0).sqrt()).abs() < 0.1, "{jump:e}");
@@ -196,7 +197,7 @@ mod tests {
                 assert_abs_diff_eq!(*h, w + left[i / nx], epsilon = 1e-15);
             }
         }
-        assert!(!row_offsets(grid, &heights).unwrap().rows_jump());
+        assert!(row_offsets(grid, &heights).unwrap().warning().is_none());
     }
 
     /// A lay that several rows show, along or across them, a tilt, a step edge and terraces are no scan lines.
@@ -219,7 +220,7 @@ mod tests {
                     .map(|(i, h)| h + shape((i / SHAPE[1]) as f64, (i % SHAPE[1]) as f64))
                     .collect();
                 let found = row_offsets(grid, &heights).unwrap();
-                assert!(!found.rows_jump(), "{seed} {k}: {found:?}");
+                assert!(found.warning().is_none(), "{seed} {k}: {found:?}");
             }
         }
     }
@@ -231,7 +232,7 @@ mod tests {
         {
             let grid = Grid::new(shape, [1e-6, 1e-6]).unwrap();
             let found = row_offsets(grid, &vec![height; grid.len()]).unwrap();
-            assert!(!found.rows_jump() && found.jump == 0.0);
+            assert!(found.warning().is_none() && found.jump == 0.0);
         }
     }
 }

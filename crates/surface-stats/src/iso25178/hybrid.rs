@@ -5,15 +5,14 @@ use contact_types::HeightMap;
 
 /// Hybrid parameters, from heights and spacings (ISO 25178-2:2021, 4.4).
 #[derive(Debug, Clone, Copy, PartialEq)]
-#[non_exhaustive]
-pub struct Hybrid {
+pub(super) struct Hybrid {
     /// Sdq by forward differences: `√(<(Δx z/dx)²> + <(Δy z/dy)²>)`, each mean over all pairs (-).
-    pub rms_gradient: f64,
+    pub(super) rms_gradient: f64,
     /// Sdq by seven-point central differences, error of order dx⁶, over the pixels that are three
     /// or more from every edge (-). `None` below 7 x 7 pixels.
-    pub rms_gradient_seven_point: Option<f64>,
+    pub(super) rms_gradient_seven_point: Option<f64>,
     /// Sdr: area over projected area, minus 1 (-): mean of the two ways to cut each cell of four pixels into triangles.
-    pub developed_area_ratio: f64,
+    pub(super) developed_area_ratio: f64,
 }
 
 impl Hybrid {

@@ -22,32 +22,31 @@ pub(crate) struct MaterialRatioCurve {
 
 /// Parameters of the core line (ISO 25178-2:2021, 4.5).
 #[derive(Debug, Clone, Copy, PartialEq)]
-#[non_exhaustive]
-pub struct CoreRoughness {
+pub(crate) struct CoreRoughness {
     /// Sk: height of the core (m).
-    pub core_height: f64,
+    pub(crate) core_height: f64,
     /// Spk: height of the triangle with the area of the peaks above the core (m).
-    pub reduced_peak_height: f64,
+    pub(crate) reduced_peak_height: f64,
     /// Svk: depth of the triangle with the area of the valleys below the core (m).
-    pub reduced_valley_depth: f64,
+    pub(crate) reduced_valley_depth: f64,
     /// Smr1: share of the surface that is peaks (-).
-    pub peak_ratio: f64,
+    pub(crate) peak_ratio: f64,
     /// Smr2: share of the surface that is not valleys (-).
-    pub valley_ratio: f64,
+    pub(crate) valley_ratio: f64,
 }
 
 /// Volumes per area between material ratios of 10 % and 80 % (ISO 25178-2:2021, 4.5); 1 m³/m² is
 /// 10⁶ ml/m².
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub struct Volumes {
+pub(super) struct Volumes {
     /// Vmp: material above the height of ratio 10 % (m).
-    pub peak_material: f64,
+    pub(super) peak_material: f64,
     /// Vmc: material between the heights of ratios 10 % and 80 % (m).
-    pub core_material: f64,
+    pub(super) core_material: f64,
     /// Vvc: void between the heights of ratios 10 % and 80 % (m).
-    pub core_void: f64,
+    pub(super) core_void: f64,
     /// Vvv: void below the height of ratio 80 % (m).
-    pub valley_void: f64,
+    pub(super) valley_void: f64,
 }
 
 impl MaterialRatioCurve {

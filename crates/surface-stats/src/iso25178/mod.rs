@@ -8,9 +8,6 @@ mod hybrid;
 mod material_ratio;
 mod spatial;
 
-pub use areal::Iso;
-pub use hybrid::Hybrid;
+pub use areal::{IsoParameter, parameters};
 pub(crate) use hybrid::seven_point_slope;
 pub(crate) use material_ratio::MaterialRatioCurve;
-pub use material_ratio::{CoreRoughness, Volumes};
-pub use spatial::Spatial;

@@ -24,14 +24,13 @@ struct Autocorrelation {
 
 /// Spatial parameters (ISO 25178-2:2021, 4.3).
 #[derive(Debug, Clone, Copy, PartialEq)]
-#[non_exhaustive]
-pub struct Spatial {
+pub(super) struct Spatial {
     /// Sal: shortest shift, over all directions, at which the autocorrelation first falls to 0.2
     /// (m). `None` if it does not within half the map.
-    pub autocorrelation_length: Option<f64>,
+    pub(super) autocorrelation_length: Option<f64>,
     /// Str: Sal over the longest such shift (-): 1 for an isotropic texture. `None` if in some
     /// direction it does not fall to 0.2 within half the map.
-    pub texture_aspect_ratio: Option<f64>,
+    pub(super) texture_aspect_ratio: Option<f64>,
 }
 
 impl Spatial {
