@@ -216,11 +216,7 @@ impl Canvas {
 
     pub(crate) fn area(&mut self, points: &[[f64; 2]], colour: Colour, opacity: f64) {
         if points.len() > 2 {
-            let (Colour { class, light, .. }, data) = (colour, path_data(points));
-            let opacity = num(opacity);
-            self.raw(&format!(
-                r#"<path class="f-{class}" d="{data}Z" fill="{light}" fill-opacity="{opacity}" stroke="none"/>"#
-            ));
+            self.filled(&(path_data(points) + "Z"), colour, opacity, r#" stroke="none""#);
         }
     }
 
@@ -237,10 +233,19 @@ impl Canvas {
             let [left, top, right, bottom] = bar.map(num);
             format!("M{left} {bottom}V{top}H{right}V{bottom}Z")
         };
-        let (path, opacity) = (bars.iter().map(bar).collect::<String>(), num(opacity));
-        let Colour { class, light, .. } = colour;
+        self.filled(&bars.iter().map(bar).collect::<String>(), colour, opacity, "");
+    }
+
+    fn filled(
+        &mut self,
+        data: &str,
+        Colour { class, light, .. }: Colour,
+        opacity: f64,
+        more: &str,
+    ) {
+        let opacity = num(opacity);
         self.raw(&format!(
-            r#"<path class="f-{class}" d="{path}" fill="{light}" fill-opacity="{opacity}"/>"#
+            r#"<path class="f-{class}" d="{data}" fill="{light}" fill-opacity="{opacity}"{more}/>"#
         ));
     }
 
@@ -342,7 +347,6 @@ fn path_data(points: &[[f64; 2]]) -> String {
 }
 
 /// A finished figure.
-#[derive(Debug, Clone)]
 pub(crate) struct Figure {
     /// Unique key: prefix of every id inside.
     pub(crate) key: String,
