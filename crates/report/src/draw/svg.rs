@@ -258,11 +258,10 @@ impl Canvas {
         self.write_text(text, " label", "");
     }
 
-    /// A text reading upwards, centred on its point.
+    /// A text reading upwards.
     pub(crate) fn upright(&mut self, text: &Text<'_>) {
         let [x, y] = text.at.map(num);
-        let turned = Text { anchor: Anchor::Middle, ..*text };
-        self.write_text(&turned, "", &format!(r#" transform="rotate(-90 {x} {y})""#));
+        self.write_text(text, "", &format!(r#" transform="rotate(-90 {x} {y})""#));
     }
 
     fn write_text(&mut self, text: &Text<'_>, kind: &str, turn: &str) {

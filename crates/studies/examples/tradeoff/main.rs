@@ -8,24 +8,18 @@
 mod measure;
 mod page;
 
-use clap::Parser;
 use measure::Plan;
 use std::error::Error;
-use std::path::PathBuf;
+use std::path::Path;
 use std::thread;
 use studies::tradeoff::{HEADER, TradeoffRow};
 
-/// Time against true error of every way to an answer: measures, and prints a table as CSV
-#[derive(Parser)]
-struct TradeoffArguments {
-    /// Make figures and page of the book from a table instead
-    #[arg(long, num_args = 2, value_names = ["TABLE", "FOLDER"])]
-    page: Option<Vec<PathBuf>>,
-}
-
 fn main() -> Result<(), Box<dyn Error>> {
-    if let Some([table, folder]) = TradeoffArguments::parse().page.as_deref() {
-        return page::write(table, folder);
+    let args: Vec<String> = std::env::args().skip(1).collect();
+    match args.iter().map(String::as_str).collect::<Vec<_>>()[..] {
+        [] => {}
+        ["--page", table, folder] => return page::write(Path::new(table), Path::new(folder)),
+        _ => return Err("tradeoff [--page TABLE FOLDER]".into()),
     }
     let plan = Plan::FULL;
     let threads = thread::available_parallelism().map_or(1, usize::from);

@@ -79,7 +79,6 @@ impl Plan {
         few_tolerances: &[1e-2, 1e-4],
         most_pairs: 40.0,
         seconds: 0.0,
-        ..Self::FULL
     };
 
     /// How low a tolerance is worth asking for in this precision.

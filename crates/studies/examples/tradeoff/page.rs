@@ -68,8 +68,8 @@ fn cheapest<'a>(found: &'a [Way<'a>]) -> Vec<(f64, Option<&'a Way<'a>>)> {
 }
 
 /// A line of a table.
-fn row<const N: usize>(page: &mut String, cells: [String; N]) {
-    *page += &format!("| {} |\n", cells.join(" | "));
+fn row(page: &mut String, cells: &[String]) {
+    let _ = writeln!(page, "| {} |", cells.join(" | "));
 }
 
 fn choice(page: &mut String, found: &[Way<'_>]) {
@@ -84,7 +84,7 @@ fn choice(page: &mut String, found: &[Way<'_>]) {
             [name(best), percent(best.worst), duration(best.seconds)]
         });
         let [name, error, time] = best;
-        row(page, [percent(wanted), name, error, time]);
+        row(page, &[percent(wanted), name, error, time]);
     }
 }
 
@@ -129,7 +129,7 @@ fn spread(page: &mut String, found: &[&Way<'_>], one_pair: f64) {
     let times = |w: &Way<'_>| [duration(w.seconds), digits(w.seconds / one_pair)];
     for way in found.iter().filter(|w| w.area == AreaOf::Model) {
         let [time, pairs] = times(way);
-        row(page, [model_name(way.row), dash(), range(way), dash(), dash(), time, pairs]);
+        row(page, &[model_name(way.row), dash(), range(way), dash(), dash(), time, pairs]);
     }
     let solved = found.iter().filter(|w| w.area == AreaOf::Corrected && w.row.is_at_default());
     for way in solved {
@@ -137,7 +137,7 @@ fn spread(page: &mut String, found: &[&Way<'_>], one_pair: f64) {
         let count = same.find(|w| w.area == AreaOf::Count).map_or_else(dash, |w| range(w));
         let precision = way.row.precision.clone().unwrap_or_else(dash);
         let (spent, [time, pairs]) = (way.pairs.map_or_else(dash, digits), times(way));
-        row(page, [grid_name(way.row), precision, count, range(way), spent, time, pairs]);
+        row(page, &[grid_name(way.row), precision, count, range(way), spent, time, pairs]);
     }
 }
 
@@ -175,7 +175,7 @@ fn close_up(page: &mut String, table: &TradeoffTable, one_pair: f64) {
             duration(r.seconds),
             digits(r.seconds / one_pair),
         ];
-        row(page, cells);
+        row(page, &cells);
     }
 }
 
