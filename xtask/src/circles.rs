@@ -4,6 +4,7 @@
 //! re-export alone is a face and no arrow. What is not seen: a method of an `impl` that stands in
 //! another file than its type, and names that a macro makes.
 
+use proc_macro2::{Delimiter, TokenStream, TokenTree};
 use std::collections::{BTreeMap, BTreeSet};
 use std::fmt::Write;
 use std::path::{Path, PathBuf};
@@ -192,8 +193,8 @@ fn strongly_connected(arrows: &Arrows) -> Vec<BTreeSet<ModulePath>> {
 
 impl FileNames {
     fn of(text: &str) -> Self {
-        let all = without_tests(&tokens(text));
-        let at = |i: usize| all.get(i).copied().unwrap_or_default();
+        let all = tokens(text.parse().unwrap_or_default());
+        let at = |i: usize| all.get(i).map_or("", String::as_str);
         let mut found = Self::default();
         let (mut i, mut depth) = (0, 0_i32);
         while i < all.len() {
@@ -206,7 +207,7 @@ impl FileNames {
                 _ => {}
             }
             if at(start) == "use" {
-                i += all[i..].iter().take_while(|token| **token != ";").count();
+                i += all[i..].iter().take_while(|token| *token != ";").count();
                 let before = if at(start.wrapping_sub(1)) == ")" { 4 } else { 1 }; // pub(crate)
                 found.import(&all[start + 1..i], at(start.wrapping_sub(before)) == "pub");
             } else if at(start) == "mod" && at(start + 2) == ";" {
@@ -222,8 +223,8 @@ impl FileNames {
                 }
                 found.used.insert(at(start).to_owned());
                 if i > start + 1 {
-                    let parts = all[start..i].iter().filter(|token| **token != "::");
-                    found.paths.insert(parts.map(|&part| part.to_owned()).collect());
+                    let parts = all[start..i].iter().filter(|token| *token != "::");
+                    found.paths.insert(parts.cloned().collect());
                 }
             }
         }
@@ -231,12 +232,12 @@ impl FileNames {
     }
 
     /// Takes a `use` tree apart.
-    fn import(&mut self, tree: &[&str], is_public: bool) {
+    fn import(&mut self, tree: &[String], is_public: bool) {
         let mut path = ModulePath::new();
         // Length of the path before each open brace.
         let mut stems = vec![0];
         let mut alias = None;
-        for (i, &token) in tree.iter().chain(&[";"]).enumerate() {
+        for (i, token) in tree.iter().map(String::as_str).chain([";"]).enumerate() {
             match token {
                 "{" => stems.push(path.len()),
                 "," | "}" | ";" => {
@@ -264,99 +265,46 @@ fn is_word(c: char) -> bool {
     c.is_alphanumeric() || c == '_'
 }
 
-/// The names and signs of Rust source; comments, strings, characters and lifetimes are gone.
-fn tokens(source: &str) -> Vec<&str> {
-    let (mut found, mut rest) = (Vec::new(), source);
-    while let Some(first) = rest.chars().next() {
-        let word = rest.find(|c| !is_word(c)).unwrap_or(rest.len());
-        let (length, is_token) = match text_length(rest) {
-            Some(length) => (length, false),
-            None if word > 0 => (word, true),
-            None if rest.starts_with("::") => (2, true),
-            None => (first.len_utf8(), !first.is_whitespace()),
-        };
-        found.extend(is_token.then(|| &rest[..length]));
-        rest = &rest[length..];
+/// The names and signs of Rust source without items under `#[cfg(test)]` or `#[cfg(all(test, ..))]`; comments, strings,
+/// characters and lifetimes are gone.
+fn tokens(source: TokenStream) -> Vec<String> {
+    let is =
+        |tree: &TokenTree, sign: char| matches!(tree, TokenTree::Punct(p) if p.as_char() == sign);
+    let is_body =
+        |tree: &TokenTree| matches!(tree, TokenTree::Group(g) if g.delimiter() == Delimiter::Brace);
+    let (mut found, mut trees) = (Vec::new(), source.into_iter().peekable());
+    while let Some(tree) = trees.next() {
+        match tree {
+            TokenTree::Group(group) => {
+                let [open, close] = match group.delimiter() {
+                    Delimiter::Brace => ["{", "}"],
+                    Delimiter::Bracket => ["[", "]"],
+                    _ => ["(", ")"],
+                };
+                found.push(open.to_owned());
+                found.extend(tokens(group.stream()));
+                found.push(close.to_owned());
+            }
+            TokenTree::Ident(name) => found.push(name.to_string()),
+            TokenTree::Punct(sign) => match sign.as_char() {
+                // A lifetime.
+                '\'' => drop(trees.next()),
+                '#' if trees.peek().is_some_and(is_of_tests) => {
+                    trees.find(|tree| is_body(tree) || is(tree, ';'));
+                }
+                ':' if trees.next_if(|tree| is(tree, ':')).is_some() => found.push("::".to_owned()),
+                sign => found.push(sign.to_string()),
+            },
+            TokenTree::Literal(_) => {}
+        }
     }
     found
 }
 
-/// Length of the comment, string, character or lifetime that a text begins with.
-fn text_length(text: &str) -> Option<usize> {
-    let end = |from: usize, mark: &str| {
-        text[from..].find(mark).map_or(text.len(), |i| from + i + mark.len())
-    };
-    if text.starts_with("//") {
-        return Some(end(2, "\n"));
-    }
-    if text.starts_with("/*") {
-        let (mut depth, mut at) = (1, 2);
-        while depth > 0
-            && let Some(i) = text[at..].find("*/")
-        {
-            depth = depth + text[at..at + i].matches("/*").count() - 1;
-            at += i + 2;
-        }
-        return Some(if depth == 0 { at } else { text.len() });
-    }
-    if let Some(rest) = text.strip_prefix(['b', 'c'])
-        && rest.starts_with(['r', '"', '\''])
-        && let Some(length) = text_length(rest)
-    {
-        return Some(1 + length);
-    }
-    if let Some(raw) = text.strip_prefix('r') {
-        let marks = raw.len() - raw.trim_start_matches('#').len();
-        if raw[marks..].starts_with('"') {
-            return Some(end(marks + 2, &format!("\"{}", "#".repeat(marks))));
-        }
-    }
-    if let Some(string) = text.strip_prefix('"') {
-        let mut is_escaped = false;
-        let closes = |c: char| {
-            let is_end = c == '"' && !is_escaped;
-            is_escaped = c == '\\' && !is_escaped;
-            is_end
-        };
-        return Some(string.find(closes).map_or(text.len(), |i| i + 2));
-    }
-    let inside = text.strip_prefix('\'')?;
-    let mut chars = inside.char_indices();
-    match (chars.next()?.1, chars.next()) {
-        ('\\', _) => Some(end(3, "'")),
-        (_, Some((i, '\''))) => Some(i + 2),
-        _ => Some(1 + inside.find(|c| !is_word(c)).unwrap_or(inside.len())),
-    }
-}
-
-/// The tokens without the items under `#[cfg(test)]` or `#[cfg(all(test, ..))]`.
-fn without_tests<'a>(all: &[&'a str]) -> Vec<&'a str> {
-    let (mut kept, mut i) = (Vec::new(), 0);
-    while i < all.len() {
-        let (cfg, rest) = (["#", "[", "cfg", "("], &all[i..]);
-        let condition = rest.strip_prefix(&cfg).unwrap_or_default();
-        if condition.starts_with(&["test"]) || condition.starts_with(&["all", "(", "test"]) {
-            i += item_length(rest);
-        } else {
-            kept.push(all[i]);
-            i += 1;
-        }
-    }
-    kept
-}
-
-/// Up to the closing brace of the first item, or its `;`.
-fn item_length(tokens: &[&str]) -> usize {
-    let mut depth = 0_i32;
-    let ends = |token: &&str| {
-        match *token {
-            "(" | "[" | "{" => depth += 1,
-            ")" | "]" | "}" => depth -= 1,
-            _ => {}
-        }
-        depth == 0 && matches!(*token, "}" | ";")
-    };
-    tokens.iter().position(ends).map_or(tokens.len(), |i| i + 1)
+/// Whether an attribute keeps an item to tests.
+fn is_of_tests(attribute: &TokenTree) -> bool {
+    let text = attribute.to_string().replace(' ', "");
+    text.starts_with("[cfg(test)") || text.starts_with("[cfg(all(test,")
 }
 
 #[cfg(test)]
@@ -414,7 +362,7 @@ mod tests {
             #[cfg(test)] use t::u;
             fn after() {}
         "##;
-        let mut names = without_tests(&tokens(source));
+        let mut names = tokens(source.parse().unwrap());
         names.retain(|token| token.starts_with(is_word));
         assert_eq!(names.join(" "), "use a b const X str let r fn l n u8 char fn after");
     }

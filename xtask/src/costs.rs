@@ -40,9 +40,8 @@ fn dependencies() -> Result<String, String> {
         String::from("| crate | of ours | from the registry (limit) | public names |\n");
     table.push_str("|---|---:|---:|---:|\n");
     for package in packages() {
-        let along = brought_along(package)?;
+        let [own, others] = brought_along(package)?.map(|crates| crates.len());
         let limit = LAYERS.iter().find(|row| row.0 == package).map_or(0, |row| row.2);
-        let (own, others) = (along.own.len(), along.from_registry.len());
         let names: usize = sources(package).iter().map(|text| public_names(text)).sum();
         let _ = writeln!(table, "| `{package}` | {own} | {others} ({limit}) | {names} |");
     }

@@ -64,23 +64,15 @@ pub(crate) const LAYERS: &[(&str, u8, usize, &str)] = &[
     ("xtask", 8, 10, ""),
 ];
 
-/// The crates that come with one of ours, with default features, without tests.
-pub(crate) struct BroughtAlong {
-    pub(crate) own: BTreeSet<String>,
-    pub(crate) from_registry: BTreeSet<String>,
-}
-
-/// What `package` brings along on Linux; the list differs a little between platforms.
-pub(crate) fn brought_along(package: &str) -> Result<BroughtAlong, String> {
+/// What `package` brings along with default features, without tests: crates of ours, and of the registry. On Linux; the
+/// list differs a little between platforms.
+pub(crate) fn brought_along(package: &str) -> Result<[BTreeSet<String>; 2], String> {
     let mut tree = cargo();
     tree.args(["tree", "--locked", "--package", package, "--edges", "normal", "--prefix", "none"]);
     tree.args(["--format", "{p}", "--target", "x86_64-unknown-linux-gnu"]);
     let lines = output(&mut tree)?;
     let names = lines.lines().filter_map(|line| line.split_whitespace().next());
     let is_own = |name: &str| LAYERS.iter().any(|row| row.0 == name);
-    let (own, from_registry) = names
-        .map(str::to_owned)
-        .filter(|name| name != package)
-        .partition(|name| is_own(name.as_str()));
-    Ok(BroughtAlong { own, from_registry })
+    let names = names.filter(|name| *name != package).map(str::to_owned);
+    Ok(names.partition::<BTreeSet<_>, _>(|name| is_own(name)).into())
 }

@@ -6,28 +6,23 @@ use crate::shell::{self, TaskResult, cargo, read, root, rough_contact};
 
 /// The surface, as `rough-contact synth` makes it: the recipe "ground" of
 /// `crates/compare/data/surfaces.toml`.
-const GROUND: &str = "synth --shape 1001,1001 --pixel 1um --hurst 0.7 --rolloff 80um --cutoff 6um \
+const GROUND: &str = "synth --force --shape 1001,1001 --pixel 1um --hurst 0.7 --rolloff 80um --cutoff 6um \
                       --rms-height 0.6um --quantise 10nm --seed 2";
 
 /// Writes the figures, or checks that the committed ones are current.
 pub(crate) fn run(args: &[String]) -> TaskResult {
     let check = check_flag(args)?;
     let folder = root().join("target/figures");
-    let at = |name: &str| folder.join(name).display().to_string();
-    std::fs::create_dir_all(&folder).map_err(|e| format!("cannot make {}: {e}", at("")))?;
-    let line = |words: &str, paths: &[&str]| -> Vec<String> {
-        let paths = paths.iter().map(|&path| path.to_owned());
-        words.split_whitespace().map(str::to_owned).chain(paths).collect()
-    };
-    let synth = line(GROUND, &["--force", "--out", &at("ground.x3p")]);
-    shell::run(&mut rough_contact(&synth, false))?;
-    let study = line(
-        "compare --modulus 110GPa --load 10N..6.31kN:15 --quiet --force",
-        &[&at("ground.x3p"), "--out", &at("report")],
-    );
-    shell::run(&mut rough_contact(&study, false))?;
+    let (map, report) = (folder.join("ground.x3p"), folder.join("report"));
+    std::fs::create_dir_all(&folder)
+        .map_err(|e| format!("cannot make {}: {e}", folder.display()))?;
+    let mut synth = rough_contact(false);
+    shell::run(synth.args(GROUND.split_whitespace()).arg("--out").arg(&map))?;
+    let mut study = rough_contact(false);
+    study.args("compare --modulus 110GPa --load 10N..6.31kN:15 --quiet --force".split(' '));
+    shell::run(study.arg(map).arg("--out").arg(&report))?;
     for name in ["area.svg", "pressure.svg"] {
-        let figure = read(&folder.join("report").join(name))?;
+        let figure = read(&report.join(name))?;
         keep(&format!("docs/src/figures/{name}"), &figure, check)?;
     }
     if !check {

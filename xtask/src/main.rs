@@ -34,7 +34,7 @@ const USAGE: &str = "
   study coverage              how often the intervals cover the error (ten minutes)
   study extremes              models, statistics and solver at extreme inputs
   study tables                the tables of models and of file formats
-  study tradeoff [--quick | --figures-only]
+  study tradeoff [--figures-only]
                               time against true error (ten minutes, idle machine)
   surfaces --dir DIR --expected FILE
                               files of instruments against expected values, one line each

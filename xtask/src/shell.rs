@@ -20,14 +20,13 @@ pub(crate) fn cargo() -> Command {
     cargo
 }
 
-/// `rough-contact ARGS`: built in release with `all` its options, or in the profile `first` with what the tasks of this
-/// repository need. Relative paths are the caller's: the command runs where the task was started.
-pub(crate) fn rough_contact(args: &[String], all: bool) -> Command {
+/// `rough-contact`: built in release with `all` its options, or in the profile `first` with what the tasks of this
+/// repository need; its arguments are to follow. Relative paths are the caller's: the command runs where the task was
+/// started.
+pub(crate) fn rough_contact(all: bool) -> Command {
     let first = ["--profile", "first", "--no-default-features", "--features", "command,parallel"];
     let how = if all { &RELEASE[..] } else { &first };
-    let mut command = released("rough-contact", how, ["--bin", "rough-contact"]);
-    command.args(args);
-    command
+    released("rough-contact", how, ["--bin", "rough-contact"])
 }
 
 /// The example `name` of a crate, built in release; its arguments are to follow. It runs in the

@@ -39,8 +39,7 @@ fn python_numbers(source: &str) -> String {
 
 /// What `rough-contact COMMAND --list --json` prints.
 fn list(command: &str) -> Result<Value, String> {
-    let args = [command, "--list", "--json"].map(str::to_owned);
-    let text = output(&mut rough_contact(&args, false))?;
+    let text = output(rough_contact(false).args([command, "--list", "--json"]))?;
     serde_json::from_str(&text).map_err(|e| format!("{command} --list is not JSON: {e}"))
 }
 

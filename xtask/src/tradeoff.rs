@@ -4,56 +4,41 @@
 use crate::bench::machine;
 use crate::generated::{keep, keep_section};
 use crate::shell::{self, TaskResult, example, output, read, root};
-use std::path::Path;
 
 const TABLE: &str = "fixtures/tradeoff.csv";
 const PAGE: &str = "docs/src/tradeoff.md";
 
-/// Measures and writes table, figures and page. `--quick` does so on a small grid, in seconds, into
-/// `target/tradeoff-quick`; `--figures-only` draws the committed table again; `--check` verifies
+/// Measures and writes table, figures and page. `--figures-only` draws the committed table again; `--check` verifies
 /// that figures and page follow from it.
 pub(crate) fn run(args: &[String]) -> TaskResult {
     match args.iter().map(String::as_str).collect::<Vec<_>>()[..] {
         [] => {
-            keep(TABLE, &measure(&[])?, false)?;
+            keep(TABLE, &measure()?, false)?;
             redraw(false)
-        }
-        ["--quick"] => {
-            let folder = root().join("target/tradeoff-quick");
-            let table = folder.join("tradeoff.csv");
-            keep("target/tradeoff-quick/tradeoff.csv", &measure(&["--quick"])?, false)?;
-            draw(&table, &folder)?;
-            println!("wrote figures and page into {}", folder.display());
-            Ok(())
         }
         ["--figures-only"] => redraw(false),
         ["--check"] => redraw(true),
-        ref other => Err(format!(
-            "unknown arguments {other:?}; one of --quick, --figures-only, --check, or none"
-        )),
+        ref other => {
+            Err(format!("unknown arguments {other:?}; one of --figures-only, --check, or none"))
+        }
     }
 }
 
 /// Figures and page from the committed table, or whether they are what they would be.
 fn redraw(check: bool) -> TaskResult {
     let folder = root().join("target/tradeoff-page");
-    draw(Path::new(TABLE), &folder)?;
+    shell::run(example("studies", "tradeoff").args(["--page", TABLE]).arg(&folder))?;
     for name in ["tradeoff-area.svg", "tradeoff-pressure.svg"] {
         keep(&format!("docs/src/figures/{name}"), &read(&folder.join(name))?, check)?;
     }
     keep_section(PAGE, "tradeoff", &read(&folder.join("tradeoff.md"))?, check)
 }
 
-/// Figures and page of a table, into `folder`.
-fn draw(table: &Path, folder: &Path) -> TaskResult {
-    shell::run(example("studies", "tradeoff").arg("--page").args([table, folder]))
-}
-
 /// The table with the machine it was measured on, and how busy that was.
-fn measure(args: &[&str]) -> Result<String, String> {
+fn measure() -> Result<String, String> {
     let machine = machine()?;
     let before = load_average();
-    let table = output(example("studies", "tradeoff").args(args))?;
+    let table = output(&mut example("studies", "tradeoff"))?;
     let load = before.zip(load_average()).map_or(String::new(), |(before, after)| {
         format!("# Load average of the machine: {before} before, {after} at the end, this run included.\n")
     });

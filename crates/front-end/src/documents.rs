@@ -14,13 +14,13 @@ pub(crate) const PROFILE_DOCUMENTS: [&str; 4] =
 
 /// Names of all documents of a study of so many profiles: figures are numbered where there are several.
 pub fn profile_documents_named(count: usize) -> Vec<String> {
-    let figures = ["area", "trace"].into_iter();
-    let figures = figures.flat_map(|name| (0..count).map(move |i| figure_name(name, i, count)));
+    let figures = ["area.svg", "trace.svg"].into_iter();
+    let figures = figures.flat_map(|name| (0..count).map(move |i| numbered(name, i, count)));
     PROFILE_DOCUMENTS.map(str::to_owned).into_iter().chain(figures).collect()
 }
 
-fn figure_name(figure: &str, index: usize, count: usize) -> String {
-    if count == 1 { format!("{figure}.svg") } else { format!("{figure}-{}.svg", index + 1) }
+fn numbered(name: &str, index: usize, count: usize) -> String {
+    if count == 1 { name.to_owned() } else { name.replace('.', &format!("-{}.", index + 1)) }
 }
 
 /// The documents of studies of profiles by name.
@@ -32,12 +32,11 @@ pub fn profile_documents(
     provenance: &Provenance,
     run_file: &RunFile,
 ) -> Result<Vec<(String, String)>, Failure> {
-    let documents = contact_report::profile_documents(studies, provenance);
-    let mut made: Vec<(String, String)> =
-        documents.into_iter().map(|(name, text)| (name.to_owned(), text)).collect();
-    for (i, study) in studies.iter().enumerate() {
-        let figures = contact_report::profile_figures(study).into_iter();
-        made.extend(figures.map(|(name, svg)| (figure_name(name, i, studies.len()), svg)));
+    let mut made = Vec::new();
+    for (name, texts) in contact_report::profile_documents(studies, provenance) {
+        let count = texts.len();
+        let named = |(i, text)| (numbered(name, i, count), text);
+        made.extend(texts.into_iter().enumerate().map(named));
     }
     made.push(("run.toml".to_owned(), settings(run_file)?));
     Ok(made)

@@ -24,25 +24,22 @@ pub fn documents(comparison: &Comparison, provenance: &Provenance) -> Vec<(&'sta
     })
 }
 
-/// The files of studies of profiles that do not depend on how many there are.
+/// The files of studies of profiles, each with its name: page, results and curves of all of them; for each the area over
+/// load, 85 mm wide, and the first trace, of which nothing is drawn if it is flat.
 pub fn profile_documents(
     studies: &[ProfileComparison],
     provenance: &Provenance,
-) -> [(&'static str, String); 3] {
+) -> [(&'static str, Vec<String>); 5] {
     let results = profile_json::profile_comparison(studies, provenance);
+    let area = |study| profiles::area(study, "area").standalone();
+    let trace = |study| {
+        profiles::first_trace(study, "trace").map_or_else(String::new, |trace| trace.standalone())
+    };
     [
-        ("report.html", page::profile::report(studies, provenance)),
-        ("results.json", format!("{results:#}\n")),
-        ("curves.csv", csv::of_profiles(studies)),
-    ]
-}
-
-/// Figures of a profile as files, each with the beginning of its name: area over load, 85 mm wide, and the first trace,
-/// of which nothing is drawn if it is flat.
-pub fn profile_figures(study: &ProfileComparison) -> [(&'static str, String); 2] {
-    let trace = profiles::first_trace(study, "trace");
-    [
-        ("area", profiles::area(study, "area").standalone()),
-        ("trace", trace.map_or_else(String::new, |figure| figure.standalone())),
+        ("report.html", vec![page::profile::report(studies, provenance)]),
+        ("results.json", vec![format!("{results:#}\n")]),
+        ("curves.csv", vec![csv::of_profiles(studies)]),
+        ("area.svg", studies.iter().map(area).collect()),
+        ("trace.svg", studies.iter().map(trace).collect()),
     ]
 }

@@ -43,8 +43,7 @@ pub fn findings(found: &[Finding]) -> Value {
     found.iter().map(one).collect()
 }
 
-/// One surface of a study, as [`comparison`] lists it.
-pub fn surface(s: &SurfaceComparison, comparison: &Comparison) -> Value {
+fn surface(s: &SurfaceComparison, comparison: &Comparison) -> Value {
     let grid = s.solved_map().grid();
     let settings = &comparison.settings;
     let (precision, tolerance) = s

@@ -25,14 +25,13 @@ pub use contact_compare as compare; // whose results are written here
 
 pub use csv::spots_csv;
 pub use digest::digest;
-pub use documents::{documents, profile_documents, profile_figures};
-pub use draw::palette::Style;
-pub use figures::cost_plot::{CostLabel, CostPlot};
+pub use documents::{documents, profile_documents};
+pub use figures::cost_plot::{CostFigure, CostSeries};
 pub use figures::heights::{height_map, thumbnail};
 pub use figures::maps::pressures as pressure_picture;
 pub use json::{
     accuracy as accuracy_json, cleaning as cleaning_json, comparison as comparison_json,
-    findings as findings_json, statistics as statistics_json, surface as surface_json,
+    findings as findings_json, statistics as statistics_json,
 };
 pub use lines::{Reference, references};
 pub use messages::conduction::{joint_words, resistances};
@@ -51,7 +50,6 @@ pub use parts_json::{
     bodies_json, budget_keys, conducted_keys, gas_json, leak_json, leak_point_json, pair_json,
     yield_keys,
 };
-pub use plot_styles::plot_style;
 pub use profile_json::{
     profile_comparison as profile_comparison_json, profile_statistics as profile_statistics_json,
     unevenness as unevenness_json,

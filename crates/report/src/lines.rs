@@ -9,7 +9,6 @@ use contact_compare::{Card, DeterministicPoint, ModelComparison, ModelCurve, Sur
 pub(crate) const WANTED: f64 = 0.10;
 
 /// One closed form over the loads.
-#[derive(Debug, Clone)]
 pub(crate) struct LoadLine {
     /// The series of the study it is, see [`Canvas::series`](crate::draw::svg::Canvas::series); may be empty.
     pub name: String,
@@ -21,7 +20,6 @@ pub(crate) struct LoadLine {
 }
 
 /// What the figures over the load draw.
-#[derive(Debug, Clone)]
 pub(crate) struct LoadLines {
     /// Nominal pressures (Pa), rising.
     pub pressures: Vec<f64>,

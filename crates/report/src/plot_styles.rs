@@ -69,7 +69,7 @@ const RESERVE: [Style; 4] = [
 
 /// How a model, or a method of the solver with its precision, is drawn; one of the reserve by its `place` in the study if
 /// its name is not known.
-pub fn plot_style(name: &str, place: usize) -> Style {
+pub(crate) fn plot_style(name: &str, place: usize) -> Style {
     let mut known = STYLES.iter().map(|row| (row.0, row.1)).chain(SOLVER);
     known.find(|row| row.0 == name).map_or(RESERVE[place % RESERVE.len()], |row| row.1)
 }

@@ -5,7 +5,7 @@
 
 mod studies;
 
-use contact_compare::{Comparison, FileOrigin, Origin, Settings, Surface, built_in_recipes};
+use contact_compare::{Comparison, FileOrigin, Origin, Settings, Surface};
 use contact_types::{Grid, HeightMap};
 use std::collections::HashMap;
 use studies::{all, file, hostile, html, one, run, small, three, yielding};
@@ -244,25 +244,6 @@ fn the_report_is_deterministic() {
     b.settings.threads = 1;
     assert!(html(&a) == html(&b));
     assert_eq!(csv(&a), csv(&b));
-}
-
-/// Waves of two points: every load is solved on twice the points, the interval holds both areas, and the page
-/// says so.
-#[test]
-fn a_map_that_depends_on_interpolation_is_solved_on_twice_the_points() {
-    let mut recipe = built_in_recipes().remove(0);
-    (recipe.shape, recipe.cutoff, recipe.quantise) = ([96, 80], 2e-6, None);
-    (recipe.rms_height, recipe.rms_gradient, recipe.hurst) = (None, Some(0.1), 0.3);
-    let comparison = run(vec![recipe.make().unwrap()], Settings::default());
-    let surface = &comparison.surfaces[0];
-    assert!(surface.headline_answer().unwrap().budget.indicator.unwrap() > 0.05);
-    let mut loads = surface.deterministic.iter();
-    assert!(loads.all(|p| p.answer.as_ref().unwrap().budget.area.interval().is_ok()));
-    let [low, high] = surface.headline_answer().unwrap().budget.area.interval().unwrap();
-    let refined = surface.headline_answer().unwrap().finer.unwrap().area;
-    assert!((low..=high).contains(&refined), "{low} {refined} {high}");
-    let page = html(&comparison);
-    assert!(page.contains("Result depends on interpolation between points"));
 }
 
 /// The closer look of a report: a proven bound, a stiffness with both intervals, choices with what

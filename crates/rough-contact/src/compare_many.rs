@@ -56,7 +56,8 @@ impl PerFile for Compare {
         let go_on = &mut |_: compare::Progress<'_>| ControlFlow::Continue(());
         let study = Comparison::run(surface, settings, &Registry::built_in(), go_on)
             .map_err(|e| Failure::in_file(path, &e))?;
-        let json = study.surfaces.first().map_or(Value::Null, |s| report::surface_json(s, &study));
+        let mut all = report::comparison_json(&study, &Provenance::here(""));
+        let json = all.pointer_mut("/surfaces/0").map_or(Value::Null, Value::take);
         let mut reply = Reply::new(String::new(), json);
         reply.trouble = crate::compare::not_met(&study);
         Ok(reply)

@@ -9,17 +9,11 @@
 mod cases;
 
 use cases::Case;
-use clap::Parser;
 
 /// Rows and columns of the map.
 const SIDE: usize = 1001;
 
-/// What representative calls of every crate allocate, as a Markdown table
-#[derive(Parser)]
-struct CostsArguments {}
-
 fn main() {
-    CostsArguments::parse();
     println!("| crate | call | allocations | peak |");
     println!("|---|---|---|---|");
     for case in cases::all(SIDE) {

@@ -5,15 +5,11 @@ use crate::tradeoff::{AreaOf, TradeoffRow, TradeoffTable, Way, is, ways};
 use contact_accuracy::median;
 use contact_compare::find;
 use contact_report::numbers::{SPACE, duration, percent, power_of_ten};
-use contact_report::{CostLabel, CostPlot, Style, plot_style};
+use contact_report::{CostFigure, CostSeries};
 
 /// Smallest and largest of some values.
 fn span(values: impl Iterator<Item = f64>) -> [f64; 2] {
     values.fold([f64::INFINITY, 0.0], |[lo, hi], v| [lo.min(v), hi.max(v)])
-}
-
-fn label(text: &str, style: Style) -> CostLabel<'_> {
-    CostLabel { text, style, bold: false, small: false, beside: None }
 }
 
 /// Words for a grid by its points per side over those of the map.
@@ -36,46 +32,33 @@ pub fn tradeoff_area(table: &TradeoffTable) -> String {
     let floor = median(table.rows.iter().filter_map(|r| Some(r.bar? / r.truth?))).unwrap_or(0.0);
     let times = span(shown.iter().map(|w| w.seconds));
     let errors = span(shown.iter().map(|w| w.error[1]).chain([floor]));
+    let cost = |way: &Way<'_>| [way.seconds, way.error[1]];
     let highest = shown.iter().map(|w| w.error[2]).fold(0.0, f64::max);
     let limits = [[times[0] / 2.5, times[1] * 1.8], [100.0 * errors[0] / 2.0, 150.0 * highest]];
-    let titles = ["Time per load", "|Error| of the real area (%)"];
-    let mut plot = CostPlot::new(limits, titles, Some(floor));
-    if let Some(seconds) = table.statistics() {
-        plot.mark(seconds, "statistics of a map, once", true);
-    }
-
-    let of_kind = |kind| {
-        let is_it = |i: &usize| shown[*i].area == kind;
-        (0..shown.len()).filter(is_it).collect::<Vec<_>>()
+    let line = |(kind, label, bold): (AreaOf, &str, bool)| CostSeries {
+        style: style_of(kind, "").into(),
+        costs: shown.iter().filter(|w| w.area == kind).map(cost).collect(),
+        is_line: true,
+        label: label.into(),
+        bold,
+        ..CostSeries::default()
     };
-    let mut places: Vec<[f64; 2]> =
-        shown.iter().map(|w| plot.at([w.seconds, 100.0 * w.error[1]])).collect();
-    let models = of_kind(AreaOf::Model);
-    let wanted: Vec<f64> = models.iter().map(|i| places[*i][0]).collect();
-    for (i, x) in models.into_iter().zip(plot.apart(&wanted)) {
-        places[i][0] = x;
-    }
-    let costs: Vec<[f64; 2]> = shown.iter().map(|w| [w.seconds, w.error[1]]).collect();
-    plot.front(&costs, &places, floor, 1.6);
-    let solver = [(AreaOf::Count, "pixel count", false), (AreaOf::Corrected, "corrected", true)];
-    for (kind, ..) in solver {
-        let line: Vec<[f64; 2]> = of_kind(kind).into_iter().map(|i| places[i]).collect();
-        plot.line(&line, style_of(kind, ""), Some(1.0));
-    }
-    for (way, place) in shown.iter().zip(&places) {
-        let [low, _, high] = way.error.map(|error| plot.at([way.seconds, 100.0 * error])[1]);
-        plot.point(*place, Some([low, high]), style_of(way.area, &way.row.method));
-    }
-    for (kind, name, bold) in solver {
-        if let Some(&i) = of_kind(kind).last() {
-            let name = label(name, style_of(kind, ""));
-            plot.label(places[i], CostLabel { bold, beside: Some(0.0), ..name });
-        }
-    }
-    for (way, place) in shown.iter().zip(&places).filter(|(way, _)| way.area != AreaOf::Count) {
-        plot.label(*place, label(&name_of(way), style_of(way.area, &way.row.method)));
-    }
-    plot.name_front();
+    let one = |way: &Way<'_>| CostSeries {
+        style: style_of(way.area, &way.row.method).into(),
+        costs: vec![cost(way)],
+        range: Some([way.error[0], way.error[2]]),
+        is_moved: way.area == AreaOf::Model,
+        label: if way.area == AreaOf::Count { String::new() } else { name_of(way) },
+        ..CostSeries::default()
+    };
+    let lines = [(AreaOf::Count, "pixel count", false), (AreaOf::Corrected, "corrected", true)];
+    let figure = CostFigure {
+        limits,
+        titles: ["Time per load", "|Error| of the real area (%)"],
+        floor: Some(floor),
+        mark: table.statistics().map(|seconds| (seconds, "statistics of a map, once")),
+        series: lines.into_iter().map(line).chain(shown.iter().map(one)).collect(),
+    };
     let description = format!(
         "Log-log plot of the median error of the area over {} cases against time per load: {}. \
          The truth's own half width is {}.",
@@ -83,16 +66,15 @@ pub fn tradeoff_area(table: &TradeoffTable) -> String {
         listed(&shown),
         percent(floor)
     );
-    plot.svg("tradeoff-area", "Error of the real area against time", description)
+    figure.svg("tradeoff-area", "Error of the real area against time", description)
 }
 
-fn style_of(area: AreaOf, method: &str) -> Style {
-    let name = match area {
+fn style_of(area: AreaOf, method: &str) -> &str {
+    match area {
         AreaOf::Model => method,
         AreaOf::Count => "chord counted",
         AreaOf::Corrected => "chord f64",
-    };
-    plot_style(name, 0)
+    }
 }
 
 /// A model, or a grid.
@@ -135,45 +117,34 @@ pub fn tradeoff_pressure(table: &TradeoffTable) -> String {
     let pair = table.pair();
     let times = span(rows.iter().map(|r| r.seconds).chain(pair));
     let errors = span(rows.iter().map(|r| point(r)[1]));
-    let limits = [[times[0] / 1.6, times[1] * 1.4], [errors[0] / 5.0, 1.0]];
-    let titles = ["Time to the answer", "Relative rms error of the pressure"];
-    let mut plot = CostPlot::new(limits, titles, None);
-    if let Some(seconds) = pair {
-        plot.mark(seconds, "one FFT convolution", false);
-    }
-    let costs: Vec<[f64; 2]> = rows.iter().map(|r| point(r)).collect();
-    let places: Vec<[f64; 2]> = costs.iter().map(|cost| plot.at(*cost)).collect();
-    plot.front(&costs, &places, 0.0, 1.6);
-
-    let mut drawn = Vec::new();
-    for (method, precision, name) in SERIES {
+    let of = |(method, precision, _): &(&str, &str, &str)| -> Vec<&TradeoffRow> {
         let is_it =
-            |r: &&TradeoffRow| r.method == method && r.precision.as_deref() == Some(precision);
-        let series: Vec<&TradeoffRow> = rows.iter().copied().filter(is_it).collect();
-        let style = plot_style(&format!("{method} {precision}"), 0);
-        let line: Vec<[f64; 2]> = series.iter().map(|r| plot.at(point(r))).collect();
-        plot.line(&line, style, None);
-        for place in line {
-            plot.point(place, None, style);
+            |r: &&TradeoffRow| r.method == *method && r.precision.as_deref() == Some(precision);
+        rows.iter().copied().filter(is_it).collect()
+    };
+    let series = |named: &(&str, &str, &str)| {
+        let (rows, (method, precision, label)) = (of(named), *named);
+        // Where it was stopped.
+        let stopped = rows.last().filter(|row| row.is_capped).and_then(|row| row.pairs);
+        CostSeries {
+            style: format!("{method} {precision}"),
+            costs: rows.iter().map(|r| point(r)).collect(),
+            label: label.into(),
+            bold: label == "chord",
+            note: stopped.map_or_else(String::new, |pairs| format!("stopped at {pairs:.0}")),
+            ..CostSeries::default()
         }
-        let bold = name == "chord";
-        drawn.push((series, CostLabel { bold, ..label(name, style) }));
-    }
-    for (series, name) in &drawn {
-        let Some(row) = series.last() else { continue };
-        let place = plot.at(point(row));
-        let (true, Some(pairs)) = (row.is_capped, row.pairs) else {
-            plot.label(place, *name);
-            continue;
-        };
-        // Two lines right of where it was stopped.
-        plot.label(place, CostLabel { beside: Some(0.0), ..*name });
-        let text = &format!("stopped at {pairs:.0}");
-        plot.label(place, CostLabel { text, small: true, beside: Some(10.0), ..*name });
-    }
-    let found: Vec<String> = drawn.iter().filter_map(|(series, _)| words(series)).collect();
+    };
+    let figure = CostFigure {
+        limits: [[times[0] / 1.6, times[1] * 1.4], [errors[0] / 5.0, 1.0]],
+        titles: ["Time to the answer", "Relative rms error of the pressure"],
+        floor: None,
+        mark: pair.map(|seconds| (seconds, "one FFT convolution")),
+        series: SERIES.iter().map(series).collect(),
+    };
+    let found: Vec<String> = SERIES.iter().filter_map(|named| words(&of(named))).collect();
     let description = found.join("; ") + ".";
-    plot.svg("tradeoff-pressure", "Error of the pressure against time", description)
+    figure.svg("tradeoff-pressure", "Error of the pressure against time", description)
 }
 
 /// A series in words: its most accurate point.

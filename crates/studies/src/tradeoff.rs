@@ -4,9 +4,11 @@
 //! The table is a CSV whose lines beginning with `#` say where it comes from.
 
 use contact_accuracy::{median, round_to_digits};
+use serde::{Deserialize, Serialize};
+use serde_json::{Value, json};
 
 /// One way to an answer, in one case: a surface at a load.
-#[derive(Debug, Clone, Default, PartialEq)]
+#[derive(Debug, Clone, Default, PartialEq, Serialize, Deserialize)]
 pub struct TradeoffRow {
     /// Name of the surface.
     pub surface: String,
@@ -37,6 +39,7 @@ pub struct TradeoffRow {
     /// Shortest wall-clock time (s).
     pub seconds: f64,
     /// True if the limit of FFT convolutions ended it.
+    #[serde(rename = "capped")]
     pub is_capped: bool,
 }
 
@@ -52,58 +55,28 @@ pub const HEADER: &str = "surface,load,method,scale,points,precision,tolerance,a
 impl TradeoffRow {
     /// The row as a line of the table, six digits each; empty cells where there is nothing.
     pub fn line(&self) -> String {
-        let number = |value: Option<f64>| value.map_or(String::new(), six);
-        let cells = [
-            self.surface.clone(),
-            number(self.load),
-            self.method.clone(),
-            number(self.scale),
-            self.points.map_or(String::new(), |n| n.to_string()),
-            self.precision.clone().unwrap_or_default(),
-            number(self.tolerance),
-            number(self.area),
-            number(self.corrected),
-            number(self.truth),
-            number(self.bar),
-            number(self.pressure_error),
-            number(self.pairs),
-            six(self.seconds),
-            if self.is_capped { "yes" } else { "no" }.to_owned(),
-        ];
-        cells.join(",")
+        let row = json!(self);
+        let cell = |name| match &row[name] {
+            Value::String(text) => text.clone(),
+            Value::Bool(truth) => if *truth { "yes" } else { "no" }.to_owned(),
+            Value::Number(number) if number.is_u64() => number.to_string(),
+            number => number.as_f64().map_or(String::new(), six),
+        };
+        HEADER.split(',').map(cell).collect::<Vec<_>>().join(",")
     }
 
     fn parse(line: &str) -> Option<Self> {
-        let cells: Vec<&str> = line.split(',').collect();
-        if cells.len() != HEADER.split(',').count() {
+        if line.split(',').count() != HEADER.split(',').count() {
             return None;
         }
-        // An empty cell is no number; anything else must be one.
-        let number = |k: usize| match cells[k] {
-            "" => Some(None),
-            text => text.parse::<f64>().ok().map(Some),
+        let value = |cell: &str| match cell {
+            "" => Value::Null,
+            "yes" | "no" => json!(cell == "yes"),
+            text => serde_json::from_str(text).unwrap_or(json!(text)),
         };
-        Some(Self {
-            surface: cells[0].into(),
-            load: number(1)?,
-            method: cells[2].into(),
-            scale: number(3)?,
-            points: if cells[4].is_empty() { None } else { Some(cells[4].parse().ok()?) },
-            precision: Some(cells[5].to_owned()).filter(|text| !text.is_empty()),
-            tolerance: number(6)?,
-            area: number(7)?,
-            corrected: number(8)?,
-            truth: number(9)?,
-            bar: number(10)?,
-            pressure_error: number(11)?,
-            pairs: number(12)?,
-            seconds: number(13)??,
-            is_capped: match cells[14] {
-                "yes" => true,
-                "no" => false,
-                _ => return None,
-            },
-        })
+        let names = HEADER.split(',').map(str::to_owned);
+        let row = names.zip(line.split(',').map(value)).collect();
+        serde_json::from_value(Value::Object(row)).ok()
     }
 
     /// Whether the tolerance is the solver's default, at which grids are compared.

@@ -157,7 +157,6 @@ pub(crate) fn round_step(about: f64) -> f64 {
 }
 
 /// A plot box with its two axes.
-#[derive(Debug, Clone)]
 pub(crate) struct PlotFrame {
     pub(crate) x: PlotAxis,
     /// Vertical axis; `units` run from bottom to top.

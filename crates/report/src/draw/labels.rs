@@ -10,7 +10,6 @@ pub(crate) const PITCH: f64 = 11.5;
 pub(crate) const ROOM: f64 = 90.0;
 
 /// A name for the right end of a line.
-#[derive(Debug, Clone)]
 pub(crate) struct EndLabel {
     pub(crate) y: f64,
     pub(crate) text: String,

@@ -88,7 +88,7 @@ impl Stroke {
 
 /// How a series is drawn.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub struct Style {
+pub(crate) struct Style {
     pub(crate) colour: Colour,
     /// Line width in figure units.
     pub(crate) width: f64,

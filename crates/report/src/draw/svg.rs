@@ -216,11 +216,7 @@ impl Canvas {
 
     pub(crate) fn area(&mut self, points: &[[f64; 2]], colour: Colour, opacity: f64) {
         if points.len() > 2 {
-            let (Colour { class, light, .. }, data) = (colour, path_data(points));
-            let opacity = num(opacity);
-            self.raw(&format!(
-                r#"<path class="f-{class}" d="{data}Z" fill="{light}" fill-opacity="{opacity}" stroke="none"/>"#
-            ));
+            self.filled(&(path_data(points) + "Z"), colour, opacity, r#" stroke="none""#);
         }
     }
 
@@ -237,10 +233,19 @@ impl Canvas {
             let [left, top, right, bottom] = bar.map(num);
             format!("M{left} {bottom}V{top}H{right}V{bottom}Z")
         };
-        let (path, opacity) = (bars.iter().map(bar).collect::<String>(), num(opacity));
-        let Colour { class, light, .. } = colour;
+        self.filled(&bars.iter().map(bar).collect::<String>(), colour, opacity, "");
+    }
+
+    fn filled(
+        &mut self,
+        data: &str,
+        Colour { class, light, .. }: Colour,
+        opacity: f64,
+        more: &str,
+    ) {
+        let opacity = num(opacity);
         self.raw(&format!(
-            r#"<path class="f-{class}" d="{path}" fill="{light}" fill-opacity="{opacity}"/>"#
+            r#"<path class="f-{class}" d="{data}" fill="{light}" fill-opacity="{opacity}"{more}/>"#
         ));
     }
 
@@ -253,11 +258,10 @@ impl Canvas {
         self.write_text(text, " label", "");
     }
 
-    /// A text reading upwards, centred on its point.
+    /// A text reading upwards.
     pub(crate) fn upright(&mut self, text: &Text<'_>) {
         let [x, y] = text.at.map(num);
-        let turned = Text { anchor: Anchor::Middle, ..*text };
-        self.write_text(&turned, "", &format!(r#" transform="rotate(-90 {x} {y})""#));
+        self.write_text(text, "", &format!(r#" transform="rotate(-90 {x} {y})""#));
     }
 
     fn write_text(&mut self, text: &Text<'_>, kind: &str, turn: &str) {
@@ -342,7 +346,6 @@ fn path_data(points: &[[f64; 2]]) -> String {
 }
 
 /// A finished figure.
-#[derive(Debug, Clone)]
 pub(crate) struct Figure {
     /// Unique key: prefix of every id inside.
     pub(crate) key: String,

@@ -6,7 +6,6 @@ use crate::draw::svg::{COLUMN, Figure, Rect, Text, text_width};
 use crate::figures::cost_plot::CostPlot;
 use crate::numbers::{duration, percent};
 
-#[derive(Debug, Clone)]
 pub(crate) struct CostRoute {
     pub label: String,
     /// The series it is, see [`Canvas::series`](crate::draw::svg::Canvas::series); may be empty.

@@ -2,13 +2,92 @@
 
 use crate::draw::axes::{PlotAxis, PlotFrame};
 use crate::draw::labels::{place_near, push_apart};
-use crate::draw::palette::{BAND, INK2, LINE, Stroke, Style};
+use crate::draw::palette::{BAND, INK2, LINE, Stroke};
 use crate::draw::svg::{COLUMN, Canvas, Rect, Text, text_width};
 use crate::numbers::{percent, time_tick};
+use crate::plot_styles::plot_style;
 
-/// A figure of errors against times. Places are in units of the figure.
+/// A figure of errors against times.
 #[derive(Debug)]
-pub struct CostPlot {
+pub struct CostFigure<'a> {
+    /// Times (s) and errors at the ends of the axes; errors in per cent where there is a `floor`.
+    pub limits: [[f64; 2]; 2],
+    /// Titles of the axes.
+    pub titles: [&'a str; 2],
+    /// Uncertainty of the truth (a fraction): errors up to it are shaded.
+    pub floor: Option<f64>,
+    /// A time (s) with a dotted line, and its name.
+    pub mark: Option<(f64, &'a str)>,
+    /// In the order in which they are drawn.
+    pub series: Vec<CostSeries>,
+}
+
+/// What costs of one kind look like: a line, markers and a name at the last of them.
+#[derive(Debug, Clone, Default)]
+pub struct CostSeries {
+    /// Name of a model, or of a method of the solver with its precision, by which it is drawn.
+    pub style: String,
+    /// Time (s) and error (a fraction) of each.
+    pub costs: Vec<[f64; 2]>,
+    /// Smallest and largest error, if there is one marker with a bar.
+    pub range: Option<[f64; 2]>,
+    /// A thin line without markers, not on the front.
+    pub is_line: bool,
+    /// Moved aside so that bars of equal times lie side by side.
+    pub is_moved: bool,
+    /// Its name, near the last place where there is room; may be empty.
+    pub label: String,
+    /// Bold.
+    pub bold: bool,
+    /// Below the name, which stands right of its place then, as that of a line does.
+    pub note: String,
+}
+
+impl CostFigure<'_> {
+    /// The text of the figure as a file: `key` begins the ids inside, `title` says what it shows, `description` what it
+    /// finds.
+    pub fn svg(&self, key: &str, title: &str, description: String) -> String {
+        let room = 66.0; // for labels right of the frame
+        let frame = [44.0, 12.0, COLUMN - room, 250.0];
+        let floor = self.floor.map(|floor| (floor, "truth’s"));
+        let mut plot = CostPlot::framed(frame, self.limits, self.titles, floor);
+        if let Some((seconds, name)) = self.mark {
+            plot.mark(seconds, name, floor.is_some());
+        }
+        let scale = if floor.is_some() { 100.0 } else { 1.0 };
+        let mut places: Vec<Vec<[f64; 2]>> = Vec::new();
+        for series in &self.series {
+            places.push(series.costs.iter().map(|[s, e]| plot.at([*s, scale * e])).collect());
+        }
+        let moved = |i: &usize| self.series[*i].is_moved;
+        let moved: Vec<usize> = (0..places.len()).filter(moved).collect();
+        let wanted: Vec<f64> = moved.iter().map(|i| places[*i][0][0]).collect();
+        for (i, x) in moved.into_iter().zip(push_apart(&wanted, 7.0, plot.frame.x.units)) {
+            places[i][0][0] = x;
+        }
+        let each = || self.series.iter().zip(&places);
+        let marked = || each().filter(|(series, _)| !series.is_line);
+        let costs: Vec<[f64; 2]> = marked().flat_map(|(s, _)| s.costs.iter().copied()).collect();
+        let at: Vec<[f64; 2]> = marked().flat_map(|(_, places)| places.iter().copied()).collect();
+        plot.front(&costs, &at, self.floor.unwrap_or(0.0), 1.6);
+        for (series, places) in each() {
+            plot.series(series, places, scale);
+        }
+        for (series, places) in each().filter(|(series, _)| !series.label.is_empty()) {
+            if let Some(place) = places.last() {
+                plot.label(series, *place);
+            }
+        }
+        // Of medians with bars the front is named; of many points it is seen.
+        if floor.is_some() {
+            plot.name_front();
+        }
+        plot.canvas.figure(key, title, description, [COLUMN, 288.0]).standalone()
+    }
+}
+
+/// Such a figure as it is drawn. Places are in units of the figure.
+pub(super) struct CostPlot {
     pub(super) frame: PlotFrame,
     pub(super) canvas: Canvas,
     /// What labels keep clear of.
@@ -17,31 +96,8 @@ pub struct CostPlot {
     level: Option<[[f64; 2]; 2]>,
 }
 
-/// The name of something in the figure.
-#[derive(Debug, Clone, Copy)]
-pub struct CostLabel<'a> {
-    /// The name.
-    pub text: &'a str,
-    /// Style of what it names.
-    pub style: Style,
-    /// Bold.
-    pub bold: bool,
-    /// In the smaller type of notes.
-    pub small: bool,
-    /// How far below its line it stands right of its place; `None`: near its place, where there is room.
-    pub beside: Option<f64>,
-}
-
 impl CostPlot {
-    /// Axes over these seconds and errors, with titles; errors up to `floor`, the uncertainty of the truth (a fraction),
-    /// are shaded. The axis of errors is in per cent where there is a floor.
-    pub fn new(limits: [[f64; 2]; 2], titles: [&str; 2], floor: Option<f64>) -> Self {
-        let room = 66.0; // for labels right of the frame
-        let frame = [44.0, 12.0, COLUMN - room, 250.0];
-        Self::framed(frame, limits, titles, floor.map(|floor| (floor, "truth’s")))
-    }
-
-    /// The same in a plot box; the floor with whose uncertainty it is.
+    /// Axes in a plot box; the floor with whose uncertainty it is.
     pub(super) fn framed(
         [left, top, right, bottom]: Rect,
         [seconds, errors]: [[f64; 2]; 2],
@@ -68,17 +124,12 @@ impl CostPlot {
     }
 
     /// Place of a time and an error; errors below the axis on its end.
-    pub fn at(&self, [seconds, error]: [f64; 2]) -> [f64; 2] {
+    fn at(&self, [seconds, error]: [f64; 2]) -> [f64; 2] {
         self.frame.at([seconds, error.max(self.frame.y.data[0])])
     }
 
-    /// Horizontal places moved apart so that bars of equal times lie side by side.
-    pub fn apart(&self, wanted: &[f64]) -> Vec<f64> {
-        push_apart(wanted, 7.0, self.frame.x.units)
-    }
-
     /// A dotted upright line at a time, with its name at the top or at the bottom.
-    pub fn mark(&mut self, seconds: f64, name: &str, is_at_top: bool) {
+    fn mark(&mut self, seconds: f64, name: &str, is_at_top: bool) {
         let (x, [bottom, top]) = (self.frame.x.at(seconds), self.frame.y.units);
         let stroke = Stroke { colour: LINE, width: 0.8, dash: "1 2" };
         self.canvas.line([x, bottom], [x, top], stroke);
@@ -92,7 +143,13 @@ impl CostPlot {
 
     /// Joins in steps of this width, at their places, the costs `[seconds, error]` that no other beats in both, down to
     /// an error of `floor`.
-    pub fn front(&mut self, costs: &[[f64; 2]], places: &[[f64; 2]], floor: f64, width: f64) {
+    pub(super) fn front(
+        &mut self,
+        costs: &[[f64; 2]],
+        places: &[[f64; 2]],
+        floor: f64,
+        width: f64,
+    ) {
         let front = front(costs, floor);
         let step = |w: &[usize]| {
             let (a, b) = (places[w[0]], places[w[1]]);
@@ -106,38 +163,43 @@ impl CostPlot {
     }
 
     /// Names the front where it runs level for longest.
-    pub fn name_front(&mut self) {
+    fn name_front(&mut self) {
         let Some([a, b]) = self.level else { return };
         self.keep_clear_of(&[[a[0], a[1] - 2.0], [b[0], b[1] - 2.0]]);
         let middle = [f64::midpoint(a[0], b[0]), a[1]];
         self.place(Text::start(middle, "Pareto front", INK2).small());
     }
 
-    /// A line through places, as wide as its style says or as `width`.
-    pub fn line(&mut self, places: &[[f64; 2]], style: Style, width: Option<f64>) {
+    /// A line through places, and a marker with its bar at each.
+    fn series(&mut self, series: &CostSeries, places: &[[f64; 2]], scale: f64) {
+        let style = plot_style(&series.style, 0);
         let stroke = style.stroke();
-        self.canvas.polyline(places, Stroke { width: width.unwrap_or(stroke.width), ..stroke });
+        let width = if series.is_line { 1.0 } else { stroke.width };
+        self.canvas.polyline(places, Stroke { width, ..stroke });
         self.keep_clear_of(places);
-    }
-
-    /// A marker at a place, with a bar over the vertical places of a range.
-    pub fn point(&mut self, [x, y]: [f64; 2], range: Option<[f64; 2]>, style: Style) {
-        if let Some([low, high]) = range {
-            self.canvas.line([x, low], [x, high], Stroke::solid(style.colour, 0.9));
-            self.taken.push([x - 1.0, high.min(low), x + 1.0, low.max(high)]);
+        for &[x, y] in places.iter().filter(|_| !series.is_line) {
+            if let Some(range) = series.range {
+                let [low, high] = range.map(|error| self.at([1.0, scale * error])[1]);
+                self.canvas.line([x, low], [x, high], Stroke::solid(style.colour, 0.9));
+                self.taken.push([x - 1.0, high.min(low), x + 1.0, low.max(high)]);
+            }
+            self.canvas.marker([x, y], if series.range.is_some() { 3.4 } else { 3.2 }, style);
+            self.taken.push([x - 4.0, y - 4.0, x + 4.0, y + 4.0]);
         }
-        self.canvas.marker([x, y], if range.is_some() { 3.4 } else { 3.2 }, style);
-        self.taken.push([x - 4.0, y - 4.0, x + 4.0, y + 4.0]);
     }
 
-    /// A label at a place.
-    pub fn label(&mut self, [x, y]: [f64; 2], label: CostLabel<'_>) {
-        let CostLabel { text, style, bold, small, beside } = label;
-        let size = if small { 9.0 } else { 10.0 };
-        let text = Text { size, bold, ..Text::start([x, y], text, style.colour) };
-        match beside {
-            Some(down) => self.write(&Text { at: [x + 7.0, y + 3.4 + down], ..text }),
-            None => self.place(text),
+    /// The name of a series at the last of its places.
+    fn label(&mut self, series: &CostSeries, [x, y]: [f64; 2]) {
+        let colour = plot_style(&series.style, 0).colour;
+        let text = Text { bold: series.bold, ..Text::start([x, y], &series.label, colour) };
+        if !series.is_line && series.note.is_empty() {
+            return self.place(text);
+        }
+        let at = [x + 7.0, y + 3.4];
+        self.write(&Text { at, ..text });
+        if !series.note.is_empty() {
+            let at = [at[0], at[1] + 10.0];
+            self.write(&Text { at, content: &series.note, ..text }.small());
         }
     }
 
@@ -181,11 +243,6 @@ impl CostPlot {
                 self.taken.push([x - 1.0, y - 1.0, x + 1.0, y + 1.0]);
             }
         }
-    }
-
-    /// The text of the figure as a file: `key` begins the ids inside, `title` says what it shows, `description` what it finds.
-    pub fn svg(self, key: &str, title: &str, description: String) -> String {
-        self.canvas.figure(key, title, description, [COLUMN, 288.0]).standalone()
     }
 }
 

@@ -163,15 +163,8 @@ pub(crate) fn strips(strips: &[Strip], key: &str) -> Figure {
     canvas.figure(key, title, format!("{}.", said.join("; ")), size)
 }
 
-pub(crate) struct QuantityHistogram {
-    /// "Quantity (unit)".
-    pub title: String,
-    /// The numbers, in that unit.
-    pub values: Quantiles,
-}
-
-/// Distributions side by side, three in a row.
-pub(crate) fn histograms(all: &[QuantityHistogram], key: &str) -> Figure {
+/// Distributions side by side, three in a row: of each "Quantity (unit)" its numbers, in that unit.
+pub(crate) fn histograms(all: &[(String, Quantiles)], key: &str) -> Figure {
     const PER_ROW: usize = 3;
     const PANEL: [f64; 2] = [196.0, 92.0];
     const PITCH: [f64; 2] = [234.0, 140.0];
@@ -179,21 +172,25 @@ pub(crate) fn histograms(all: &[QuantityHistogram], key: &str) -> Figure {
     let rows = all.len().div_ceil(PER_ROW).max(1);
     let mut canvas = Canvas::default();
     let mut said = Vec::new();
-    for (i, one) in all.iter().enumerate() {
+    for (i, (title, values)) in all.iter().enumerate() {
         let left = LEFT + PITCH[0] * (i % PER_ROW) as f64;
         let top = 10.0 + PITCH[1] * (i / PER_ROW) as f64;
-        histogram(one, [left, top, left + PANEL[0], top + PANEL[1]], &mut canvas);
-        said.push(format!("{}: {}", one.title, one.values.words(|v| significant(v, 3))));
+        histogram(title, values, [left, top, left + PANEL[0], top + PANEL[1]], &mut canvas);
+        said.push(format!("{title}: {}", values.words(|v| significant(v, 3))));
     }
     let size = [LEFT + PITCH[0] * 3.0 - 24.0, PITCH[1] * rows as f64 + 4.0];
     canvas.figure(key, "Distributions over the maps", format!("{}.", said.join("; ")), size)
 }
 
 /// Classes of equal width, on a logarithmic axis if the numbers are wide.
-fn histogram(one: &QuantityHistogram, [left, top, right, bottom]: [f64; 4], canvas: &mut Canvas) {
-    let values = &one.values.sorted;
-    let wide = one.values.is_wide();
-    let [mut low, mut high] = one.values.ends();
+fn histogram(
+    title: &str,
+    values: &Quantiles,
+    [left, top, right, bottom]: [f64; 4],
+    canvas: &mut Canvas,
+) {
+    let wide = values.is_wide();
+    let [mut low, mut high] = values.ends();
     if high <= low {
         let room = if low == 0.0 { 1.0 } else { 0.1 * low.abs() };
         (low, high) = (low - room, high + room);
@@ -204,9 +201,9 @@ fn histogram(one: &QuantityHistogram, [left, top, right, bottom]: [f64; 4], canv
     };
     let x = axis([low, high]);
     // Twice the cube root, after Rice; no class without a name.
-    let classes = ((2.0 * (values.len() as f64).cbrt()).ceil() as usize).clamp(5, 24);
+    let classes = ((2.0 * (values.sorted.len() as f64).cbrt()).ceil() as usize).clamp(5, 24);
     let mut counts = vec![0_usize; classes];
-    for &value in values {
+    for &value in &values.sorted {
         let part = (x.at(value) - left) / (right - left);
         counts[((part * classes as f64) as usize).min(classes - 1)] += 1;
     }
@@ -214,7 +211,7 @@ fn histogram(one: &QuantityHistogram, [left, top, right, bottom]: [f64; 4], canv
     let frame = PlotFrame {
         x,
         y: PlotAxis::linear([0.0, most as f64 * 1.08], [bottom, top]),
-        x_title: one.title.clone(),
+        x_title: title.to_owned(),
         y_title: String::new(),
     };
     let crowded: Vec<f64> = frame.x.major();
@@ -238,7 +235,7 @@ fn histogram(one: &QuantityHistogram, [left, top, right, bottom]: [f64; 4], canv
         let at = left + step * i as f64;
         canvas.rect([at + 0.5, frame.y.at(count as f64), at + step - 0.5, bottom], INK2, 0.55);
     }
-    let median = frame.x.at(one.values.median());
+    let median = frame.x.at(values.median());
     canvas.line([median, top], [median, bottom], Stroke { colour: INK, width: 1.2, dash: "3 2" });
 }
 

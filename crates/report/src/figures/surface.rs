@@ -8,14 +8,13 @@ use std::f64::consts::TAU;
 
 const FRAME: Rect = [44.0, 12.0, COLUMN - 12.0, 194.0];
 const HEIGHT: f64 = 230.0;
+/// Width of a bin of heights, in rms heights.
+const STEP: f64 = 0.2;
 
-/// Heights counted in bins of a fifth of the rms height: all of them, and those that touch.
-#[derive(Debug, Clone)]
+/// Heights counted in bins: all of them, and those that touch.
 pub(crate) struct Histogram {
     /// Lower edge of the first bin, in rms heights above the mean.
     pub start: f64,
-    /// Width of a bin in rms heights.
-    pub step: f64,
     /// Probability density of all heights, per rms height.
     pub all: Vec<f64>,
     /// The part of it that touches.
@@ -26,13 +25,12 @@ impl Histogram {
     /// Lower edge, in rms heights, of the lowest bin in which something touches.
     pub(crate) fn lowest_touching(&self) -> Option<f64> {
         let lowest = self.touching.iter().position(|v| *v > 0.0)?;
-        Some(self.start + self.step * lowest as f64)
+        Some(self.start + STEP * lowest as f64)
     }
 }
 
 /// Counts heights about their mean. `None` for a flat map.
 pub(crate) fn histogram(heights: &[f64], pressure: &[f64]) -> Option<Histogram> {
-    const STEP: f64 = 0.2;
     let n = heights.len() as f64;
     let mean = heights[0] + heights.iter().map(|h| h - heights[0]).sum::<f64>() / n;
     let rms = (heights.iter().map(|h| (h - mean).powi(2)).sum::<f64>() / n).sqrt();
@@ -51,15 +49,15 @@ pub(crate) fn histogram(heights: &[f64], pressure: &[f64]) -> Option<Histogram> 
             touching[k] += 1.0 / (n * STEP);
         }
     }
-    Some(Histogram { start: lo as f64 * STEP, step: STEP, all, touching })
+    Some(Histogram { start: lo as f64 * STEP, all, touching })
 }
 
 /// Distribution of heights on a logarithmic scale, with the normal curve and the part that
 /// touches.
 pub(crate) fn heights(histogram: &Histogram, at: &str, key: &str) -> Figure {
     const FLOOR: f64 = 1e-4;
-    let Histogram { start, step, all, touching } = histogram;
-    let end = start + step * all.len() as f64;
+    let Histogram { start, all, touching } = histogram;
+    let end = start + STEP * all.len() as f64;
     let (left, right) = (start.clamp(-8.0, -4.0), end.clamp(4.0, 8.0));
     let top = 1.0_f64.max(1.2 * all.iter().copied().fold(0.0, f64::max));
     let frame = PlotFrame {
@@ -72,7 +70,7 @@ pub(crate) fn heights(histogram: &Histogram, at: &str, key: &str) -> Figure {
     frame.draw(&mut canvas);
     let steps = |values: &[f64]| -> Vec<[f64; 2]> {
         let bins = values.iter().enumerate().map(|(k, &v)| {
-            ([start + step * k as f64, start + step * (k + 1) as f64], v.max(FLOOR))
+            ([start + STEP * k as f64, start + STEP * (k + 1) as f64], v.max(FLOOR))
         });
         let seen = bins.filter(|([a, b], _)| *a >= left - 0.2 && *b <= right + 0.2);
         let mut points: Vec<[f64; 2]> =
@@ -111,7 +109,6 @@ pub(crate) fn heights(histogram: &Histogram, at: &str, key: &str) -> Figure {
 }
 
 /// A power spectrum, as drawn and as listed.
-#[derive(Debug, Clone)]
 pub(crate) struct Spectrum {
     /// `[wavelength (m), PSD]`, long to short.
     pub points: Vec<[f64; 2]>,
@@ -202,7 +199,7 @@ mod tests {
         let heights: Vec<f64> = (0..1000).map(|i| f64::from(i % 100)).collect();
         let pressure: Vec<f64> = heights.iter().map(|h| (h - 89.5).max(0.0)).collect();
         let h = histogram(&heights, &pressure).unwrap();
-        let sum = |v: &[f64]| v.iter().sum::<f64>() * h.step;
+        let sum = |v: &[f64]| v.iter().sum::<f64>() * STEP;
         assert!((sum(&h.all) - 1.0).abs() < 1e-12);
         assert!((sum(&h.touching) - 0.1).abs() < 1e-12);
         assert!(histogram(&[1.0; 9], &[0.0; 9]).is_none());

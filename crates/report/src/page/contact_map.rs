@@ -1,7 +1,7 @@
 //! Where it touches: the contact map, an enlargement, a section through both bodies; how pressure and spots are
 //! distributed there, and the gap elsewhere.
 
-use crate::figures::distributions::{GAP, PRESSURE, SPOTS as SPOT_AREAS};
+use crate::figures::distributions::{GAP, PRESSURE, SPOTS};
 use crate::figures::maps;
 use crate::numbers::{AREAS, METRES, PASCALS, percent, quantity, significant};
 use crate::page::deformed;
@@ -71,15 +71,17 @@ const LEAST: usize = 200;
 /// What the captions say of a load: the key of a cell of the slider, and its words; `None` where there are none.
 type Say = (&'static str, fn(&Distributions) -> Option<String>);
 
-const HIGHEST: Say = ("d-highest", |d| Some(quantity(*d.pressure.edges.last()?, PASCALS, 2)));
-const SPOTS: Say = ("d-spots", |d| Some(d.spots.count.to_string()));
-const HALF: Say = ("d-half", |d| {
-    let half = d.spots.area_share.iter().rposition(|s| *s >= 0.5).unwrap_or(0);
-    Some(quantity(d.spots.areas[half], AREAS, 2))
-});
-const TOUCHES: Say = ("d-touches", |d| Some(percent(1.0 - d.pressure.apart)));
-const MEAN_GAP: Say = ("d-mean", |d| Some(quantity(d.gap.as_ref()?.mean, METRES, 2)));
-const MOST_GAP: Say = ("d-most", |d| Some(quantity(*d.gap.as_ref()?.gaps.last()?, METRES, 2)));
+const SAID: [Say; 6] = [
+    ("d-highest", |d| Some(quantity(*d.pressure.edges.last()?, PASCALS, 2))),
+    ("d-spots", |d| Some(d.spots.count.to_string())),
+    ("d-half", |d| {
+        let half = d.spots.area_share.iter().rposition(|s| *s >= 0.5).unwrap_or(0);
+        Some(quantity(d.spots.areas[half], AREAS, 2))
+    }),
+    ("d-touches", |d| Some(percent(1.0 - d.pressure.apart))),
+    ("d-mean", |d| Some(quantity(d.gap.as_ref()?.mean, METRES, 2))),
+    ("d-most", |d| Some(quantity(*d.gap.as_ref()?.gaps.last()?, METRES, 2))),
+];
 
 /// Distributions of a load of which enough points touch.
 fn at(surface: &SurfaceComparison, load: usize) -> Option<&Distributions> {
@@ -90,8 +92,7 @@ fn at(surface: &SurfaceComparison, load: usize) -> Option<&Distributions> {
 
 /// What the slider writes into the captions at each load.
 pub(crate) fn cells(surface: &SurfaceComparison) -> impl Iterator<Item = (&str, Vec<String>)> {
-    let all = [HIGHEST, SPOTS, HALF, TOUCHES, MEAN_GAP, MOST_GAP];
-    all.into_iter().map(|(key, words)| {
+    SAID.into_iter().map(|(key, words)| {
         let of = |load| at(surface, load).and_then(words).unwrap_or_else(|| "–".into());
         (key, (0..surface.deterministic.len()).map(of).collect())
     })
@@ -109,8 +110,7 @@ pub(crate) fn distributions(
         let words = words(found).unwrap_or_default();
         if moves { format!("<span data-k=\"{key}\">{words}</span>") } else { words }
     };
-    let [highest, spots, half] = [HIGHEST, SPOTS, HALF].map(say);
-    let [touches, mean, most] = [TOUCHES, MEAN_GAP, MOST_GAP].map(say);
+    let [highest, spots, half, touches, mean, most] = SAID.map(say);
     let captions = [
         format!("Pressure in contact</b>, at most {highest}. Dashed: Persson, light load."),
         format!(
@@ -123,8 +123,7 @@ pub(crate) fn distributions(
     let loads: Vec<_> = (0..surface.deterministic.len()).map(|i| at(surface, i)).collect();
     let why = format!("Fewer than {LEAST} points touch at this load.");
     let mut figures = String::new();
-    let there =
-        [PRESSURE, SPOT_AREAS, GAP].into_iter().zip(captions).filter(|(of, _)| of.is_in(found));
+    let there = [PRESSURE, SPOTS, GAP].into_iter().zip(captions).filter(|(of, _)| of.is_in(found));
     for (of, caption) in there {
         let n = page.numbers.next_figure();
         let Some(still) = of.figure(found, &format!("{id}-f{n}")) else { continue };

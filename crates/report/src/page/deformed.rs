@@ -3,6 +3,7 @@
 use crate::draw::palette::{OkLab, PRESSURE_RAMP, ramp_table};
 use crate::figures::deformed::{PressedRow, SectionCut, section};
 use crate::figures::maps::FEWEST_STEPS;
+use crate::lines::min_max;
 use crate::numbers::{METRES, fixed, quantity, significant};
 use crate::page::moving::LARGEST;
 use crate::page::shared::{ReportPage, attribute, figure, touching, wide};
@@ -93,10 +94,7 @@ pub(crate) fn through(
 /// Heights and gaps in 16 bits of one step, pressures in classes of the ramp; little end first, loads one after
 /// the other.
 fn facts(cut: &SectionCut, row: usize, rows: usize, titles: &[String]) -> serde_json::Value {
-    let (low, high) = cut
-        .heights
-        .iter()
-        .fold((f64::INFINITY, f64::NEG_INFINITY), |(a, b), z| (a.min(*z), b.max(*z)));
+    let (low, high) = min_max(&cut.heights).unwrap_or_default();
     let gaps = || cut.loads.iter().flat_map(|l| l.gap.iter().copied());
     let step = gaps().fold(high - low, f64::max) / f64::from(u16::MAX);
     let sixteen = |values: &mut dyn Iterator<Item = f64>| {

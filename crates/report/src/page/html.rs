@@ -95,13 +95,13 @@ fn surface_sections(
     out += &sections::models(page, surface);
     let (touches, heights) = join(
         || contact_map::where_it_touches(page, surface, &id),
-        || sections::HeightFigures::of(surface, limit),
+        || sections::height_figures(surface, limit),
     );
     out += &touches;
     out += &contact_map::distributions(page, surface, &id);
     out += &conduction::section(page, surface, &id);
     out += &leak::section(page, surface, &id);
-    out += &sections::the_surface(page, surface, &heights, &id);
+    out += &sections::the_surface(page, surface, heights, &id);
     out += &sections::accuracy(page, surface);
     out += &slider::data(surface);
     out + &format!("</{element}>\n")

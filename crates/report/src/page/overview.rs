@@ -33,17 +33,6 @@ pub(crate) fn section(page: &mut ReportPage<'_>) -> String {
     out
 }
 
-/// Mean size of the error of each model over all loads of each surface, by the order of the list; none
-/// of a theory that is not ranked.
-fn mean_errors(surfaces: &[SurfaceComparison]) -> Vec<Vec<Option<f64>>> {
-    let elastic = surfaces.iter().all(elastic_holds);
-    let mean = |m: &ModelComparison| {
-        let curve = m.outcome.as_ref().ok().filter(|_| m.card.yields || elastic)?;
-        curve.worst_and_mean().map(|(_, mean)| mean)
-    };
-    surfaces.iter().map(|s| s.models.iter().map(mean).collect()).collect()
-}
-
 /// Which closed form has the smallest largest mean error over the surfaces.
 fn headline(surfaces: &[SurfaceComparison]) -> String {
     let unknown = surfaces.iter().filter(|s| !messages::is_known(s)).count();
@@ -53,12 +42,17 @@ fn headline(surfaces: &[SurfaceComparison]) -> String {
             counted(surfaces.len(), "surface")
         );
     }
-    let all = mean_errors(surfaces);
-    let models = all.first().map_or(0, Vec::len);
-    let worst = |k: usize| -> Option<f64> {
-        all.iter().map(|errors| errors[k]).try_fold(0.0_f64, |w, e| Some(w.max(e?)))
+    let elastic = surfaces.iter().all(elastic_holds);
+    // Over all loads; none of a theory that is not ranked.
+    let mean_error = |m: &ModelComparison| {
+        let curve = m.outcome.as_ref().ok().filter(|_| m.card.yields || elastic)?;
+        curve.worst_and_mean().map(|(_, mean)| mean)
     };
-    let best = (0..models).filter_map(|k| Some((k, worst(k)?))).min_by(|a, b| a.1.total_cmp(&b.1));
+    let worst = |k: usize| -> Option<f64> {
+        surfaces.iter().try_fold(0.0, |w, s| Some(f64::max(w, mean_error(&s.models[k])?)))
+    };
+    let models = 0..surfaces.first().map_or(0, |s| s.models.len());
+    let best = models.filter_map(|k| Some((k, worst(k)?))).min_by(|a, b| a.1.total_cmp(&b.1));
     let count = surfaces.len();
     match best {
         Some((k, error)) => {

@@ -154,30 +154,23 @@ pub(crate) fn models(page: &mut ReportPage<'_>, surface: &SurfaceComparison) -> 
     format!("<{h}>Which model to use</{h}>\n{table}<p class=\"why\">{formulas}</p>\n")
 }
 
-/// What takes time in [`the_surface`].
-pub(crate) struct HeightFigures {
-    /// With its limits (m); `None` of a single profile.
-    picture: Option<(String, [f64; 2])>,
-    /// `None` of a flat map.
-    histogram: Option<Histogram>,
-}
-
-impl HeightFigures {
-    pub(crate) fn of(surface: &SurfaceComparison, limit: usize) -> Self {
-        let (grid, heights) = (surface.surface.grid(), surface.surface.heights());
-        let is_map = !grid.shape().contains(&1);
-        Self {
-            picture: is_map.then(|| heights::height_picture(heights, grid, limit)),
-            histogram: histogram(surface.solved_map().heights(), &surface.pressure),
-        }
-    }
+/// What takes time in [`the_surface`]: its picture with limits (m), but of a single profile, and its histogram, but of a
+/// flat map.
+pub(crate) fn height_figures(
+    surface: &SurfaceComparison,
+    limit: usize,
+) -> (Option<(String, [f64; 2])>, Option<Histogram>) {
+    let (grid, heights) = (surface.surface.grid(), surface.surface.heights());
+    let is_map = !grid.shape().contains(&1);
+    let picture = is_map.then(|| heights::height_picture(heights, grid, limit));
+    (picture, histogram(surface.solved_map().heights(), &surface.pressure))
 }
 
 /// Height map, statistics, distribution, spectrum.
 pub(crate) fn the_surface(
     page: &mut ReportPage<'_>,
     surface: &SurfaceComparison,
-    heights: &HeightFigures,
+    (picture, histogram): (Option<(String, [f64; 2])>, Option<Histogram>),
     id: &str,
 ) -> String {
     let h = page.heading();
@@ -188,20 +181,20 @@ pub(crate) fn the_surface(
         None => ("The surface", String::new()),
     };
     let mut out = format!("<{h}>{title}</{h}>\n{first}<div class=\"two maps\">\n");
-    if let Some(picture) = &heights.picture {
-        let draw = |key: &str| heights::figure(picture, grid, &[], key);
+    if let Some(picture) = picture {
+        let draw = |key: &str| heights::figure(&picture, grid, &[], key);
         out.push_str(&page.numbers.figure(id, draw, "Height.</b>"));
     } else {
         out.push_str("<p>A single profile: no map is drawn.</p>\n");
     }
     out.push_str(&statistics::table(surface));
     out.push_str("</div>\n<div class=\"two\">\n");
-    if let Some(histogram) = &heights.histogram {
+    if let Some(histogram) = histogram {
         let words = histogram.lowest_touching().map_or_else(String::new, |lowest| {
             format!(" At {p} heights above {}{SPACE}Sq touch.", fixed(lowest, 1))
         });
         let caption = format!("Height distribution.</b> Line: normal.{words}");
-        let draw = |key: &str| surface_figures::heights(histogram, &p, key);
+        let draw = |key: &str| surface_figures::heights(&histogram, &p, key);
         out.push_str(&page.numbers.figure(id, draw, &caption));
     }
     let fit = surface.statistics.hurst.zip(surface.statistics.fractal_range);

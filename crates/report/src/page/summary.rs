@@ -2,7 +2,7 @@
 
 use crate::digest::Quantiles;
 use crate::draw::svg::escape;
-use crate::figures::spread::{Curves, QuantityHistogram, Strip, curves, histograms, strips};
+use crate::figures::spread::{Curves, Strip, curves, histograms, strips};
 use crate::messages;
 use crate::numbers::{
     AREAS, METRES, NEWTONS, PASCALS, SPACE, Unit, chosen, counted, duration, percent, quantity,
@@ -235,53 +235,43 @@ fn models(summary: &Summary<'_>) -> String {
 }
 
 /// A quantity whose spread is shown: its key, symbol (HTML) and name, the units it is read in, whether it is drawn.
-struct SpreadQuantity(&'static str, &'static str, &'static str, &'static [Unit], bool);
+type SpreadQuantity = (&'static str, &'static str, &'static str, &'static [Unit], bool);
 
 const QUANTITIES: [SpreadQuantity; 14] = [
-    SpreadQuantity("rms_height", "<i>Sq</i>", "RMS height", METRES, true),
-    SpreadQuantity("rms_gradient", "<i>Sdq</i>", "RMS gradient", &[], true),
-    SpreadQuantity("bandwidth", "<i>α</i>", "Bandwidth m₀m₄/m₂²", &[], false),
-    SpreadQuantity("skewness", "<i>Ssk</i>", "Skewness", &[], false),
-    SpreadQuantity("kurtosis", "<i>Sku</i>", "Kurtosis", &[], false),
-    SpreadQuantity("hurst", "<i>H</i>", "Hurst exponent", &[], false),
-    SpreadQuantity("load", "<i>F</i>", "Headline load", NEWTONS, false),
-    SpreadQuantity("mean_pressure", "<i>p</i>", "Headline pressure", PASCALS, false),
-    SpreadQuantity("area_fraction", "<i>A</i>/<i>A</i>₀", "Real contact area", &[], true),
-    SpreadQuantity("real_pressure", "<i>p</i><sub>r</sub>", "Mean real pressure", PASCALS, true),
-    SpreadQuantity("mean_gap", "<i>ḡ</i>", "Mean gap", METRES, true),
-    SpreadQuantity("contact_spots", "<i>n</i>", "Contact spots", &[], false),
-    SpreadQuantity("median_spot_area", "", "Median spot area", AREAS, true),
-    SpreadQuantity("seconds", "", "Solver, all loads", &[Unit { scale: 1.0, name: "s" }], false),
+    ("rms_height", "<i>Sq</i>", "RMS height", METRES, true),
+    ("rms_gradient", "<i>Sdq</i>", "RMS gradient", &[], true),
+    ("bandwidth", "<i>α</i>", "Bandwidth m₀m₄/m₂²", &[], false),
+    ("skewness", "<i>Ssk</i>", "Skewness", &[], false),
+    ("kurtosis", "<i>Sku</i>", "Kurtosis", &[], false),
+    ("hurst", "<i>H</i>", "Hurst exponent", &[], false),
+    ("load", "<i>F</i>", "Headline load", NEWTONS, false),
+    ("mean_pressure", "<i>p</i>", "Headline pressure", PASCALS, false),
+    ("area_fraction", "<i>A</i>/<i>A</i>₀", "Real contact area", &[], true),
+    ("real_pressure", "<i>p</i><sub>r</sub>", "Mean real pressure", PASCALS, true),
+    ("mean_gap", "<i>ḡ</i>", "Mean gap", METRES, true),
+    ("contact_spots", "<i>n</i>", "Contact spots", &[], false),
+    ("median_spot_area", "", "Median spot area", AREAS, true),
+    ("seconds", "", "Solver, all loads", &[Unit { scale: 1.0, name: "s" }], false),
 ];
-
-impl SpreadQuantity {
-    /// The unit of the median, and of the area per cent.
-    fn unit(&self, spread: &Quantiles) -> Unit {
-        match (self.0, self.3) {
-            ("area_fraction", _) => Unit { scale: 0.01, name: "%" },
-            (_, []) => Unit { scale: 1.0, name: "" },
-            (_, units) => unit_for(spread.median(), units),
-        }
-    }
-}
 
 fn distributions(summary: &Summary<'_>, numbers: &mut Numbering) -> String {
     let (mut drawn, mut rows) = (Vec::new(), String::new());
-    for quantity in &QUANTITIES {
-        let SpreadQuantity(key, symbol, name, _, is_drawn) = *quantity;
+    for (key, symbol, name, units, is_drawn) in QUANTITIES {
         let values = summary.values(key);
         let Some(spread) = Quantiles::of(values.iter().copied().flatten()) else { continue };
-        let unit = quantity.unit(&spread);
+        // That of the median, and of the area per cent.
+        let unit = match units {
+            _ if key == "area_fraction" => Unit { scale: 0.01, name: "%" },
+            [] => Unit { scale: 1.0, name: "" },
+            units => unit_for(spread.median(), units),
+        };
         let unit_name = |before: &str, after: &str| match unit.name {
             "" => String::new(),
             unit => format!("{before}{unit}{after}"),
         };
         if is_drawn {
             let in_unit = Quantiles::of(spread.sorted.iter().map(|v| v / unit.scale));
-            drawn.extend(in_unit.map(|values| QuantityHistogram {
-                title: format!("{name}{}", unit_name(" (", ")")),
-                values,
-            }));
+            drawn.extend(in_unit.map(|values| (name.to_owned() + &unit_name(" (", ")"), values)));
         }
         let at = |part| significant(spread.quantile(part) / unit.scale, 3);
         let [q0, q10, q25, q50, q75, q90, q100] = [0.0, 0.1, 0.25, 0.5, 0.75, 0.9, 1.0].map(at);

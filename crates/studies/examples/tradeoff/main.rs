@@ -1,37 +1,27 @@
 //! Time against true error: every closed form, and the solver over methods, grids, precisions and
 //! tolerances, on the built-in surfaces.
 //!
-//! `tradeoff [--quick]` measures and prints a table as CSV; `--quick` does it on 128 x 128 points,
-//! in seconds. `tradeoff --page TABLE FOLDER` makes the figures and the page from that table.
+//! `tradeoff` measures and prints a table as CSV; `tradeoff --page TABLE FOLDER` makes the figures and the page from
+//! that table.
 #![allow(clippy::print_stdout, reason = "its output is the table")]
 
 mod measure;
 mod page;
 
-use clap::Parser;
 use measure::Plan;
 use std::error::Error;
-use std::path::PathBuf;
+use std::path::Path;
 use std::thread;
 use studies::tradeoff::{HEADER, TradeoffRow};
 
-/// Time against true error of every way to an answer: measures, and prints a table as CSV
-#[derive(Parser)]
-struct TradeoffArguments {
-    /// On 128 x 128 points, in seconds
-    #[arg(long, conflicts_with = "page")]
-    quick: bool,
-    /// Make figures and page of the book from a table instead
-    #[arg(long, num_args = 2, value_names = ["TABLE", "FOLDER"])]
-    page: Option<Vec<PathBuf>>,
-}
-
 fn main() -> Result<(), Box<dyn Error>> {
-    let TradeoffArguments { quick, page } = TradeoffArguments::parse();
-    if let Some([table, folder]) = page.as_deref() {
-        return page::write(table, folder);
+    let args: Vec<String> = std::env::args().skip(1).collect();
+    match args.iter().map(String::as_str).collect::<Vec<_>>()[..] {
+        [] => {}
+        ["--page", table, folder] => return page::write(Path::new(table), Path::new(folder)),
+        _ => return Err("tradeoff [--page TABLE FOLDER]".into()),
     }
-    let plan = if quick { Plan::QUICK } else { Plan::FULL };
+    let plan = Plan::FULL;
     let threads = thread::available_parallelism().map_or(1, usize::from);
     println!("# Threads: {threads}. Slow methods end at {} FFT convolutions.", plan.most_pairs);
     println!("{HEADER}");

@@ -25,8 +25,10 @@ const MODULUS: f64 = 1e11;
 /// Fewest repeats of a measurement; the shortest counts.
 const REPEATS: usize = 3;
 
+/// How much finer than the map the grid of the truth is.
+const REFINE: usize = 4;
+
 /// What to measure.
-#[derive(Debug, Clone)]
 pub(crate) struct Plan {
     /// Points per side instead of the recipes' own.
     pub(crate) points: Option<usize>,
@@ -36,8 +38,6 @@ pub(crate) struct Plan {
     pub(crate) loads: &'static [f64],
     /// Points per side of coarser and finer grids over those of the map.
     pub(crate) scales: &'static [f64],
-    /// How much finer than the map the grid of the truth is.
-    pub(crate) refine: usize,
     /// Surface and load at which the slow methods are measured, too.
     pub(crate) close_up: (&'static str, f64),
     /// Tolerances of the chord method at that surface and load, and at the others.
@@ -57,7 +57,6 @@ impl Plan {
         surfaces: 3,
         loads: &[0.005, 0.02, 0.05, 0.2],
         scales: &[0.125, 0.25, 0.5, 1.0, 2.0],
-        refine: 4,
         close_up: ("ground", 0.05),
         tolerances: [
             &[1e-1, 1e-2, 1e-3, 1e-4, 1e-5, 1e-6, 1e-7, 1e-8, 1e-9, 1e-10],
@@ -67,9 +66,6 @@ impl Plan {
         most_pairs: 600.0,
         seconds: 0.2,
     };
-
-    /// The same on 128 x 128 points: seconds.
-    pub(crate) const QUICK: Self = Self { points: Some(128), seconds: 0.01, ..Self::FULL };
 
     /// The least that fills every part of the table.
     #[cfg(test)]
@@ -83,7 +79,6 @@ impl Plan {
         few_tolerances: &[1e-2, 1e-4],
         most_pairs: 40.0,
         seconds: 0.0,
-        ..Self::FULL
     };
 
     /// How low a tolerance is worth asking for in this precision.
@@ -113,7 +108,7 @@ fn surface(plan: &Plan, surface: Surface, take: &mut dyn FnMut(TradeoffRow)) -> 
 
     let finer =
         |times: usize| resample(&map, map.grid().shape().map(|n| times * n), Edges::Periodic);
-    let (half_way, finest) = (finer(plan.refine / 2)?, finer(plan.refine)?);
+    let (half_way, finest) = (finer(REFINE / 2)?, finer(REFINE)?);
     for &load in plan.loads {
         let pressure = load * MODULUS * inputs.rms_gradient();
         let [truth, bar] = truth(&half_way, &finest, modulus, pressure)?;
@@ -301,7 +296,7 @@ impl Job<'_> {
             let Solution { state, pressure, diagnostics, .. } = first.solution;
             take(TradeoffRow {
                 method: method.to_string(),
-                precision: Some(name(precision).into()),
+                precision: Some(precision.to_string()),
                 tolerance: Some(tolerance),
                 area: Some(touching),
                 corrected: Some(state.area_fraction),
@@ -361,7 +356,7 @@ impl Job<'_> {
             (Precision::Double, one_pair::<f64>(grid, self.modulus, budget)?),
             (Precision::Single, one_pair::<f32>(grid, self.modulus, budget)?),
         ] {
-            let precision = Some(name(precision).into());
+            let precision = Some(precision.to_string());
             let pair = TradeoffRow { method: PAIR.into(), precision, seconds, ..self.case.clone() };
             take(TradeoffRow { load: None, truth: None, bar: None, ..pair });
         }
@@ -379,10 +374,6 @@ fn one_pair<T: Real>(grid: Grid, modulus: ContactModulus, budget: f64) -> RunRes
         clock.elapsed().as_secs_f64()
     });
     trouble.map_or(Ok(best), |error| Err(error.into()))
-}
-
-fn name(precision: Precision) -> &'static str {
-    if precision == Precision::Single { "f32" } else { "f64" }
 }
 
 /// Rms difference over the rms of the exact field.

@@ -67,6 +67,11 @@ fn cheapest<'a>(found: &'a [Way<'a>]) -> Vec<(f64, Option<&'a Way<'a>>)> {
     WANTED.into_iter().map(|wanted| (wanted, best(wanted))).collect()
 }
 
+/// A line of a table.
+fn row(page: &mut String, cells: &[String]) {
+    let _ = writeln!(page, "| {} |", cells.join(" | "));
+}
+
 fn choice(page: &mut String, found: &[Way<'_>]) {
     let cases = found.iter().map(|w| w.cases).max().unwrap_or(0);
     let _ = writeln!(
@@ -75,18 +80,11 @@ fn choice(page: &mut String, found: &[Way<'_>]) {
          error | time per load |\n|---|---|---|---|"
     );
     for (wanted, best) in cheapest(found) {
-        let Some(best) = best else {
-            let _ = writeln!(page, "| {} | none of these | – | – |", percent(wanted));
-            continue;
-        };
-        let _ = writeln!(
-            page,
-            "| {} | {} | {} | {} |",
-            percent(wanted),
-            name(best),
-            percent(best.worst),
-            duration(best.seconds)
-        );
+        let best = best.map_or(["none of these", "–", "–"].map(str::to_owned), |best| {
+            [name(best), percent(best.worst), duration(best.seconds)]
+        });
+        let [name, error, time] = best;
+        row(page, &[percent(wanted), name, error, time]);
     }
 }
 
@@ -127,32 +125,19 @@ fn spread(page: &mut String, found: &[&Way<'_>], one_pair: f64) {
         let [low, middle, high] = w.error.map(percent);
         format!("{middle} ({low} to {high})")
     };
+    let dash = || "–".to_owned();
+    let times = |w: &Way<'_>| [duration(w.seconds), digits(w.seconds / one_pair)];
     for way in found.iter().filter(|w| w.area == AreaOf::Model) {
-        let _ = writeln!(
-            page,
-            "| {} | – | {} | – | – | {} | {} |",
-            model_name(way.row),
-            range(way),
-            duration(way.seconds),
-            digits(way.seconds / one_pair)
-        );
+        let [time, pairs] = times(way);
+        row(page, &[model_name(way.row), dash(), range(way), dash(), dash(), time, pairs]);
     }
     let solved = found.iter().filter(|w| w.area == AreaOf::Corrected && w.row.is_at_default());
     for way in solved {
-        let count = found
-            .iter()
-            .find(|w| w.area == AreaOf::Count && std::ptr::eq(w.row, way.row))
-            .map_or("–".into(), |w| range(w));
-        let _ = writeln!(
-            page,
-            "| {} | {} | {count} | {} | {} | {} | {} |",
-            grid_name(way.row),
-            way.row.precision.as_deref().unwrap_or("–"),
-            range(way),
-            way.pairs.map_or("–".into(), digits),
-            duration(way.seconds),
-            digits(way.seconds / one_pair)
-        );
+        let mut same = found.iter().filter(|w| std::ptr::eq(w.row, way.row));
+        let count = same.find(|w| w.area == AreaOf::Count).map_or_else(dash, |w| range(w));
+        let precision = way.row.precision.clone().unwrap_or_else(dash);
+        let (spent, [time, pairs]) = (way.pairs.map_or_else(dash, digits), times(way));
+        row(page, &[grid_name(way.row), precision, count, range(way), spent, time, pairs]);
     }
 }
 
@@ -176,22 +161,21 @@ fn close_up(page: &mut String, table: &TradeoffTable, one_pair: f64) {
         r.precision.as_deref() == Some("f64")
             && (r.is_at_default() || is(r.scale, 1.0) && decade(r))
     };
-    for row in rows.iter().filter(is_told) {
-        let signed = |area| row.error_of(area).map_or("–".into(), signed_percent);
-        let stopped = if row.is_capped { " (stopped)" } else { "" };
-        let _ = writeln!(
-            page,
-            "| {} | {}² | {} | {} | {} | {} | {}{stopped} | {} | {} |",
-            row.method,
-            row.points.unwrap_or(0),
-            tolerance(row),
-            signed(row.area),
-            signed(row.corrected),
-            row.pressure_error.map_or("–".into(), power),
-            row.pairs.map_or("–".into(), digits),
-            duration(row.seconds),
-            digits(row.seconds / one_pair)
-        );
+    for r in rows.iter().filter(is_told) {
+        let signed = |area| r.error_of(area).map_or("–".into(), signed_percent);
+        let stopped = if r.is_capped { " (stopped)" } else { "" };
+        let cells = [
+            r.method.clone(),
+            format!("{}²", r.points.unwrap_or(0)),
+            tolerance(r),
+            signed(r.area),
+            signed(r.corrected),
+            r.pressure_error.map_or("–".into(), power),
+            r.pairs.map_or("–".into(), digits) + stopped,
+            duration(r.seconds),
+            digits(r.seconds / one_pair),
+        ];
+        row(page, &cells);
     }
 }
 
