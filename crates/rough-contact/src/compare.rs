@@ -34,8 +34,6 @@ pub(crate) struct Compare {
     /// polished, ground, blasted
     #[arg(value_name = "FILE")]
     pub(crate) files: Vec<PathBuf>,
-    #[command(flatten)]
-    contact: ContactOptions,
     /// Nominal pressures [default: chosen so that about 0.1 % to half of the surface touches]
     #[arg(long, value_name = "LIST", value_parser = args::list(Pressure), allow_hyphen_values = true)]
     pressure: Option<List>,
@@ -44,6 +42,8 @@ pub(crate) struct Compare {
     /// Pressure of headline and contact map, one of --pressure [default: at about 2 % contact]
     #[arg(long, value_name = "P", value_parser = args::one(Pressure), allow_hyphen_values = true)]
     headline: Option<f64>,
+    #[command(flatten)]
+    contact: ContactOptions,
     /// Models to ask, such as gw,persson [default: every one that a surface gives all it needs]
     #[arg(long, value_name = "LIST", value_parser = args::study_models(), value_delimiter = ',')]
     #[arg(ignore_case = true)]

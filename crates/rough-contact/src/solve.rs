@@ -31,9 +31,9 @@ use std::path::{Path, PathBuf};
 #[expect(clippy::struct_excessive_bools, reason = "one for each flag of the command")]
 pub(crate) struct Solve {
     #[command(flatten)]
-    contact: ContactOptions,
-    #[command(flatten)]
     loads: Loads,
+    #[command(flatten)]
+    contact: ContactOptions,
     /// What lies beyond the edges: the same map again, or nothing
     #[arg(long, value_parser = args::one_of::<Boundary>(), default_value = "periodic")]
     boundary: Boundary,
