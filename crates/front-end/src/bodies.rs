@@ -90,7 +90,9 @@ impl BothBodies {
             .collect::<Result<_, _>>()?;
         let each = || self.bodies.iter().zip(listed.iter().copied());
         let (modulus, bodies) = match self.modulus {
-            Some(pascals) => (of_modulus(pascals)?, Vec::new()),
+            Some(pascals) => {
+                (ContactModulus::from_pascals(pascals).map_err(|e| failure(&e))?, Vec::new())
+            }
             None if self.bodies.is_empty() => return Ok(None),
             None => {
                 let bodies = each().map(|(body, listed)| body.elastic(listed));
@@ -173,19 +175,8 @@ fn name_of(property: Property) -> &'static str {
     }
 }
 
-/// E* itself (Pa).
-///
-/// # Errors
-/// [`Failure`] of a number that is no modulus.
-pub fn of_modulus(pascals: f64) -> Result<ContactModulus, Failure> {
-    ContactModulus::from_pascals(pascals).map_err(|e| failure(&e))
-}
-
 /// E* of one body against a rigid one, or of two.
-///
-/// # Errors
-/// [`Failure`] of constants out of their domain, or of another number of bodies.
-pub(crate) fn contact_modulus(bodies: &[Body]) -> Result<ContactModulus, Failure> {
+fn contact_modulus(bodies: &[Body]) -> Result<ContactModulus, Failure> {
     let elastic = |body: &Body| Elastic::new(body.young, body.poisson);
     let modulus = match bodies {
         [only] => elastic(only).and_then(ContactModulus::against_rigid),
@@ -208,6 +199,6 @@ fn failure(error: &SurfaceError) -> Failure {
             let message = format!("{quantity} = {value} is outside its domain, {low} to {high}");
             Failure::refused("material", message)
         }
-        other => Failure::from_error(other),
+        other => Failure::from(other),
     }
 }

@@ -6,7 +6,7 @@ use contact_compare::{
 };
 use contact_types::Named;
 use std::path::Path;
-use surface_io::{Fill, FillError, HeightUnit, Measurement, ReadOptions};
+use surface_io::{Fill, FillError, HeightUnit, Measurement, Need, ReadError, ReadOptions};
 use surface_stats::clean::{self, Record};
 use surface_stats::profile::Trace;
 use surface_stats::{Edges, StatsError, height_step};
@@ -53,9 +53,9 @@ impl Incomplete {
         match self {
             Self::Line(_) => Failure::refused("profile", self.to_string()),
             Self::Spikes(_) => Failure::refused("missing", self.to_string()),
-            Self::Cleaning(e) => Failure::from_error(e),
-            Self::Clean(e) | Self::Short(e) => Failure::from_error(e),
-            Self::Fill(e) => Failure::from_error(e),
+            Self::Cleaning(e) => Failure::from(e),
+            Self::Clean(e) | Self::Short(e) => Failure::from(e),
+            Self::Fill(e) => Failure::from(e),
         }
     }
 }
@@ -79,6 +79,37 @@ pub fn reading(file: &FileOrigin) -> Result<(ReadOptions, Fill), Failure> {
         ..ReadOptions::default()
     };
     Ok((options, choice("fill", &file.fill)?))
+}
+
+/// Numbers as they stand in a file that does not say their units, and what it does not say: that is taken for 1.
+///
+/// # Errors
+/// [`ReadError`] of another fault of the file.
+pub fn raw(
+    mut options: ReadOptions,
+    read: impl Fn(&ReadOptions) -> Result<Measurement, ReadError>,
+) -> Result<(Measurement, Vec<Need>), ReadError> {
+    let mut missing: Vec<Need> = Vec::new();
+    loop {
+        let needs = match read(&options) {
+            // What was said already and is asked for again would be asked for ever.
+            Err(ReadError::MissingScale { needs, .. })
+                if !needs.iter().any(|need| missing.contains(need)) =>
+            {
+                needs
+            }
+            read => return read.map(|measurement| (measurement, missing)),
+        };
+        for need in &needs {
+            match need {
+                Need::PixelSize => options.pixel = Some([1.0, 1.0]),
+                Need::LateralUnit => options.lateral_unit = Some(1.0),
+                Need::HeightUnit => options.height_unit = Some(HeightUnit::IfSilent(1.0)),
+                _ => {}
+            }
+        }
+        missing.extend(needs);
+    }
 }
 
 fn choice<T: Named>(key: &str, name: &str) -> Result<T, Failure> {

@@ -8,15 +8,12 @@ use contact_report::Provenance;
 pub const DOCUMENTS: [&str; 6] =
     ["report.html", "results.json", "curves.csv", "area.svg", "pressure.svg", "run.toml"];
 
-/// Names of the documents of profiles that do not depend on how many there are.
-pub(crate) const PROFILE_DOCUMENTS: [&str; 4] =
-    ["report.html", "results.json", "curves.csv", "run.toml"];
-
 /// Names of all documents of a study of so many profiles: figures are numbered where there are several.
 pub fn profile_documents_named(count: usize) -> Vec<String> {
     let figures = ["area.svg", "trace.svg"].into_iter();
     let figures = figures.flat_map(|name| (0..count).map(move |i| numbered(name, i, count)));
-    PROFILE_DOCUMENTS.map(str::to_owned).into_iter().chain(figures).collect()
+    let others = ["report.html", "results.json", "curves.csv", "run.toml"].map(str::to_owned);
+    others.into_iter().chain(figures).collect()
 }
 
 fn numbered(name: &str, index: usize, count: usize) -> String {

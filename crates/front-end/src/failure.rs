@@ -27,11 +27,6 @@ impl Failure {
         Self { kind: kind.to_owned(), message: message.into(), status: 1 }
     }
 
-    /// A refusal by one of the libraries. Its kind is the name of the error's variant.
-    pub fn from_error<E: std::error::Error>(error: &E) -> Self {
-        Self::refused(&variant(error), error.to_string())
-    }
-
     /// The same with the name of the file in front; an empty path is no file.
     pub fn in_file<E: std::error::Error>(path: &Path, error: &E) -> Self {
         let message = error.to_string();
@@ -52,7 +47,7 @@ impl Failure {
 
     /// Both: the messages one after the other, the graver exit status.
     #[must_use]
-    pub fn and(self, other: Self) -> Self {
+    pub(crate) fn and(self, other: Self) -> Self {
         let kind = if other.status > self.status { other.kind } else { self.kind };
         let message = format!("{}\n{}", self.message, other.message);
         Self { kind, message, status: self.status.max(other.status) }
@@ -61,6 +56,13 @@ impl Failure {
     /// For scripts.
     pub fn json(&self) -> Value {
         json!({ "kind": self.kind, "message": self.message })
+    }
+}
+
+impl<E: std::error::Error> From<&E> for Failure {
+    /// A refusal by one of the libraries. Its kind is the name of the error's variant.
+    fn from(error: &E) -> Self {
+        Self::refused(&variant(error), error.to_string())
     }
 }
 

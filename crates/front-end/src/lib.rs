@@ -22,14 +22,13 @@ pub mod units;
 mod watch;
 mod work;
 
-pub use complete::{Incomplete, Subject, complete, reading, traces};
+pub use complete::{Incomplete, Subject, complete, raw, reading, traces};
 pub use documents::{DOCUMENTS, documents, profile_documents, profile_documents_named};
 pub use failure::Failure;
 pub use info::info;
 pub use leak::leak_request;
 pub use paths::{pressed, run_file_in, told_apart};
 pub use point::Point;
-pub use shown::unusual_hardness;
 pub use solve::{SolveRequest, SolveResult};
 pub use statistics::{Statistics, StatisticsRequest, profile_statistics, statistics};
 pub use study::{look_around, not_met};

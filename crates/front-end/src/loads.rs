@@ -27,12 +27,8 @@ impl Spread {
         of_map: f64,
         check: &str,
     ) -> Result<Self, Failure> {
-        for &force in forces {
-            positive("load", force, "N", "at which something touches")?;
-        }
-        if let Some(area) = given {
-            positive("nominal area", area, "m^2", "that carries the load")?;
-        }
+        positive("load", forces, "N", "at which something touches")?;
+        positive("nominal area", given.as_slice(), "m^2", "that carries the load")?;
         let area = given.unwrap_or(of_map);
         let pressures: Vec<f64> = forces.iter().map(|force| force / area).collect();
         match pressures.iter().find(|pressure| !(**pressure > 0.0 && pressure.is_finite())) {
@@ -50,10 +46,9 @@ impl Spread {
 ///
 /// # Errors
 /// [`Failure`] of kind `bad_load`.
-pub fn positive(what: &str, value: f64, unit: &str, hint: &str) -> Result<(), Failure> {
-    if value > 0.0 {
-        return Ok(());
-    }
+pub fn positive(what: &str, values: &[f64], unit: &str, hint: &str) -> Result<(), Failure> {
+    let is_bad = |value: &&f64| value.is_nan() || **value <= 0.0;
+    let Some(value) = values.iter().find(is_bad) else { return Ok(()) };
     let message = format!("{what} {value} {unit} must be greater than 0; give a {what} {hint}");
     Err(Failure::refused("bad_load", message))
 }

@@ -43,31 +43,8 @@ pub struct Said {
     pub conducted: Option<[Conducted; 2]>,
 }
 
-impl Said {
-    fn of(
-        model: &dyn ContactModel,
-        state: ContactState,
-        theory: &dyn Theory,
-        given: (&Inputs, &Joint),
-    ) -> Self {
-        let (card, inputs) = (theory.card(), given.0);
-        let typed = inputs.moments.filter(|_| !inputs.is_measured);
-        let survey = typed.and_then(|moments| {
-            let load = state.mean_pressure / (inputs.modulus.pascals() * moments.rms_gradient());
-            gaussian_errors(&card.name, moments.bandwidth(), load)
-        });
-        Self {
-            area_interval: model.area_interval(state.area_fraction),
-            conducted: conducted_by(theory, model, given, &state),
-            state,
-            survey,
-        }
-    }
-}
-
 /// That, or why it says nothing.
 pub type ModelResult = Result<Said, ModelError>;
-type Answering<'a> = Box<dyn Fn(&ModelLoad) -> ModelResult + 'a>;
 
 impl ModelLoad {
     /// Pa or m.
@@ -86,34 +63,41 @@ fn results(
     questions: &[ModelLoad],
     ways: [&str; 2],
 ) -> Result<Vec<ModelResult>, Failure> {
-    let card = theory.card();
+    let (card, inputs) = (theory.card(), given.0);
     let title = card.title.as_ref();
+    let typed = inputs.moments.filter(|_| !inputs.is_measured);
     let no_separation = || {
         let able = built_in().iter().map(Theory::card).filter(|c| c.has_separation);
         let able = able.map(|c| c.name.as_ref()).collect::<Vec<_>>().join(", ");
         let message = format!("{} has no separation; {}, or one of {able}", card.name, ways[0]);
         Failure::refused("usage", message)
     };
-    let built = match questions.first() {
-        Some(ModelLoad::Separation(_)) => {
-            let built = theory.build_separation(given.0).ok_or_else(no_separation)?;
-            built.map(|model| -> Answering<'_> {
-                Box::new(move |q| {
-                    let state = contact_compare::possible(title, model.at_separation(q.value())?)?;
-                    Ok(Said::of(model.as_ref(), state, theory, given))
-                })
-            })
-        }
-        _ => theory.build(given.0).map(|model| -> Answering<'_> {
-            Box::new(move |q| {
-                let state = contact_compare::possible(title, model.at_pressure(q.value())?)?;
-                Ok(Said::of(model.as_ref(), state, theory, given))
-            })
-        }),
+    let said = |model: &dyn ContactModel, state: Result<_, ModelError>| -> ModelResult {
+        let state = contact_compare::possible(title, state?)?;
+        let survey = typed.and_then(|moments| {
+            let load = state.mean_pressure / (inputs.modulus.pascals() * moments.rms_gradient());
+            gaussian_errors(&card.name, moments.bandwidth(), load)
+        });
+        Ok(Said {
+            area_interval: model.area_interval(state.area_fraction),
+            conducted: conducted_by(theory, model, given, &state),
+            state,
+            survey,
+        })
     };
-    match built {
-        Ok(ask) => Ok(questions.iter().map(ask).collect()),
-        Err(BuildError::Model(error)) => Ok(questions.iter().map(|_| Err(error.clone())).collect()),
+    let values = questions.iter().map(ModelLoad::value);
+    let answers = match questions.first() {
+        Some(ModelLoad::Separation(_)) => {
+            let built = theory.build_separation(inputs).ok_or_else(no_separation)?;
+            built.map(|model| values.map(|d| said(&*model, model.at_separation(d))).collect())
+        }
+        _ => theory
+            .build(inputs)
+            .map(|model| values.map(|p| said(&*model, model.at_pressure(p))).collect()),
+    };
+    match answers {
+        Ok(answers) => Ok(answers),
+        Err(BuildError::Model(error)) => Ok(vec![Err(error); questions.len()]),
         Err(missing @ BuildError::Missing { .. }) => {
             Err(Failure::refused("missing_input", format!("{missing}; {}", ways[1])))
         }
@@ -370,7 +354,7 @@ pub fn failure(error: &ModelError) -> Failure {
     let error = &short(error);
     match error {
         ModelError::NotConverged { .. } => Failure::incomplete("not_converged", error.to_string()),
-        _ => Failure::from_error(error),
+        _ => Failure::from(error),
     }
 }
 

@@ -27,7 +27,7 @@ pub(crate) fn solve(
     match climb(&task, &mut to) {
         Ok(reached) => Ok(Some(reached)),
         Err(LadderError::Stopped) => Ok(None),
-        Err(e) => Err(Failure::from_error(&e)),
+        Err(e) => Err(Failure::from(&e)),
     }
 }
 
@@ -60,7 +60,7 @@ impl Sink for ToWork<'_> {
         let result = result.map(|found| found.with_materials(self.materials));
         let Some(known) = self.known else { return ControlFlow::Break(()) };
         self.work.take(place, load, result, &known, self.part, self.watch);
-        self.watch.done(load);
+        self.watch.done(place, load);
         ControlFlow::Continue(())
     }
 }

@@ -1,6 +1,5 @@
 //! The deterministic solution of one map at many loads: what `rough-contact solve` answers.
 
-use crate::bodies::of_modulus;
 use crate::complete::Subject;
 use crate::failure::Failure;
 use crate::loads::{Spread, rising};
@@ -15,7 +14,7 @@ use contact_compare::{
     AccuracyRequest, Adhesion, EdgesName, Finding, Hardness, Joint, Level, PairOrigin, Reached,
     Settings, Solved, Spikes, Surface,
 };
-use contact_types::Named;
+use contact_types::{ContactModulus, Named};
 use fft_bem_solver::{Boundary, Load, Maps, SolverError};
 use serde::Deserialize;
 use serde_json::{Value, json};
@@ -101,7 +100,8 @@ impl SolveRequest {
         if settings.leak.is_some() && (self.plane_strain || self.boundary == Boundary::Free) {
             return Err(Failure::refused("leak", NO_SEAL));
         }
-        let modulus = of_modulus(settings.modulus)?;
+        let modulus =
+            ContactModulus::from_pascals(settings.modulus).map_err(|e| Failure::from(&e))?;
         let Subject { path, surface: Surface { origin, heights, .. }, cleaned, fill } = subject;
         let (pair, asked) = (origin.pair(), origin.level(settings.level));
         let refused = |e: StatsError| Failure::in_file(path, &e);
@@ -114,7 +114,7 @@ impl SolveRequest {
             cleaned: &cleaned,
             ..Solved::default()
         };
-        settings.joint().check().map_err(|e| Failure::from_error(&e))?;
+        settings.joint().check().map_err(|e| Failure::from(&e))?;
         let largest = heights.heights().iter().fold(0.0, |most: f64, h| most.max(h.abs()));
         // Before levelling, as they are removed.
         let spikes = Spikes::left(&heights, &cleaned, pair);
@@ -159,13 +159,13 @@ impl SolveRequest {
         let mut plan = None;
         let materials = contact_compare::spreads(&settings.materials);
         let accuracy = settings.accuracy.map(AccuracyRequest::new).transpose();
-        let accuracy = accuracy.map_err(|e| Failure::from_error(&e))?;
+        let accuracy = accuracy.map_err(|e| Failure::from(&e))?;
         let aim = accuracy.map(Aim::Within).or(settings.fast.then_some(Aim::Fast));
         if let Some(aim) = aim {
             let (map, known) = ((&surface, setup, aim), (part, materials));
             plan = planned::solve(map, &self.loads, known, &mut work, watch)?;
         } else {
-            let failed = |e: LadderError| Failure::from_error(&e);
+            let failed = |e: LadderError| Failure::from(&e);
             let mut ladder = match kept.take().filter(|ladder| ladder.map().grid() == grid) {
                 Some(mut ladder) => {
                     ladder.take_map(surface).map_err(failed)?;
@@ -182,7 +182,7 @@ impl SolveRequest {
                     break;
                 }
                 work.take(index, load, result, &ladder.known, part, watch);
-                watch.done(load);
+                watch.done(index, load);
             }
             *kept = Some(ladder);
         }

@@ -11,7 +11,7 @@ use std::f64::consts::{PI, TAU};
 pub type Typed = BTreeMap<Input, Vec<f64>>;
 
 /// The number given, of a list the first.
-pub fn one(typed: &Typed, input: Input) -> Option<f64> {
+fn one(typed: &Typed, input: Input) -> Option<f64> {
     typed.get(&input).and_then(|values| values.first().copied())
 }
 
@@ -201,7 +201,7 @@ impl Untyped {
                 name(Input::SphereRadius),
                 name(Input::SphereDensity)
             ),
-            Self::Model(error) => return Failure::from_error(error),
+            Self::Model(error) => return Failure::from(error),
         };
         Failure::refused(kind, message)
     }

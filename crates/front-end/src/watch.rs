@@ -35,6 +35,6 @@ pub trait Watch: Send {
         Ok(())
     }
 
-    /// A load is done with, whether it was solved or not.
-    fn done(&mut self, _load: Load) {}
+    /// A load, by its place in the list, is done with, whether it was solved or not.
+    fn done(&mut self, _index: usize, _load: Load) {}
 }

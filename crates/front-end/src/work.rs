@@ -144,10 +144,7 @@ impl SolvedLoads {
     }
 
     fn report(&mut self, failure: Failure) {
-        self.trouble = Some(match self.trouble.take() {
-            None => failure,
-            Some(earlier) => earlier.and(failure),
-        });
+        self.trouble = self.trouble.take().into_iter().chain([failure]).reduce(Failure::and);
     }
 }
 

@@ -37,7 +37,7 @@ pub(crate) fn run_file_in(text: &str, folder: &str) -> PyResult<String> {
 /// A run file as JSON.
 #[pyfunction]
 pub(crate) fn run_file(text: &str) -> PyResult<String> {
-    let run = RunFile::parse(text).map_err(|e| raise(&Failure::from_error(&e)))?;
+    let run = RunFile::parse(text).map_err(|e| raise(&Failure::from(&e)))?;
     let again = |name: String, origin: Origin| match origin {
         Origin::File(mut file) => {
             let (path, hash) = (file.path.clone(), std::mem::take(&mut file.sha256));
@@ -64,6 +64,6 @@ pub(crate) fn validate(py: Python<'_>, method: &str, finest: usize) -> PyResult<
     let method: Method = serde_json::from_value(method.into()).map_err(|e| bug(&e))?;
     let options = Options { method, finest, ..Options::default() };
     let rows = quietly(py, 1, move || validation::run(&options, |_| {}))?;
-    let rows = rows.map_err(|e| raise(&Failure::from_error(&e)))?;
+    let rows = rows.map_err(|e| raise(&Failure::from(&e)))?;
     Ok(serde_json::json!({ "rows": rows }).to_string())
 }

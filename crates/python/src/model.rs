@@ -7,9 +7,9 @@ use contact_compare::{
     Body, BuildError, Card, ContactModel, ContactModulus, Input, Inputs, Joint, Level, MaterialUse,
     Surface, Theory,
 };
-use contact_front_end::model::{ModelLoad, ModelResult, ModelSubject, failure};
+use contact_front_end::Failure;
+use contact_front_end::model::{ModelLoad, ModelSubject, failure};
 use contact_front_end::typed::{self, Typed};
-use contact_front_end::{Failure, bodies};
 use numpy::{PyArray1, PyReadonlyArray1, PyReadonlyArray2};
 use pyo3::prelude::*;
 use serde::Deserialize;
@@ -20,13 +20,13 @@ use serde::Deserialize;
 pub(crate) struct ModelArguments {
     name: String,
     modulus: Option<f64>,
-    pub(crate) bodies: Vec<Body>,
+    bodies: Vec<Body>,
     hardness: Option<f64>,
     /// Not only known of the bodies.
     hardness_is_given: bool,
     materials: Vec<MaterialUse>,
     gamma: Option<f64>,
-    pub(crate) joint: Joint,
+    joint: Joint,
     pressures: Option<Vec<f64>>,
     separations: Option<Vec<f64>>,
     pub(crate) level: Level,
@@ -34,7 +34,7 @@ pub(crate) struct ModelArguments {
 }
 
 /// What helps where a model lacks something.
-pub(crate) const WAY_OUT: &str = "give pressure, or what the model needs: rc.Moments, rc.Asperities, rc.SelfAffine, \
+const WAY_OUT: &str = "give pressure, or what the model needs: rc.Moments, rc.Asperities, rc.SelfAffine, \
                                   rc.Fractal, rc.Numbers or a surface; rc.models() lists the inputs";
 
 impl ModelArguments {
@@ -50,20 +50,12 @@ impl ModelArguments {
 
     pub(crate) fn modulus(&self, card: &Card) -> Result<ContactModulus, Failure> {
         match self.modulus {
-            Some(pascals) => bodies::of_modulus(pascals),
+            Some(pascals) => ContactModulus::from_pascals(pascals).map_err(|e| Failure::from(&e)),
             None if card.is_rigid => Ok(ContactModulus::RIGID),
             None => {
                 Err(Failure::refused("usage", format!("{} needs modulus or bodies", card.name)))
             }
         }
-    }
-
-    /// What is asked of the conduction.
-    ///
-    /// # Errors
-    /// [`Failure`] of what conducts nothing that is known.
-    pub(crate) fn joint(&self) -> Result<&Joint, Failure> {
-        self.joint.check().map_err(|e| Failure::from_error(&e)).map(|()| &self.joint)
     }
 
     /// With what no surface says.
@@ -119,20 +111,28 @@ impl ModelArguments {
         Ok(found)
     }
 
-    pub(crate) fn questions(&self) -> Vec<ModelLoad> {
+    /// What the model says of this, as JSON, and the first refusal, as kind and message.
+    pub(crate) fn ask(
+        &self,
+        theory: &dyn Theory,
+        subject: ModelSubject,
+    ) -> Result<ModelAnswer, Failure> {
         let pressures = self.pressures.iter().flatten().map(|&p| ModelLoad::Pressure(p));
         let separations = self.separations.iter().flatten().map(|&d| ModelLoad::Separation(d));
-        pressures.chain(separations).collect()
+        let questions: Vec<ModelLoad> = pressures.chain(separations).collect();
+        self.joint.check().map_err(|e| Failure::from(&e))?;
+        let mut found = subject.ask(theory, &self.joint, &questions, None, [WAY_OUT; 2])?;
+        found.json["bodies"] = contact_report::bodies_json(found.pair.as_ref(), &self.bodies);
+        if !self.materials.is_empty() {
+            found.json["materials"] = contact_report::materials_json(&self.materials);
+        }
+        let refused = found.results.iter().find_map(|answer| answer.as_ref().err()).map(failure);
+        Ok((found.json.to_string(), refused.map(|first| (first.kind, first.message))))
     }
 }
 
 fn named(input: Input) -> String {
     input.name().replace('-', "_")
-}
-
-pub(crate) fn trouble(answers: &[ModelResult]) -> Option<(String, String)> {
-    let first = answers.iter().find_map(|answer| answer.as_ref().err()).map(failure)?;
-    Some((first.kind, first.message))
 }
 
 /// What `rough-contact model` answers, as JSON, and the first refusal, as kind and message.
@@ -148,27 +148,14 @@ pub(crate) fn model(
     let request: ModelArguments = serde_json::from_str(request).map_err(|e| bug(&e))?;
     let surface = surface.map(|(heights, facts)| surface_of(&heights, &facts)).transpose()?;
     let laid = LaidBody::of(against.as_ref())?;
-    let found = quietly(py, threads, move || answer(&request, surface, laid))?;
+    let found = quietly(py, threads, move || {
+        let theory = request.theory()?;
+        request.ask(theory, request.subject(theory.card(), surface, laid)?)
+    })?;
     found.map_err(|e| raise(&e))
 }
 
 pub(crate) type ModelAnswer = (String, Option<(String, String)>);
-
-fn answer(
-    request: &ModelArguments,
-    surface: Option<(Surface, HeightFacts)>,
-    laid: Option<LaidBody>,
-) -> Result<ModelAnswer, Failure> {
-    let theory = request.theory()?;
-    let subject = request.subject(theory.card(), surface, laid)?;
-    let mut found =
-        subject.ask(theory, request.joint()?, &request.questions(), None, [WAY_OUT; 2])?;
-    found.json["bodies"] = contact_report::bodies_json(found.pair.as_ref(), &request.bodies);
-    if !request.materials.is_empty() {
-        found.json["materials"] = contact_report::materials_json(&request.materials);
-    }
-    Ok((found.json.to_string(), trouble(&found.results)))
-}
 
 /// A closed form that is built once and asked again and again. Private.
 #[pyclass(frozen)]

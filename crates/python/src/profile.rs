@@ -1,7 +1,7 @@
 //! Profiles: traces of a stylus, their statistics and what closed forms say of them.
 
 use crate::failure::{bug, raise};
-use crate::model::{ModelAnswer, ModelArguments, WAY_OUT};
+use crate::model::{ModelAnswer, ModelArguments};
 use crate::reading::{FileReading, Unread, unmade};
 use crate::study::{REPEAT, run_file_of};
 use crate::surface::{HeightFacts, array, form, measurement};
@@ -89,7 +89,7 @@ fn kept(heights: &PyReadonlyArray2<'_, f64>, facts: &str) -> PyResult<ProfileSur
     let HeightFacts { name, pixel, origin, uneven, .. } = HeightFacts::of_text(facts)?;
     let rows = heights.as_array();
     let traces = rows.rows().into_iter().map(|row| Trace::new(pixel[1], row.to_vec()));
-    let traces = traces.collect::<Result<_, _>>().map_err(|e| raise(&Failure::from_error(&e)))?;
+    let traces = traces.collect::<Result<_, _>>().map_err(|e| raise(&Failure::from(&e)))?;
     Ok(ProfileSurface { name, origin, traces, uneven })
 }
 
@@ -105,7 +105,7 @@ pub(crate) fn profile_model(
     let request: ModelArguments = serde_json::from_str(request).map_err(|e| bug(&e))?;
     let traces = kept(&heights, facts)?;
     let found = quietly(py, threads, move || -> Result<ModelAnswer, Failure> {
-        let (theory, joint) = (request.theory()?, request.joint()?);
+        let theory = request.theory()?;
         let card = theory.card();
         let path = match &traces.origin {
             Origin::File(file) => Path::new(&file.path),
@@ -114,9 +114,7 @@ pub(crate) fn profile_model(
         let modulus = request.modulus(card)?;
         let mut subject = ModelSubject::of_traces(modulus, path, &traces, request.level)?;
         subject.inputs = request.complete(card, subject.inputs)?;
-        let mut found = subject.ask(theory, joint, &request.questions(), None, [WAY_OUT; 2])?;
-        found.json["bodies"] = contact_report::bodies_json(None, &request.bodies);
-        Ok((found.json.to_string(), crate::model::trouble(&found.results)))
+        request.ask(theory, subject)
     })?;
     found.map_err(|e| raise(&e))
 }
@@ -145,7 +143,7 @@ pub(crate) fn profile_study(
         let registry = Registry::built_in();
         let study = |s| ProfileComparison::run(s, settings.clone(), &registry);
         let studies = given.into_iter().map(study).collect::<Result<Vec<_>, _>>();
-        let studies = studies.map_err(|e| Failure::from_error(&e))?;
+        let studies = studies.map_err(|e| Failure::from(&e))?;
         contact_front_end::profile_documents(&studies, &Provenance::here(REPEAT), &run_file)
     })?;
     found.map(BTreeMap::from_iter).map_err(|e| raise(&e))

@@ -43,13 +43,9 @@ impl FileReading {
         all.into_iter().map(|m| self.part(m)).collect()
     }
 
+    /// The one measurement of a file; of several traces the first.
     pub(crate) fn measurement(&self, path: &Path) -> Result<Measurement, Unread> {
-        let (options, _) = reading(&self.file)?;
-        let read = match &self.content {
-            Some(bytes) => surface_io::read_bytes(bytes, &options),
-            None => surface_io::read(path, &options),
-        };
-        self.part(read.map_err(Unread::File)?)
+        Ok(self.measurements(path)?.swap_remove(0))
     }
 
     fn part(&self, measurement: Measurement) -> Result<Measurement, Unread> {

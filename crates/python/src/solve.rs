@@ -7,8 +7,8 @@ use contact_accuracy::Ladder;
 use contact_compare::AccuracyRequest as Accuracy;
 use contact_compare::{Iteration, Load, Origin, Solution, Surface, labelled_spots};
 use contact_front_end::loads::Spread;
-use contact_front_end::{Failure, SolveRequest, Watch, bodies};
-use contact_types::Grid;
+use contact_front_end::{Failure, SolveRequest, Watch};
+use contact_types::{ContactModulus, Grid};
 use fft_bem_solver::{FreeHalfSpace, HalfSpace};
 use numpy::{PyArray2, PyReadonlyArray2};
 use pyo3::exceptions::PyRuntimeError;
@@ -54,8 +54,7 @@ impl SolveArguments {
 struct KeptMaps<'a> {
     maps: bool,
     keep_gap: bool,
-    loads: &'a [Load],
-    told: Vec<bool>,
+    count: usize,
     reporter: &'a Reporter,
     /// Grid, pressure, gap by the place of the load.
     found: BTreeMap<usize, (Grid, Vec<f64>, Vec<f64>)>,
@@ -66,13 +65,12 @@ struct KeptMaps<'a> {
 impl Watch for KeptMaps<'_> {
     fn begin(&mut self, _: Grid, _: usize) {
         self.found.clear();
-        self.told.fill(false);
     }
 
     fn iterated(&mut self, index: usize, _: Load, now: &Iteration<'_>) -> ControlFlow<()> {
         self.reporter.tell_at_times(|| News {
             surface: self.name.to_owned(),
-            ..News::iteration(index, self.loads.len(), now)
+            ..News::iteration(index, self.count, now)
         });
         if self.reporter.is_stopped() { ControlFlow::Break(()) } else { ControlFlow::Continue(()) }
     }
@@ -87,16 +85,13 @@ impl Watch for KeptMaps<'_> {
         Ok(())
     }
 
-    fn done(&mut self, load: Load) {
+    fn done(&mut self, index: usize, _: Load) {
         let last = self.last.take();
-        let is_it = |i: &usize| !self.told[*i] && self.loads[*i] == load;
-        let index = (0..self.loads.len()).find(is_it).unwrap_or_default();
-        self.told[index] = true;
         self.reporter.tell(News {
             stage: "load",
             surface: self.name.to_owned(),
             index,
-            count: self.loads.len(),
+            count: self.count,
             mean_pressure: last.map(|l| l.0),
             area_fraction: last.map(|l| l.1),
             ..News::default()
@@ -171,7 +166,8 @@ pub(crate) fn displacement<'py>(
     threads: usize,
 ) -> PyResult<Bound<'py, PyArray2<f64>>> {
     let (grid, mut field) = field(&pressure, pixel)?;
-    let modulus = bodies::of_modulus(modulus).map_err(|e| raise(&e))?;
+    let modulus = ContactModulus::from_pascals(modulus);
+    let modulus = modulus.map_err(|e| raise(&Failure::from(&e)))?;
     let found = quietly(py, threads, move || {
         let done = if free {
             FreeHalfSpace::new(grid, modulus).displace(&mut field)
@@ -199,7 +195,7 @@ pub(crate) fn spots<'py>(
 fn field(values: &PyReadonlyArray2<'_, f64>, pixel: [f64; 2]) -> PyResult<(Grid, Vec<f64>)> {
     let values = values.as_array();
     let grid = Grid::new([values.nrows(), values.ncols()], pixel);
-    let grid = grid.map_err(|e| raise(&Failure::from_error(&e)))?;
+    let grid = grid.map_err(|e| raise(&Failure::from(&e)))?;
     Ok((grid, values.iter().copied().collect()))
 }
 
@@ -234,8 +230,7 @@ pub(crate) fn solve<'py>(
             let mut watch = KeptMaps {
                 maps,
                 keep_gap: question.keep_gap,
-                loads: &question.loads,
-                told: vec![false; question.loads.len()],
+                count: question.loads.len(),
                 reporter,
                 found: BTreeMap::new(),
                 name: &facts.name,

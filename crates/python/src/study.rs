@@ -201,10 +201,8 @@ pub(crate) fn study(
                 Progress::Models => reporter.tell(of("models", 0)),
                 Progress::Iterated { index, now } => {
                     reporter.tell_at_times(|| News {
-                        iteration: now.number,
-                        residual: now.residual,
-                        tolerance: now.tolerance,
-                        ..of("iteration", index)
+                        surface: told.0.clone(),
+                        ..News::iteration(index, told.1, &now)
                     });
                 }
                 Progress::Solved { index, mean_pressure, area_fraction, .. } => {
@@ -245,7 +243,7 @@ fn run(
     times: &Times,
     listen: &mut contact_compare::Listener<'_>,
 ) -> Result<(BTreeMap<String, String>, Option<Failure>), Failure> {
-    let failed = |e: StudyError| Failure::from_error(&e);
+    let failed = |e: StudyError| Failure::from(&e);
     let run_file = run_file_of(&settings, surfaces.iter().map(|s| (&s.name, &s.origin)));
     let mut found = Comparison::run(surfaces, settings, registry, listen).map_err(failed)?;
     contact_front_end::look_around(&mut found, listen)?;

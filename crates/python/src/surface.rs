@@ -71,9 +71,8 @@ pub(crate) fn measurement(
     rows: ArrayView2<'_, f64>,
     pixel: [f64; 2],
 ) -> Result<Measurement, Failure> {
-    let grid =
-        Grid::new([rows.nrows(), rows.ncols()], pixel).map_err(|e| Failure::from_error(&e))?;
-    Measurement::new(grid, rows.iter().copied().collect()).map_err(|e| Failure::from_error(&e))
+    let grid = Grid::new([rows.nrows(), rows.ncols()], pixel).map_err(|e| Failure::from(&e))?;
+    Measurement::new(grid, rows.iter().copied().collect()).map_err(|e| Failure::from(&e))
 }
 
 /// A surface of the study.
@@ -83,7 +82,7 @@ pub(crate) fn surface_of(
 ) -> PyResult<(Surface, HeightFacts)> {
     let facts = HeightFacts::of_text(facts)?;
     let array = heights.as_array();
-    let refused = |e| raise(&Failure::from_error(&e));
+    let refused = |e| raise(&Failure::from(&e));
     let grid = Grid::new([array.nrows(), array.ncols()], facts.pixel).map_err(refused)?;
     let heights = HeightMap::new(grid, array.iter().copied().collect()).map_err(refused)?;
     let surface = Surface { name: facts.name.clone(), origin: facts.origin.clone(), heights };
@@ -272,7 +271,7 @@ pub(crate) fn synth<'py>(
 ) -> PyResult<MadeSurface<'py>> {
     let recipe: Recipe = serde_json::from_str(recipe).map_err(|e| bug(&e))?;
     let surface = quietly(py, threads, move || recipe.make())?;
-    let Surface { name, origin, heights } = surface.map_err(|e| raise(&Failure::from_error(&e)))?;
+    let Surface { name, origin, heights } = surface.map_err(|e| raise(&Failure::from(&e)))?;
     let facts = HeightFacts::of(name, heights.grid().pixel(), origin);
     made(py, heights, &facts, &json!({}))
 }
@@ -288,7 +287,7 @@ pub(crate) fn reshape<'py>(
 ) -> PyResult<MadeSurface<'py>> {
     let (surface, mut facts) = surface_of(&heights, facts)?;
     let form = surface.origin.level(form(level)?).on(&surface.heights);
-    let form = form.map_err(|e| raise(&Failure::from_error(&e)))?;
+    let form = form.map_err(|e| raise(&Failure::from(&e)))?;
     let repeats = match &surface.origin {
         Origin::Given(given) => given.repeats,
         made => (made.edges() == Edges::Periodic).then_some(true),

@@ -98,9 +98,9 @@ impl Against {
         hashed: bool,
     ) -> Result<One, Failure> {
         let Some(second) = self.given()? else {
-            return if hashed { how.hashed(path) } else { how.measured(path) };
+            return how.measured(path, hashed);
         };
-        let map = |path: &Path, how: &FileOptions| match how.hashed(path)? {
+        let map = |path: &Path, how: &FileOptions| match how.measured(path, true)? {
             One::Map(map) => Ok(*map),
             One::Profile(_) => Err(profile(path)),
         };

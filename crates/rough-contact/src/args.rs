@@ -2,14 +2,11 @@
 
 use crate::outcome::Failure;
 use crate::quantity;
-use crate::units::Dimension::{self, Length, Number, Pressure};
+use crate::units::Dimension::{self, Length, Pressure};
 use clap::Args;
 use clap::builder::{PossibleValuesParser, TypedValueParser};
-use rough_contact::compare::{
-    AccuracyRequest, EdgesName, Joint, Level, Method, Precision, Settings, built_in,
-};
+use rough_contact::compare::built_in;
 use rough_contact::contact_types::Named;
-use rough_contact::front_end::bodies::Bodies;
 
 #[derive(Args)]
 pub(crate) struct CommonOptions {
@@ -100,55 +97,6 @@ pub(crate) fn one_of<T: Named + Send + Sync>() -> impl TypedValueParser<Value = 
 
 /// The form taken off where nothing is said, by every command: the tilt of a mounting, unless the map repeats.
 pub(crate) const LEVEL: &str = "auto";
-
-#[derive(Args, Clone, Debug)]
-pub(crate) struct SolverOptions {
-    /// Beyond the edges of a map: the map again, or its mirror images (four times the points, memory and time), which
-    /// take the jump out of a map that does not repeat
-    #[arg(long, value_name = "EDGES", value_parser = one_of::<EdgesName>(), default_value = "periodic")]
-    pub(crate) edges: EdgesName,
-    /// Method of the solver
-    #[arg(long, value_parser = one_of::<Method>(), default_value = "auto")]
-    pub(crate) method: Method,
-    /// Floating-point type of the iteration; results are always f64
-    #[arg(long, value_parser = one_of::<Precision>(), default_value = "f64")]
-    pub(crate) precision: Precision,
-    /// Relative rms error of the pressure to reach
-    #[arg(long, value_name = "T", value_parser = one(Number), allow_hyphen_values = true)]
-    #[arg(default_value = "1e-4")]
-    pub(crate) tolerance: f64,
-    /// Uncertainty of the area to stay within, as 2%: grid, precision and tolerance are chosen for it
-    #[arg(long, value_name = "A%", value_parser = AccuracyRequest::parse, allow_hyphen_values = true)]
-    #[arg(conflicts_with_all = ["tolerance", "precision"])]
-    pub(crate) accuracy: Option<AccuracyRequest>,
-    /// Every second point of the map at once, with its wider uncertainty
-    #[arg(long, conflicts_with = "accuracy")]
-    pub(crate) fast: bool,
-}
-
-impl SolverOptions {
-    /// Settings of a study of these bodies, with what is asked of the joint.
-    pub(crate) fn settings(&self, level: Level, made_of: Bodies, joint: &Joint) -> Settings {
-        Settings {
-            modulus: made_of.modulus.pascals(),
-            hardness: made_of.hardness,
-            resistivities: joint.resistivities,
-            conductivities: joint.conductivities,
-            gas: joint.gas,
-            load_area: joint.area,
-            materials: made_of.materials,
-            bodies: made_of.bodies,
-            level,
-            edges: self.edges,
-            method: self.method,
-            precision: self.precision,
-            tolerance: self.tolerance,
-            accuracy: self.accuracy.map(AccuracyRequest::relative),
-            fast: self.fast,
-            ..Settings::default()
-        }
-    }
-}
 
 /// Takes `--refine`, which is gone, and names what does its work.
 pub(crate) fn refine_is_gone(_: &str) -> Result<bool, String> {

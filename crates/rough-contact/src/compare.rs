@@ -1,13 +1,11 @@
 //! `rough-contact compare`: the study and its report.
 
-use crate::adhesion::AdhesionOptions;
 use crate::against::{self, Against};
-use crate::args::{self, CommonOptions, List, SolverOptions};
-use crate::bodies::BodyOptions;
+use crate::args::{self, CommonOptions, List};
 use crate::compare_profiles;
-use crate::conduction::ConductionOptions;
+use crate::contact::ContactOptions;
 use crate::input::{FileOptions, One};
-use crate::leak::{self, LeakOptions};
+use crate::leak;
 use crate::loads::Forces;
 use crate::outcome::{Failure, Reply};
 use crate::output::Folder;
@@ -17,8 +15,7 @@ use crate::text::{self, Columns, plain};
 use crate::units::Dimension::{Number, Pressure};
 use clap::Args;
 use rough_contact::compare::{
-    Comparison, Level, ModelCurve, Refused, Registry, RunFile, RunSurface, Settings, Surface,
-    on_threads,
+    Comparison, ModelCurve, Refused, Registry, RunFile, RunSurface, Settings, Surface, on_threads,
 };
 pub(crate) use rough_contact::front_end::not_met;
 use rough_contact::front_end::run_file_in;
@@ -37,8 +34,6 @@ pub(crate) struct Compare {
     /// polished, ground, blasted
     #[arg(value_name = "FILE")]
     pub(crate) files: Vec<PathBuf>,
-    #[command(flatten)]
-    bodies: BodyOptions,
     /// Nominal pressures [default: chosen so that about 0.1 % to half of the surface touches]
     #[arg(long, value_name = "LIST", value_parser = args::list(Pressure), allow_hyphen_values = true)]
     pressure: Option<List>,
@@ -47,32 +42,19 @@ pub(crate) struct Compare {
     /// Pressure of headline and contact map, one of --pressure [default: at about 2 % contact]
     #[arg(long, value_name = "P", value_parser = args::one(Pressure), allow_hyphen_values = true)]
     headline: Option<f64>,
+    #[command(flatten)]
+    contact: ContactOptions,
     /// Models to ask, such as gw,persson [default: every one that a surface gives all it needs]
     #[arg(long, value_name = "LIST", value_parser = args::study_models(), value_delimiter = ',')]
     #[arg(ignore_case = true)]
     models: Option<Vec<String>>,
-    /// Form to remove by least squares first
-    #[arg(long, value_name = "FORM", value_parser = args::one_of::<Level>(), default_value = args::LEVEL)]
-    level: Level,
     /// Shortest and longest wavelength of the fractal fit [default: cut-off to roll-off as found]
     #[arg(long, value_name = "L,L", value_parser = args::range, allow_hyphen_values = true)]
     fractal_range: Option<[f64; 2]>,
-    /// Highest pressure that the softer body bears, as 2GPa: the study is of the contact that yields there,
-    /// with the elastic one beside; `elastic` to leave out that of --material
-    #[arg(long, value_name = "H", value_parser = args::hardness, allow_hyphen_values = true)]
-    hardness: Option<f64>,
     /// Weight of partial contact in Persson's mean gap: 0.45 (Yang & Persson 2008) or 1 (Persson 2007); given, the
     /// gap is among the results [default: 0.45, where his stiffness is asked for]
     #[arg(long, value_name = "G", value_parser = args::one(Number), allow_hyphen_values = true)]
     gamma: Option<f64>,
-    #[command(flatten)]
-    conduction: ConductionOptions,
-    #[command(flatten)]
-    leak: LeakOptions,
-    #[command(flatten)]
-    adhesion: AdhesionOptions,
-    #[command(flatten)]
-    solver: SolverOptions,
     /// Repeat the run that wrote this run.toml
     #[arg(long, value_name = "RUN.TOML")]
     from: Option<PathBuf>,
@@ -149,20 +131,18 @@ impl Compare {
 
     pub(crate) fn settings(&self) -> Result<Settings, Failure> {
         self.forces.given()?; // refused before any work
-        let mut made_of = match self.bodies.given(self.hardness)? {
-            None if self.files.is_empty() => self.bodies.steel().required(self.hardness)?,
-            _ => self.bodies.required(self.hardness)?,
+        let ContactOptions { bodies, hardness, .. } = &self.contact;
+        let made_of = match bodies.given(*hardness)? {
+            None if self.files.is_empty() => bodies.steel().required(*hardness)?,
+            _ => bodies.required(*hardness)?,
         };
-        let joint = self.conduction.of_part(&mut made_of, &self.forces)?;
         Ok(Settings {
-            leak: self.leak.asked()?,
-            adhesion: self.adhesion.asked()?,
             pressures: self.pressure.as_ref().map(|List(pressures)| pressures.clone()),
             headline: self.headline,
             models: self.models.clone(),
             gamma: self.gamma,
             fractal_range: self.fractal_range,
-            ..self.solver.settings(self.level, made_of, &joint)
+            ..self.contact.settings(made_of, &self.forces)?
         })
     }
 
@@ -184,7 +164,7 @@ impl Compare {
     }
 
     pub(crate) fn read(&self, path: &Path) -> Result<One, Failure> {
-        self.against.measured(path, &self.how, self.level, true)
+        self.against.measured(path, &self.how, self.contact.level, true)
     }
 
     /// The same command with no file and no folder: what every answer depends on.
@@ -225,7 +205,7 @@ impl Compare {
         }
         let recipes = compare::built_in_recipes();
         let made = recipes.iter().map(|recipe| recipe.make().map(|map| One::Map(Box::new(map))));
-        made.collect::<Result<_, _>>().map_err(|e| Failure::from_error(&e))
+        made.collect::<Result<_, _>>().map_err(|e| Failure::from(&e))
     }
 }
 
@@ -272,7 +252,7 @@ fn study(
         }
         ControlFlow::Continue(())
     });
-    let mut comparison = comparison.map_err(|e| Failure::from_error(&e))?;
+    let mut comparison = comparison.map_err(|e| Failure::from(&e))?;
     progress.working_on("coarser grids");
     let mut watch = |news: compare::Progress<'_>| {
         if let compare::Progress::Iterated { now, .. } = news {

@@ -96,11 +96,10 @@ pub(crate) fn run(command: &Compare, common: &CommonOptions) -> Result<Reply, Fa
 
 fn summary<'a>(outcomes: &'a [FileOutcome], settings: &'a Settings, seconds: f64) -> Summary<'a> {
     let folder = rows::common_folder(outcomes);
-    let name =
-        |o: &FileOutcome| o.file.strip_prefix(&folder).unwrap_or(&o.file).display().to_string();
-    let map = |o: &'a FileOutcome| Some((name(o), &o.result.as_ref().ok()?.0));
-    let failed =
-        |o: &FileOutcome| o.result.is_err().then(|| (name(o), o.why().unwrap_or_default()));
+    let map = |o: &'a FileOutcome| Some((o.name_in(&folder), &o.result.as_ref().ok()?.0));
+    let failed = |o: &FileOutcome| {
+        o.result.is_err().then(|| (o.name_in(&folder), o.why().unwrap_or_default()))
+    };
     Summary {
         maps: outcomes.iter().filter_map(map).collect(),
         failed: outcomes.iter().filter_map(failed).collect(),

@@ -46,7 +46,7 @@ pub(crate) fn run(
     let registry = Registry::built_in();
     let study = |surface| ProfileComparison::run(surface, settings.clone(), &registry);
     let studies = surfaces.into_iter().map(study).collect::<Result<Vec<_>, _>>();
-    let studies = studies.map_err(|e| Failure::from_error(&e))?;
+    let studies = studies.map_err(|e| Failure::from(&e))?;
     let provenance = Provenance::here(repeat);
     let mut reply = Reply::new(
         describe(&studies, folder.path()),

@@ -19,11 +19,9 @@ enum Both {
     Table,
 }
 
+/// None is vacuum.
 #[derive(Clone, Copy, Debug)]
-enum Filling {
-    Vacuum,
-    Gas(Gas),
-}
+struct Filling(Option<Gas>);
 
 #[derive(Args, Clone, Copy, Debug, Default)]
 pub(crate) struct ConductionOptions {
@@ -74,7 +72,7 @@ impl ConductionOptions {
                            --conductivity K[,K] of the bodies";
             return Err(Failure::refused("usage", message));
         }
-        joint.check().map_err(|e| Failure::from_error(&e))?;
+        joint.check().map_err(|e| Failure::from(&e))?;
         Ok(joint)
     }
 
@@ -104,8 +102,8 @@ impl ConductionOptions {
     }
 
     fn filled(self) -> Option<GapGas> {
-        let Some(Filling::Gas(gas)) = self.gas else { return None };
-        let usual = GapGas::new(gas);
+        let Filling(gas) = self.gas?;
+        let usual = GapGas::new(gas?);
         Some(GapGas {
             temperature: self.temperature.unwrap_or(usual.temperature),
             pressure: self.gas_pressure.unwrap_or(usual.pressure),
@@ -118,9 +116,8 @@ impl ConductionOptions {
 fn filling(text: &str) -> Result<Filling, String> {
     let name = text.trim().to_ascii_lowercase();
     match Gas::of_name(&name) {
-        Some(gas) => Ok(Filling::Gas(gas)),
-        None if name == "vacuum" => Ok(Filling::Vacuum),
-        None => Err("write vacuum, air, helium, argon or nitrogen".to_owned()),
+        None if name != "vacuum" => Err("write vacuum, air, helium, argon or nitrogen".to_owned()),
+        gas => Ok(Filling(gas)),
     }
 }
 

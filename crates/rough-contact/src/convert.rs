@@ -34,7 +34,7 @@ impl Convert {
         let format = MapFormat::of(&self.out)?;
         output::check(&self.out, common.force)?;
         let shown = self.file.display().to_string();
-        let One::Map(surface) = self.how.measured(&self.file)? else {
+        let One::Map(surface) = self.how.measured(&self.file, false)? else {
             let message = format!("{shown}: a profile is no map, and maps are what is written");
             return Err(Failure::refused("profile", message));
         };

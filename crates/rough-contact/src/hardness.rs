@@ -2,7 +2,7 @@
 
 use crate::text;
 use rough_contact::compare::{BULK_YIELD, Hardness, typical_hardness};
-use rough_contact::front_end::unusual_hardness;
+use rough_contact::front_end::shown::unusual_hardness;
 use rough_contact::surface_stats::SurfaceStatistics;
 use serde_json::{Value, json};
 use std::fmt::Write as _;

@@ -11,9 +11,7 @@ use clap::Args;
 use clap::builder::{PossibleValue, PossibleValuesParser, TypedValueParser};
 use rough_contact::compare::{FileOrigin, Origin, ProfileSurface, Surface, sha256_hex};
 use rough_contact::contact_types::Named;
-use rough_contact::surface_io::{
-    Cut, DecimalMark, Fill, HeightUnit, Layout, Measurement, Need, ReadError,
-};
+use rough_contact::surface_io::{Cut, DecimalMark, Fill, Layout, Measurement, Need};
 use rough_contact::{front_end, surface_io};
 use std::path::{Path, PathBuf};
 
@@ -109,32 +107,13 @@ impl ReadingOptions {
         }
     }
 
-    /// Numbers as they stand in a file that does not say their units, and what it does not say:
-    /// what is missing is taken for 1. `None` if something else is wrong with the file.
+    /// Numbers as they stand in a file that does not say their units, and what it does not say; `None` if something
+    /// else is wrong with the file.
     pub(crate) fn raw(&self, path: &Path) -> Option<(Measurement, Vec<Need>)> {
-        let (mut options, _) = front_end::reading(&self.origin(path)).ok()?;
-        let mut missing = Vec::new();
-        loop {
-            let needs = match surface_io::read(path, &options) {
-                // A file that says all has another fault.
-                Ok(measurement) => return (!missing.is_empty()).then_some((measurement, missing)),
-                Err(ReadError::MissingScale { needs, .. }) => needs,
-                Err(_) => return None,
-            };
-            // What was said already and is asked for again would be asked for ever.
-            if needs.iter().any(|need| missing.contains(need)) {
-                return None;
-            }
-            for need in &needs {
-                match need {
-                    Need::PixelSize => options.pixel = Some([1.0, 1.0]),
-                    Need::LateralUnit => options.lateral_unit = Some(1.0),
-                    Need::HeightUnit => options.height_unit = Some(HeightUnit::IfSilent(1.0)),
-                    _ => return None,
-                }
-            }
-            missing.extend(needs);
-        }
+        let (options, _) = front_end::reading(&self.origin(path)).ok()?;
+        let found = front_end::raw(options, |options| surface_io::read(path, options)).ok()?;
+        // A file that says all has another fault.
+        Some(found).filter(|(_, missing)| !missing.is_empty())
     }
 
     /// Reads and crops; missing points stay missing. Of several traces the first.
@@ -144,29 +123,36 @@ impl ReadingOptions {
 }
 
 impl FileOptions {
-    fn origin(&self, path: &Path) -> FileOrigin {
-        FileOrigin { cleaning: self.cleaning.asked(), ..self.reading.origin(path) }
-    }
-
-    /// A complete surface, or the traces of one: read, cropped, cleaned, filled.
-    pub(crate) fn measured(&self, path: &Path) -> Result<One, Failure> {
-        let file = self.origin(path);
-        let (all, fill) = measurements(path, &file, self.reading.crop)?;
-        complete(path, all, file, fill)
-    }
-
-    /// The same with the hash of the file, for a run that is to be repeated.
-    pub(crate) fn hashed(&self, path: &Path) -> Result<One, Failure> {
-        from_file(path, self.origin(path), self.reading.crop)
+    /// What is in a file; with its hash, for a run that is to be repeated.
+    pub(crate) fn measured(&self, path: &Path, hashed: bool) -> Result<One, Failure> {
+        let mut file = self.reading.origin(path);
+        file.cleaning = self.cleaning.asked();
+        from_file(path, file, self.reading.crop, hashed)
     }
 }
 
-/// What is in a file, with its hash.
-pub(crate) fn from_file(path: &Path, file: FileOrigin, crop: Option<Cut>) -> Result<One, Failure> {
-    let (all, fill) = measurements(path, &file, crop)?;
-    let bytes = std::fs::read(path).map_err(|e| Failure::refused("io", e.to_string()));
-    let sha256 = sha256_hex(&bytes?);
-    complete(path, all, FileOrigin { sha256, ..file }, fill)
+/// A complete surface, or the traces of one: read, cropped, cleaned, filled.
+pub(crate) fn from_file(
+    path: &Path,
+    mut file: FileOrigin,
+    crop: Option<Cut>,
+    hashed: bool,
+) -> Result<One, Failure> {
+    let (mut all, fill) = measurements(path, &file, crop)?;
+    if hashed {
+        let bytes = std::fs::read(path).map_err(|e| Failure::refused("io", e.to_string()))?;
+        file.sha256 = sha256_hex(&bytes);
+    }
+    if let Some(reading) = all[0].ambiguity {
+        tell_of(path, &needs::reading(reading));
+    }
+    let made = if all[0].is_profile() {
+        profiles::refuse(path, file.cleaning)?;
+        front_end::traces(all, file, fill).map(|traces| One::Profile(Box::new(traces)))
+    } else {
+        front_end::complete(all.swap_remove(0), file, fill).map(|map| One::Map(Box::new(map)))
+    };
+    made.map_err(|e| needs::unmade(path, &e))
 }
 
 /// Every trace of a file of several, one measurement of any other, cropped; and how missing points are filled.
@@ -206,24 +192,6 @@ fn measurements(
     Ok((all, fill))
 }
 
-fn complete(
-    path: &Path,
-    mut all: Vec<Measurement>,
-    file: FileOrigin,
-    fill: Fill,
-) -> Result<One, Failure> {
-    if let Some(reading) = all[0].ambiguity {
-        tell_of(path, &needs::reading(reading));
-    }
-    let made = if all[0].is_profile() {
-        profiles::refuse(path, file.cleaning)?;
-        front_end::traces(all, file, fill).map(|traces| One::Profile(Box::new(traces)))
-    } else {
-        front_end::complete(all.swap_remove(0), file, fill).map(|map| One::Map(Box::new(map)))
-    };
-    made.map_err(|e| needs::unmade(path, &e))
-}
-
 fn tell_of(path: &Path, what: &str) {
     outcome::tell(&format!("rough-contact: {}: {what}", path.display()));
 }
@@ -246,6 +214,6 @@ impl InputFiles {
 
     /// The surface, complete, or the traces of one.
     pub(crate) fn measured(&self) -> Result<One, Failure> {
-        self.how.measured(&self.file)
+        self.how.measured(&self.file, false)
     }
 }

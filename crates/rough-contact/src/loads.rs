@@ -41,15 +41,11 @@ impl Loads {
             return Ok(forces.len());
         }
         if let Some(List(pressures)) = &self.pressure {
-            for &p in pressures {
-                positive("mean pressure", p, "Pa", "at which something touches")?;
-            }
+            positive("mean pressure", pressures, "Pa", "at which something touches")?;
             return Ok(pressures.len());
         }
         let List(gaps) = self.gap.as_ref().expect("clap requires one of the three");
-        for &g in gaps {
-            positive("mean gap", g, "m", "or use --pressure for a closed gap")?;
-        }
+        positive("mean gap", gaps, "m", "or use --pressure for a closed gap")?;
         Ok(gaps.len())
     }
 
@@ -66,12 +62,8 @@ impl Forces {
     /// The forces given (N), refused unless each presses.
     pub(crate) fn given(&self) -> Result<Option<&[f64]>, Failure> {
         let Some(List(forces)) = &self.load else { return Ok(None) };
-        for &force in forces {
-            positive("load", force, "N", "at which something touches")?;
-        }
-        if let Some(area) = self.area {
-            positive("nominal area", area, "m^2", "that carries the load")?;
-        }
+        positive("load", forces, "N", "at which something touches")?;
+        positive("nominal area", self.area.as_slice(), "m^2", "that carries the load")?;
         Ok(Some(forces))
     }
 

@@ -17,6 +17,7 @@ mod compare_profiles;
 #[cfg(feature = "shell")]
 mod completions;
 mod conduction;
+mod contact;
 mod convert;
 mod export;
 mod fields;

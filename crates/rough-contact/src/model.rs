@@ -67,7 +67,7 @@ impl Model {
         let Some(name) = &self.name else { return Ok(list()) };
         let theory = compare::find(name).expect("clap accepts only these names");
         let card = theory.card();
-        let hardness = self.source.hardness();
+        let hardness = self.source.one(Input::Hardness);
         let mut made_of = match self.bodies.given(hardness)? {
             None if card.is_rigid => {
                 let (bodies, materials) = (Vec::new(), Vec::new());
@@ -80,7 +80,7 @@ impl Model {
         self.refuse_silence()?;
         let area_has_use = self.load.is_some() || joint.is_asked();
         self.source.refuse_unused(card, self.file.as_deref(), area_has_use)?;
-        let (modulus, asked) = (made_of.modulus, self.source.level());
+        let (modulus, asked) = (made_of.modulus, self.source.file.level.unwrap_or_default());
         let (mut first, mut traces) = (String::new(), 0);
         let mut subject = if let Some(path) = &self.file {
             match self.against.measured(path, &self.how, asked, false)? {
@@ -89,7 +89,7 @@ impl Model {
                     first += &text::cleaning(&cleaned);
                     let fill = self.how.reading.fill.name();
                     let map = Subject { path, surface: *surface, cleaned, fill };
-                    ModelSubject::of_map(card, modulus, map, asked, self.source.boundary())?
+                    ModelSubject::of_map(card, modulus, map, asked, self.source.file.boundary)?
                 }
                 One::Profile(profile) => {
                     first += &text::cleaning(profile.origin.cleaned());
@@ -155,7 +155,7 @@ impl Model {
 
     /// What is asked of the joint; of a theory of conductance always something.
     fn joint(&self, card: &Card, bodies: &mut Bodies) -> Result<Joint, Failure> {
-        let area = self.source.area();
+        let area = self.source.one(Input::Area);
         if !card.takes(Input::MeanSlope) {
             return self.conduction.asked(bodies, area);
         }
@@ -188,7 +188,7 @@ impl Model {
             list.into_iter().flat_map(|List(all)| all.iter().copied().map(question)).collect()
         };
         if let Some(List(forces)) = &self.load {
-            let spread = loads::spread(forces, self.source.area(), area)?;
+            let spread = loads::spread(forces, self.source.one(Input::Area), area)?;
             let pressures = spread.pressures.iter().map(|&p| ModelLoad::Pressure(p));
             return Ok((pressures.collect(), Some(spread)));
         }

@@ -17,14 +17,6 @@ pub(crate) fn unread(path: &Path, error: &ReadError) -> Failure {
     Failure::in_file(path, error).adding(&way_out)
 }
 
-pub(crate) fn unfilled(path: &Path, error: &FillError) -> Failure {
-    let way_out = match error {
-        FillError::NotConverged { .. } => "use --fill nearest".to_owned(),
-        _ => options(&error.needs()),
-    };
-    Failure::in_file(path, error).adding(&way_out)
-}
-
 /// The refusal of a measurement, with the options that would let it be answered.
 pub(crate) fn unmade(path: &Path, error: &Incomplete) -> Failure {
     let refused = |kind: &str, message: String| {
@@ -48,7 +40,10 @@ pub(crate) fn unmade(path: &Path, error: &Incomplete) -> Failure {
         Incomplete::Cleaning(e) => Failure::in_file(path, e),
         Incomplete::Clean(e) => Failure::in_file(path, e),
         Incomplete::Short(e) => Failure::in_file(path, e).adding("measure a longer trace"),
-        Incomplete::Fill(e) => unfilled(path, e),
+        Incomplete::Fill(e @ FillError::NotConverged { .. }) => {
+            Failure::in_file(path, e).adding("use --fill nearest")
+        }
+        Incomplete::Fill(e) => Failure::in_file(path, e).adding(&options(&e.needs())),
     }
 }
 

@@ -17,20 +17,20 @@ use std::path::Path;
 #[derive(Clone)]
 pub(crate) struct Source {
     typed: Typed,
-    file: OfFile,
+    pub(crate) file: OfFile,
 }
 
 const HEADING: &str = "Roughness, typed in instead of FILE";
 
 #[derive(Args, Clone)]
 #[command(next_help_heading = HEADING)]
-struct OfFile {
+pub(crate) struct OfFile {
     /// Form to remove from a FILE by least squares first [default: plane]
     #[arg(long, value_name = "FORM", value_parser = args::one_of::<Level>())]
-    level: Option<Level>,
+    pub(crate) level: Option<Level>,
     /// What lies beyond the edges of a FILE [default: open]
     #[arg(long, value_parser = args::one_of::<Edges>())]
-    boundary: Option<Edges>,
+    pub(crate) boundary: Option<Edges>,
 }
 
 fn option(fact: &InputFact) -> Arg {
@@ -120,32 +120,19 @@ impl Source {
             typed.entry(Input::Hardness).or_insert(vec![hardness]);
         }
         let inputs = typed::inputs(&typed, card, modulus, named, Some(&ways(card)))?;
-        Ok(Inputs { nominal_area: self.area().or(inputs.nominal_area), ..inputs })
+        Ok(Inputs { nominal_area: self.one(Input::Area).or(inputs.nominal_area), ..inputs })
     }
 
-    pub(crate) fn hardness(&self) -> Option<f64> {
-        typed::one(&self.typed, Input::Hardness)
-    }
-
-    pub(crate) fn area(&self) -> Option<f64> {
-        typed::one(&self.typed, Input::Area)
-    }
-
-    /// The form taken off a FILE.
-    pub(crate) fn level(&self) -> Level {
-        self.file.level.unwrap_or_default()
-    }
-
-    /// What lies beyond the edges of a FILE.
-    pub(crate) fn boundary(&self) -> Option<Edges> {
-        self.file.boundary
+    /// A number typed in.
+    pub(crate) fn one(&self, input: Input) -> Option<f64> {
+        self.typed.get(&input)?.first().copied()
     }
 
     /// With what no file says.
     pub(crate) fn beside_file(&self, inputs: Inputs) -> Inputs {
         Inputs {
-            gamma: typed::one(&self.typed, Input::Gamma),
-            critical_area: typed::one(&self.typed, Input::CriticalArea),
+            gamma: self.one(Input::Gamma),
+            critical_area: self.one(Input::CriticalArea),
             ..inputs
         }
     }

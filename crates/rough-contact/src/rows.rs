@@ -18,6 +18,10 @@ pub(crate) struct FileOutcome {
 }
 
 impl FileOutcome {
+    pub(crate) fn name_in(&self, folder: &Path) -> String {
+        self.file.strip_prefix(folder).unwrap_or(&self.file).display().to_string()
+    }
+
     /// Why there is no answer, or no complete one, without the name of the file.
     pub(crate) fn why(&self) -> Option<String> {
         let failure = match &self.result {
@@ -86,11 +90,9 @@ fn cell(answer: &Value, shown: &Shown, load: usize) -> Option<String> {
 /// A row for every file with an answer, a line for every one without; no column that no file fills.
 pub(crate) fn table(outcomes: &[FileOutcome], shown: &[Shown]) -> String {
     let folder = common_folder(outcomes);
-    let name =
-        |o: &FileOutcome| o.file.strip_prefix(&folder).unwrap_or(&o.file).display().to_string();
     let answers = || outcomes.iter().filter_map(|o| Some((o, &o.result.as_ref().ok()?.0)));
     let mut heads = vec!["file".to_owned()];
-    let mut cells: Vec<Vec<String>> = answers().map(|(o, _)| vec![name(o)]).collect();
+    let mut cells: Vec<Vec<String>> = answers().map(|(o, _)| vec![o.name_in(&folder)]).collect();
     let loads = |answer: &Value| answer["points"].as_array().map_or(1, Vec::len);
     let most = answers().map(|(_, answer)| loads(answer)).max().unwrap_or(1);
     for load in 0..most {
@@ -123,7 +125,7 @@ pub(crate) fn table(outcomes: &[FileOutcome], shown: &[Shown]) -> String {
         let Some(why) = outcome.why() else { continue };
         let kind = if outcome.result.is_ok() { "incomplete" } else { "no answer" };
         let why = why.replace('\n', "; ");
-        let _ = writeln!(out, "{kind}: {}: {why}", name(outcome));
+        let _ = writeln!(out, "{kind}: {}: {why}", outcome.name_in(&folder));
     }
     let kept = outcomes.iter().filter(|o| o.is_kept).count();
     if kept > 0 {

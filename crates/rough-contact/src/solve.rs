@@ -1,17 +1,16 @@
 //! `rough-contact solve`: the deterministic solution.
 
-use crate::adhesion::AdhesionOptions;
 use crate::against::{self, Against};
-use crate::args::{self, CommonOptions, SolverOptions};
+use crate::args::{self, CommonOptions};
 use crate::batch::{self, PerFile};
-use crate::bodies::BodyOptions;
 use crate::cells::{cells, notes};
-use crate::conduction::{self, ConductionOptions};
+use crate::conduction;
+use crate::contact::ContactOptions;
 use crate::fields::{FieldFolder, FieldOptions};
 use crate::files::folder_name;
 use crate::hardness;
 use crate::input::{InputFiles, One};
-use crate::leak::{self, LeakOptions};
+use crate::leak;
 use crate::loads::{Loads, carried, shown};
 use crate::outcome::{Failure, Reply};
 use crate::profiles;
@@ -19,9 +18,10 @@ use crate::progress::ProgressDisplay;
 use crate::rows::{How, Shown};
 use crate::text::{self, Columns};
 use clap::Args;
-use rough_contact::compare::{EdgesName, Joint, Level, Origin, Settings, Surface, on_threads};
+use rough_contact::compare::{EdgesName, Joint, Origin, Settings, Surface, on_threads};
 use rough_contact::contact_types::{Grid, HeightMap, Named};
 use rough_contact::fft_bem_solver::{Boundary, Iteration, Load, Solution};
+use rough_contact::front_end::bodies::Bodies;
 use rough_contact::front_end::{Point, SolveRequest, SolveResult, Subject, Watch};
 use rough_contact::report;
 use std::ops::ControlFlow;
@@ -31,17 +31,12 @@ use std::path::{Path, PathBuf};
 #[expect(clippy::struct_excessive_bools, reason = "one for each flag of the command")]
 pub(crate) struct Solve {
     #[command(flatten)]
-    bodies: BodyOptions,
-    #[command(flatten)]
     loads: Loads,
-    /// Form to remove by least squares first
-    #[arg(long, value_name = "FORM", value_parser = args::one_of::<Level>(), default_value = args::LEVEL)]
-    level: Level,
+    #[command(flatten)]
+    contact: ContactOptions,
     /// What lies beyond the edges: the same map again, or nothing
     #[arg(long, value_parser = args::one_of::<Boundary>(), default_value = "periodic")]
     boundary: Boundary,
-    #[command(flatten)]
-    solver: SolverOptions,
     #[arg(long, hide = true, num_args = 0, default_missing_value = "", value_parser = args::refine_is_gone)]
     refine: Option<bool>,
     /// Prove how wrong each answer may be, for one more FFT convolution: energy_bound in the JSON
@@ -50,16 +45,6 @@ pub(crate) struct Solve {
     /// Contact stiffness too, of the contact set of each load
     #[arg(long)]
     stiffness: bool,
-    /// Highest pressure that the softer body bears, as 2GPa: metals yield there, and the area grows;
-    /// `elastic` to leave out that of --material
-    #[arg(long, value_name = "H", value_parser = args::hardness, allow_hyphen_values = true)]
-    hardness: Option<f64>,
-    #[command(flatten)]
-    conduction: ConductionOptions,
-    #[command(flatten)]
-    leak: LeakOptions,
-    #[command(flatten)]
-    adhesion: AdhesionOptions,
     /// Take a profile for the cross-section of ridges that are infinitely long: plane strain
     #[arg(long)]
     plane_strain: bool,
@@ -123,7 +108,7 @@ impl PerFile for Solve {
     }
 
     fn about(&self) -> String {
-        self.bodies.required(self.hardness).map_or_else(
+        self.bodies().map_or_else(
             |_| String::new(),
             |made_of| against::lines(None, Some((made_of.modulus.pascals(), made_of.bodies))),
         )
@@ -137,27 +122,21 @@ impl PerFile for Solve {
     }
 
     fn answer(&self, common: &CommonOptions) -> Result<Reply, Failure> {
-        let mut made_of = self.bodies.required(self.hardness)?;
-        let joint = self.conduction.of_part(&mut made_of, &self.loads.forces)?;
-        let settings = Settings {
-            adhesion: self.adhesion.asked()?,
-            leak: self.leak.asked()?,
-            ..self.solver.settings(self.level, made_of, &joint)
-        };
+        let settings = self.contact.settings(self.bodies()?, &self.loads.forces)?;
         let count = self.loads.count()?;
         let is_free = self.boundary == Boundary::Free;
         if is_free && self.loads.gap.is_some() {
             return Err(Failure::refused("combination", FREE_GAP));
         }
-        let mirrored = self.solver.edges == EdgesName::Mirrored;
+        let mirrored = self.contact.edges == EdgesName::Mirrored;
         if is_free && mirrored {
             return Err(Failure::refused("combination", FREE_MIRRORED));
         }
         let repeats = !is_free && !mirrored;
-        if (self.solver.accuracy.is_some() || self.solver.fast) && self.fields.needs_heights() {
+        if self.contact.chooses_grid() && self.fields.needs_heights() {
             return Err(Failure::refused("combination", CHOSEN_GRID));
         }
-        let surface = self.section()?;
+        let surface = self.section(&settings)?;
         let maps = FieldFolder::prepare(&self.fields, count, repeats, common.force)?;
         let spread = self.loads.forces.spread([surface.heights.grid().area()])?;
         let question = SolveRequest {
@@ -215,19 +194,23 @@ impl Watch for Terminal {
         self.maps.as_ref().map_or(Ok(()), |maps| maps.write(index, grid, solution))
     }
 
-    fn done(&mut self, load: Load) {
+    fn done(&mut self, _: usize, load: Load) {
         self.progress.step(&shown(load));
     }
 }
 
 impl Solve {
+    fn bodies(&self) -> Result<Bodies, Failure> {
+        self.contact.bodies.required(self.contact.hardness)
+    }
+
     /// The map, or the one trace that is to be solved in plane strain.
-    fn section(&self) -> Result<Surface, Failure> {
+    fn section(&self, settings: &Settings) -> Result<Surface, Failure> {
         let path = &self.input.file;
         let refused =
             |message: &str| Failure::refused("profile", format!("{}: {message}", path.display()));
         if !self.plane_strain {
-            return match self.against.measured(path, &self.input.how, self.level, false)? {
+            return match self.against.measured(path, &self.input.how, settings.level, false)? {
                 One::Map(map) => Ok(*map),
                 One::Profile(_) => Err(refused(
                     "this is a profile, and a surface has no deterministic answer from one line of it; give \
@@ -243,9 +226,9 @@ impl Solve {
             ));
         };
         let of_maps = [
-            self.solver.accuracy.is_some() || self.solver.fast,
-            self.stiffness || self.conduction.is_asked(),
-            self.leak.asked()?.is_some() || self.adhesion.asked()?.is_some(),
+            self.contact.chooses_grid(),
+            self.stiffness || settings.conducts(),
+            settings.leak.is_some() || settings.adhesion.is_some(),
         ];
         let wrong = [
             (
@@ -325,7 +308,7 @@ impl Solve {
             leak::lines(settings.leak.as_ref(), leaks, modulus, yields),
             spread.map_or_else(String::new, carried),
             against::lines(origin.pair(), Some((modulus, settings.bodies.clone()))),
-            text::level(self.level, answer.level),
+            text::level(settings.level, answer.level),
             conduction::line(&part, &gaps),
             text::materials(&settings.materials),
         ]

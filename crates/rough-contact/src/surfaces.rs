@@ -46,12 +46,10 @@ pub(crate) fn repeat(path: &Path) -> Result<(Settings, Vec<One>), Failure> {
 
 fn made_again(path: &Path, name: &str, origin: Origin, level: Level) -> Result<One, Failure> {
     Ok(match origin {
-        Origin::Recipe(recipe) => {
-            One::Map(Box::new(recipe.make().map_err(|e| Failure::from_error(&e))?))
-        }
+        Origin::Recipe(recipe) => One::Map(Box::new(recipe.make().map_err(|e| Failure::from(&e))?)),
         Origin::Given(_) => {
             let error = compare::RunFileError::Given(name.to_owned());
-            return Err(Failure::from_error(&error));
+            return Err(Failure::from(&error));
         }
         Origin::File(file) => again(path, &file)?,
         Origin::Pair(PairOrigin { names, placing, bodies, .. }) => {
@@ -77,7 +75,7 @@ fn again(run_file: &Path, file: &FileOrigin) -> Result<One, Failure> {
     let beside = run_file.parent().unwrap_or(Path::new("")).join(&file.path);
     let path = if beside.exists() { beside.as_path() } else { Path::new(&file.path) };
     let asked = FileOrigin { path: path.display().to_string(), ..file.clone() };
-    let mut surface = from_file(path, asked, file.crop.map(Cut::Rectangle))?;
+    let mut surface = from_file(path, asked, file.crop.map(Cut::Rectangle), true)?;
     match surface.named().1 {
         Origin::File(now) if now.sha256 != file.sha256 => {
             let message = format!(

@@ -62,7 +62,7 @@ impl Synth {
     }
 
     fn surface(&self) -> Result<(HeightMap, f64), Failure> {
-        let grid = Grid::new(self.shape, self.pixel).map_err(|e| Failure::from_error(&e))?;
+        let grid = Grid::new(self.shape, self.pixel).map_err(|e| Failure::from(&e))?;
         let scale = match (self.rms_height, self.rms_gradient) {
             (Some(_), Some(_)) if self.rolloff.is_some() => {
                 let message = "--rms-height, --rms-gradient and --rolloff fix more than one surface has; leave one out (the \
@@ -85,8 +85,8 @@ impl Synth {
             (Some(_), Some(gradient)) => recipe.with_gradient(gradient),
             _ => Ok(recipe),
         };
-        let recipe = with_both.map_err(|e| Failure::from_error(&e))?;
-        let map = recipe.generate().map_err(|e| Failure::from_error(&e))?;
+        let recipe = with_both.map_err(|e| Failure::from(&e))?;
+        let map = recipe.generate().map_err(|e| Failure::from(&e))?;
         Ok((map, recipe.rolloff))
     }
 

@@ -39,8 +39,8 @@ impl Validate {
 
 fn failure(error: &ValidationError) -> Failure {
     match error {
-        ValidationError::TooCoarse(_) => Failure::from_error(error),
-        _ => Failure { status: 1, ..Failure::from_error(error) },
+        ValidationError::TooCoarse(_) => Failure::from(error),
+        _ => Failure { status: 1, ..Failure::from(error) },
     }
 }
 

@@ -47,7 +47,7 @@ pub(crate) fn answer(
             let mut asked = request.clone();
             asked.remedies.set(key, on);
             let Some(found) = area(&asked, out)? else { return Ok(None) };
-            let rule = match asked.remedies.rule() {
+            let rule = match asked.remedies.fill.as_str() {
                 _ if !fill => "",
                 "nearest" => ", nearest",
                 _ => ", smoothly",
@@ -83,13 +83,13 @@ fn solved(
     out: &mut Messages<'_>,
 ) -> Result<Option<f64>, Trouble> {
     let map = prepared(measured, request)?;
-    let modulus = ContactModulus::from_pascals(1.0).map_err(|e| Failure::from_error(&e))?;
-    let whole = request.remedies.edges().around(&map).map_err(|e| Failure::from_error(&e))?;
+    let modulus = ContactModulus::from_pascals(1.0).map_err(|e| Failure::from(&e))?;
+    let whole = request.remedies.edges().around(&map).map_err(|e| Failure::from(&e))?;
     let mut solver = Solver::builder()
         .tolerance(TOLERANCE)
         .threads(request.place.threads)
         .build(whole.grid(), modulus)
-        .map_err(|e| Failure::from_error(&e))?;
+        .map_err(|e| Failure::from(&e))?;
     let listen = |now: &Iteration<'_>| {
         out.tell("progress", json!({ "stage": "iteration", "number": now.number }));
         if out.is_cut() { ControlFlow::Break(()) } else { ControlFlow::Continue(()) }
@@ -98,6 +98,6 @@ fn solved(
     match found {
         _ if out.is_cut() => Ok(None),
         Ok(solution) => Ok(Some(solution.state.area_fraction)),
-        Err(error) => Err(Trouble::Refused(Failure::from_error(&error))),
+        Err(error) => Err(Trouble::Refused(Failure::from(&error))),
     }
 }

@@ -1,7 +1,7 @@
 //! Defects of a measurement: a finding, a remedy to tick, its number before and after.
 
 use crate::numbers::{count, length};
-use crate::request::Request;
+use crate::request::{Remedies, Request};
 use crate::surface::{RoughnessNumbers, prepared};
 use crate::trouble::Trouble;
 use contact_compare::{Fact, SPIKE_THRESHOLD, Spikes};
@@ -21,7 +21,7 @@ const DOMED: f64 = 0.5;
 /// The spikes of a map as measured: what the words count and the picture rings.
 pub(crate) fn spikes(measured: &Measurement) -> Result<Outliers, Trouble> {
     find_outliers(measured.grid(), measured.heights(), SPIKE_THRESHOLD)
-        .map_err(|e| Failure::from_error(&e).into())
+        .map_err(|e| Failure::from(&e).into())
 }
 
 /// Defects with a remedy, worst first.
@@ -32,6 +32,7 @@ pub(crate) fn of(
 ) -> Result<Vec<Value>, Trouble> {
     let (grid, heights) = (measured.grid(), measured.heights());
     let remedies = &request.remedies;
+    let mut remedied = Remedied { measured, request, known: Vec::new() };
     let mut defects = Vec::new();
     // With the other remedies as they are, the numbers without this one and with it.
     let mut add = |tag, claim: String, text: &str, key, label, numbers: Option<[Value; 2]>| {
@@ -42,7 +43,7 @@ pub(crate) fn of(
         }));
     };
     if !spikes.indices.is_empty() {
-        let numbers = both(measured, request, "spikes")?;
+        let numbers = remedied.both("spikes")?;
         let claim = match spikes.indices.len() {
             1 => "1 spike.".to_owned(),
             n => format!("{} spikes.", count(n)),
@@ -54,18 +55,20 @@ pub(crate) fn of(
         );
         add("check", claim, &text, "spikes", "Remove and fill", Some(numbers));
     }
-    let (flat, domed) = (rms(measured, request, true, false)?, rms(measured, request, true, true)?);
-    let tilted = rms(measured, request, false, false)?;
+    let mut rms = |plane, dome| -> Result<f64, Trouble> {
+        Ok(remedied.but(|r| (r.plane, r.dome) = (plane, dome))?.height)
+    };
+    let [flat, domed, tilted] = [rms(true, false)?, rms(true, true)?, rms(false, false)?];
     if tilted > (1.0 + TILTED) * flat {
         let text = format!(
             "The plane in it is {} times the roughness. How the part lay in the instrument is no roughness.",
             significant((tilted * tilted - flat * flat).sqrt() / flat, 2)
         );
-        let numbers = both(measured, request, "plane")?;
+        let numbers = remedied.both("plane")?;
         add("check", "Tilt.".to_owned(), &text, "plane", "Take the plane off", Some(numbers));
     }
     if remedies.dome || domed < DOMED * flat {
-        let numbers = both(measured, request, "dome")?;
+        let numbers = remedied.both("dome")?;
         let text = "A dome or a saddle is left under the roughness. If it is machined, keep it; if the part is held flat, \
                     take it off.";
         add("note", "Form.".to_owned(), text, "dome", "Take the dome off", Some(numbers));
@@ -76,9 +79,9 @@ pub(crate) fn of(
         let text = "Heights stand there that nobody measured: a smooth surface through the rims, or the nearest point.";
         add("note", claim, text, "fill", "Fill", None);
     }
-    let rows = row_offsets(grid, heights).map_err(|e| Failure::from_error(&e))?;
+    let rows = row_offsets(grid, heights).map_err(|e| Failure::from(&e))?;
     if remedies.rows || rows.warning().is_some() {
-        let numbers = both(measured, request, "rows")?;
+        let numbers = remedied.both("rows")?;
         let claim = format!("Scan lines: rows jump by {} rms.", length(rows.jump));
         let text = "Slopes across them are those of the scan, not of the surface.";
         add("check", claim, text, "rows", "Put the rows in line", Some(numbers));
@@ -96,23 +99,34 @@ pub(crate) fn of(
     Ok(defects)
 }
 
-/// The roughness with the remedies as ticked but this one off, and with it on.
-fn both(measured: &Measurement, request: &Request, key: &str) -> Result<[Value; 2], Trouble> {
-    let one = |on| -> Result<Value, Trouble> {
-        let mut asked = request.clone();
-        asked.remedies.set(key, on);
-        let found = RoughnessNumbers::of(&prepared(measured, &asked)?)?;
-        let gradient = significant(found.gradient, 3);
-        Ok(json!([format!("Sq {}", length(found.height)), format!("Sdq {gradient}")]))
-    };
-    Ok([one(false)?, one(true)?])
+/// The roughness of a map with one set of remedies and another, each found once.
+struct Remedied<'a> {
+    measured: &'a Measurement,
+    request: &'a Request,
+    known: Vec<(Remedies, RoughnessNumbers)>,
 }
 
-/// Rms height (m) with these two as given and the other remedies as ticked.
-fn rms(measured: &Measurement, request: &Request, plane: bool, dome: bool) -> Result<f64, Trouble> {
-    let mut asked = request.clone();
-    (asked.remedies.plane, asked.remedies.dome) = (plane, dome);
-    Ok(RoughnessNumbers::of(&prepared(measured, &asked)?)?.height)
+impl Remedied<'_> {
+    /// With the remedies as ticked but for this change.
+    fn but(&mut self, change: impl FnOnce(&mut Remedies)) -> Result<RoughnessNumbers, Trouble> {
+        let mut asked = self.request.clone();
+        change(&mut asked.remedies);
+        if let Some((_, known)) = self.known.iter().find(|(with, _)| *with == asked.remedies) {
+            return Ok(*known);
+        }
+        let found = RoughnessNumbers::of(&prepared(self.measured, &asked)?)?;
+        self.known.push((asked.remedies, found));
+        Ok(found)
+    }
+
+    /// Without this remedy, and with it.
+    fn both(&mut self, key: &str) -> Result<[Value; 2], Trouble> {
+        let shown = |found: RoughnessNumbers| {
+            let gradient = significant(found.gradient, 3);
+            json!([format!("Sq {}", length(found.height)), format!("Sdq {gradient}")])
+        };
+        Ok([shown(self.but(|r| r.set(key, false))?), shown(self.but(|r| r.set(key, true))?)])
+    }
 }
 
 /// What the statistics of a map say, but for what has a remedy above.

@@ -8,11 +8,11 @@ use crate::surface::{RoughnessNumbers, levelled, measurement};
 use crate::trouble::Trouble;
 use contact_compare::{Level, Surface};
 use contact_front_end::units::Dimension;
-use contact_front_end::{Failure, shown};
+use contact_front_end::{Failure, raw, shown};
 use contact_report::numbers::significant;
 use contact_types::{Grid, HeightMap};
 use serde_json::{Value, json};
-use surface_io::{ChannelInfo, Cut, Fill, HeightUnit, Measurement, Need, ReadError};
+use surface_io::{ChannelInfo, Cut, Fill, Measurement, Need, ReadError, ReadOptions};
 use surface_stats::SurfaceStatistics;
 
 /// Most pixels of a picture along its longer side.
@@ -107,7 +107,7 @@ fn statistics(surface: &Surface, level: Level) -> Result<SurfaceStatistics, Trou
     let options = surface.origin.options(&surface.heights, level);
     options
         .and_then(|options| SurfaceStatistics::of(&surface.heights, &options))
-        .map_err(|e| Failure::from_error(&e).into())
+        .map_err(|e| Failure::from(&e).into())
 }
 
 /// What a plan has to know.
@@ -187,28 +187,8 @@ fn picture(map: &HeightMap, points: &[usize], key: &str) -> String {
 
 /// The state `ask`: numbers as they stand in the file, and what the fields filled in so far would mean.
 fn ask(request: &Request, file: &[u8]) -> Result<Value, Trouble> {
-    let mut options = request.reading.options(request.place.limits())?;
-    let mut missing = Vec::new();
-    let raw = loop {
-        let needs = match surface_io::read_bytes(file, &options) {
-            Ok(raw) => break raw,
-            Err(ReadError::MissingScale { needs, .. })
-                if !needs.iter().any(|n| missing.contains(n)) =>
-            {
-                needs
-            }
-            Err(other) => return Err(Trouble::Unread(other)),
-        };
-        for need in &needs {
-            match need {
-                Need::PixelSize => options.pixel = Some([1.0; 2]),
-                Need::LateralUnit => options.lateral_unit = Some(1.0),
-                Need::HeightUnit => options.height_unit = Some(HeightUnit::IfSilent(1.0)),
-                _ => {}
-            }
-        }
-        missing.extend(needs);
-    };
+    let read = |options: &ReadOptions| surface_io::read_bytes(file, options);
+    let (raw, missing) = raw(request.options()?, read).map_err(Trouble::Unread)?;
     if raw.is_profile() {
         return Err(Trouble::Profile { points: raw.heights().len() });
     }
@@ -260,7 +240,7 @@ pub(crate) fn meaning(request: &Request) -> Result<Value, Trouble> {
     }
     let height = unit(reading.height_unit.as_deref())?.unwrap_or(1.0);
     let pixel = raw.pixel.map(|p| p * lateral);
-    let grid = Grid::new(raw.shape, pixel).map_err(|e| Failure::from_error(&e))?;
+    let grid = Grid::new(raw.shape, pixel).map_err(|e| Failure::from(&e))?;
     let [ly, lx] = grid.size();
     let gradient = raw.gradient * height / lateral;
     let (tag, text) = match gradient {

@@ -6,8 +6,9 @@ use crate::place::Host;
 use crate::request::{Facts, LoadBy, Request};
 use crate::trouble::Trouble;
 use contact_compare::{EdgesName, Property, Settings, loads_of_study};
-use contact_front_end::bodies;
+use contact_front_end::Failure;
 use contact_report::numbers::{PASCALS, duration, quantity};
+use contact_types::ContactModulus;
 use serde_json::{Value, json};
 
 /// Modulus, loads and cost, as the page says them.
@@ -15,7 +16,7 @@ pub(crate) fn answer(request: &Request) -> Result<Value, Trouble> {
     let facts = request.facts;
     let settings = request.settings(facts.map_or(1.0, |f| f.area))?;
     let bears = bears(&settings, !request.hardness.trim().is_empty());
-    let modulus = bodies::of_modulus(settings.modulus)?;
+    let modulus = ContactModulus::from_pascals(settings.modulus).map_err(|e| Failure::from(&e))?;
     let pressures = match (facts, &settings.pressures) {
         (Some(facts), _) => Some(loads_of_study(&settings, modulus, facts.gradient)),
         (None, given) => given.clone(),

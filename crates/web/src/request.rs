@@ -2,14 +2,13 @@
 
 use crate::pace::Pace;
 use crate::place::Host;
-use contact_compare::{Cleaning, EdgesName, Level, SPIKE_THRESHOLD, STEEL, Settings};
+use contact_compare::{Cleaning, EdgesName, FileOrigin, Level, SPIKE_THRESHOLD, STEEL, Settings};
 use contact_front_end::Failure;
 use contact_front_end::bodies::{Bodies, BodyInput, BothBodies};
 use contact_front_end::quantity;
 use contact_front_end::units::Dimension;
-use contact_types::Named;
 use serde::Deserialize;
-use surface_io::{Cut, Fill, HeightUnit, Limits, ReadOptions};
+use surface_io::{Cut, ReadOptions};
 use surface_stats::clean::Form;
 
 /// Everything that an answer depends on, besides the bytes of the file.
@@ -156,37 +155,10 @@ impl BodyFields {
 }
 
 impl FileFields {
-    pub(crate) fn pixel(&self) -> Result<Option<[f64; 2]>, Failure> {
-        let one = self.pixel.as_deref().map(|text| parse(text, Dimension::Length)).transpose()?;
-        Ok(one.map(|metres| [metres; 2]))
-    }
-
     pub(crate) fn part(&self) -> Result<Option<Cut>, Failure> {
         let refused = |message| Failure::refused("crop", message);
         self.part.as_deref().map(str::parse).transpose().map_err(refused)
     }
-
-    pub(crate) fn options(&self, limits: Limits) -> Result<ReadOptions, Failure> {
-        Ok(ReadOptions {
-            limits,
-            channel: self.channel.clone(),
-            pixel: self.pixel()?,
-            lateral_unit: unit(self.lateral_unit.as_deref())?,
-            height_unit: match unit(self.override_height_unit.as_deref())? {
-                Some(metres) => Some(HeightUnit::Always(metres)),
-                None => unit(self.height_unit.as_deref())?.map(HeightUnit::IfSilent),
-            },
-            missing: self.missing.clone(),
-            decimal: named("decimal", self.decimal.as_deref())?,
-            layout: named("layout", self.layout.as_deref())?,
-        })
-    }
-}
-
-/// The choice of this name, if one was made.
-fn named<T: Named>(what: &str, name: Option<&str>) -> Result<Option<T>, Failure> {
-    let unknown = |name| Failure::refused("setting", format!("{what} {name:?} is none"));
-    name.map(|name| T::of_name(name).ok_or_else(|| unknown(name))).transpose()
 }
 
 pub(crate) fn unit(text: Option<&str>) -> Result<Option<f64>, Failure> {
@@ -216,7 +188,7 @@ impl Remedies {
         if let Some(tick) = self.tick(key) {
             *tick = on;
         } else if key == "fill" && !on {
-            let other = if self.rule() == "nearest" { "harmonic" } else { "nearest" };
+            let other = if self.fill == "nearest" { "harmonic" } else { "nearest" };
             other.clone_into(&mut self.fill);
         }
     }
@@ -230,15 +202,6 @@ impl Remedies {
         }
     }
 
-    pub(crate) fn fill(&self) -> Fill {
-        if self.rule() == "nearest" { Fill::Nearest } else { Fill::Harmonic }
-    }
-
-    /// The name of the rule, as a run file has it.
-    pub(crate) fn rule(&self) -> &'static str {
-        if self.fill == "nearest" { "nearest" } else { "harmonic" }
-    }
-
     pub(crate) fn level(&self) -> Level {
         if self.plane { Level::Auto } else { Level::Mean }
     }
@@ -249,6 +212,32 @@ impl Remedies {
 }
 
 impl Request {
+    /// What is said of the file, as a run that repeats it has it.
+    pub(crate) fn origin(&self) -> Result<FileOrigin, Failure> {
+        let reading = &self.reading;
+        let pixel = reading.pixel.as_deref().map(|text| parse(text, Dimension::Length));
+        Ok(FileOrigin {
+            path: self.name.clone(),
+            channel: reading.channel.clone(),
+            pixel: pixel.transpose()?.map(|metres| [metres; 2]),
+            lateral_unit: unit(reading.lateral_unit.as_deref())?,
+            height_unit: unit(reading.height_unit.as_deref())?,
+            override_height_unit: unit(reading.override_height_unit.as_deref())?,
+            layout: reading.layout.clone(),
+            decimal: reading.decimal.clone(),
+            missing_marks: reading.missing.clone(),
+            fill: self.remedies.fill.clone(),
+            cleaning: self.remedies.cleaning(),
+            ..FileOrigin::default()
+        })
+    }
+
+    /// How the file is read.
+    pub(crate) fn options(&self) -> Result<ReadOptions, Failure> {
+        let (options, _) = contact_front_end::reading(&self.origin()?)?;
+        Ok(ReadOptions { limits: self.place.limits(), ..options })
+    }
+
     /// The two bodies in numbers; steel on steel if nothing was filled in.
     pub(crate) fn made_of(&self) -> Result<Bodies, Failure> {
         let hardness = self.hardness.trim();

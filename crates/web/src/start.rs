@@ -18,7 +18,7 @@ pub(crate) fn answer(place: Host) -> Result<Value, Trouble> {
     for recipe in recipes {
         let mut part = recipe.clone();
         part.shape = recipe.shape.map(|n| n.min(PART));
-        let map = part.make().map_err(|e| Failure::from_error(&e))?.heights;
+        let map = part.make().map_err(|e| Failure::from(&e))?.heights;
         let picture = contact_report::thumbnail(map.heights(), map.grid(), PART);
         let [ny, nx] = recipe.shape;
         examples.push(json!({

@@ -1,17 +1,16 @@
 //! From the bytes of a file, or the name of a built-in surface, to a map, and the two numbers that say most of it.
 
-use crate::request::{Request, unit};
+use crate::request::Request;
 use crate::trouble::Trouble;
 use contact_compare::{FileOrigin, Level, Surface, built_in_recipes, sha256_hex};
-use contact_front_end::{Failure, complete};
+use contact_front_end::{Failure, complete, reading};
 use contact_types::HeightMap;
 use surface_io::Measurement;
 use surface_stats::{Edges, StatsError, moments};
 
 /// The measurement in a file.
 pub(crate) fn measurement(request: &Request, file: &[u8]) -> Result<Measurement, Trouble> {
-    let options = request.reading.options(request.place.limits())?;
-    let found = surface_io::read_bytes(file, &options).map_err(Trouble::Unread)?;
+    let found = surface_io::read_bytes(file, &request.options()?).map_err(Trouble::Unread)?;
     if found.is_profile() {
         return Err(Trouble::Profile { points: found.heights().len() });
     }
@@ -28,7 +27,7 @@ pub(crate) fn of(request: &Request, file: &[u8]) -> Result<Surface, Trouble> {
     };
     let unknown = || Failure::refused("setting", format!("no built-in surface is called {name:?}"));
     let recipe = built_in_recipes().into_iter().find(|r| r.name == *name).ok_or_else(unknown)?;
-    recipe.make().map_err(|e| Failure::from_error(&e).into())
+    recipe.make().map_err(|e| Failure::from(&e).into())
 }
 
 /// The surface of the study from what was read.
@@ -37,43 +36,25 @@ pub(crate) fn of_measurement(
     file: &[u8],
     measured: Measurement,
 ) -> Result<Surface, Trouble> {
-    let reading = &request.reading;
-    let origin = FileOrigin {
-        path: request.name.clone(),
-        sha256: sha256_hex(file),
-        channel: reading.channel.clone(),
-        pixel: reading.pixel()?,
-        lateral_unit: unit(reading.lateral_unit.as_deref())?,
-        height_unit: unit(reading.height_unit.as_deref())?,
-        override_height_unit: unit(reading.override_height_unit.as_deref())?,
-        layout: reading.layout.clone(),
-        decimal: reading.decimal.clone(),
-        missing_marks: reading.missing.clone(),
-        ..FileOrigin::default()
-    };
-    let surface = completed(measured, request, origin)?;
+    let surface = completed(measured, request, sha256_hex(file))?;
     Ok(Surface { name: request.name.clone(), ..surface })
 }
 
 /// With the remedies that are ticked.
-fn completed(
-    measured: Measurement,
-    request: &Request,
-    origin: FileOrigin,
-) -> Result<Surface, Trouble> {
-    let remedies = &request.remedies;
-    let origin = FileOrigin { cleaning: remedies.cleaning(), ..origin };
-    complete(measured, origin, remedies.fill()).map_err(Trouble::Incomplete)
+fn completed(measured: Measurement, request: &Request, sha256: String) -> Result<Surface, Trouble> {
+    let origin = FileOrigin { sha256, ..request.origin()? };
+    let (_, fill) = reading(&origin)?;
+    complete(measured, origin, fill).map_err(Trouble::Incomplete)
 }
 
 /// The map of a measurement with the remedies as ticked, its form taken off.
 pub(crate) fn prepared(measured: &Measurement, request: &Request) -> Result<HeightMap, Trouble> {
-    let surface = completed(measured.clone(), request, FileOrigin::default())?;
+    let surface = completed(measured.clone(), request, String::new())?;
     levelled(&surface.heights, request.remedies.level())
 }
 
 pub(crate) fn levelled(map: &HeightMap, level: Level) -> Result<HeightMap, Trouble> {
-    surface_stats::level(map, level).map_err(|e| Failure::from_error(&e).into())
+    surface_stats::level(map, level).map_err(|e| Failure::from(&e).into())
 }
 
 /// The two numbers that say most.
@@ -87,7 +68,7 @@ pub(crate) struct RoughnessNumbers {
 
 impl RoughnessNumbers {
     pub(crate) fn of(map: &HeightMap) -> Result<Self, Trouble> {
-        let refused = |e: StatsError| Trouble::Refused(Failure::from_error(&e));
+        let refused = |e: StatsError| Trouble::Refused(Failure::from(&e));
         let moments = moments(map, Edges::Open).map_err(refused)?;
         Ok(Self { height: moments.rms_height(), gradient: moments.rms_gradient() })
     }

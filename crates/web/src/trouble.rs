@@ -38,7 +38,7 @@ impl Trouble {
             Self::Profile { points } => {
                 Failure::refused("profile", format!("a single line of {points} points"))
             }
-            Self::Study(e) => Failure::from_error(e),
+            Self::Study(e) => Failure::from(e),
             Self::Refused(failure) => failure.clone(),
         }
     }

@@ -24,9 +24,6 @@ from ._units import Q
 
 __all__ = ["displacement", "solve"]
 
-#: What a request has beside the settings that a study has too.
-_BESIDE = ("boundary", "plane_strain", "certify", "stiffness", "distributions", "keep_gap")
-
 Method = Literal["auto", "chord", "polonsky-keer", "stanley-kato"]
 
 
@@ -172,29 +169,29 @@ def solve(
         ("plane_strain", plane_strain, "work_of_adhesion", work_of_adhesion is not None),
     )
     of_part = None if area is None else _units.scalar(area, "area", "area")
-    request: dict[str, Any] = {
-        **made_of,
-        **settings(level, boundary, method, precision, tolerance, maps, threads),
-        "loads": loads(pressure, gap, load),
-        "area": of_part,
-        "edges": edges,
-        "accuracy": _accuracy(accuracy),
-        "fast": bool(fast),
+    request = how(made_of, level, boundary, method, precision, tolerance, maps, threads)
+    request.update(loads=loads(pressure, gap, load), area=of_part, accuracy=_accuracy(accuracy))
+    request["request"].update(
+        certify=bool(certify),
+        stiffness=bool(stiffness),
+        distributions=bool(distributions),
+        plane_strain=bool(plane_strain),
+    )
+    request["request"]["settings"].update(
+        edges=edges,
+        fast=bool(fast),
         **_bodies.joint(resistivity, conductivity, gas, None),
-        "load_area": of_part if conduction else None,
-        "certify": bool(certify),
-        "stiffness": bool(stiffness),
-        "leak": _bodies.leak(leak, viscosity, pressure_drop, seal_length, seal_width),
-        "adhesion": _bodies.adhesion(work_of_adhesion, attraction_range),
-        "distributions": bool(distributions),
-        "plane_strain": bool(plane_strain),
-    }
+        load_area=of_part if conduction else None,
+        leak=_bodies.leak(leak, viscosity, pressure_drop, seal_length, seal_width),
+        adhesion=_bodies.adhesion(work_of_adhesion, attraction_range),
+    )
     if area is not None and load is None and not conduction:
         raise TypeError("area is that load presses on or whose resistance is asked for, and neither load nor conductivity is given")
     return asked(section(surface, plane_strain), request, (against, flip, shift), progress, on_failure)
 
 
-def settings(
+def how(
+    made_of: dict[str, Any],
     level: Level,
     boundary: str,
     method: Method,
@@ -203,22 +200,22 @@ def settings(
     maps: bool | str,
     threads: int | None,
 ) -> dict[str, Any]:
-    """How to solve, checked, as the extension takes it."""
+    """How to solve for these bodies, checked, as the extension takes it."""
     check("level", level, LEVELS)
     check("boundary", boundary, ("periodic", "free"))
     check("method", method, ("auto", "chord", "polonsky-keer", "stanley-kato"))
     check("precision", precision, (None, "f64", "f32"))
     check("maps", maps, (False, True, "pressure"))
-    return {
+    settings = {
+        **made_of,
         "level": level,
-        "boundary": boundary,
         "method": method,
         "precision": precision or "f64",
         "tolerance": 1e-4 if tolerance is None else _units.number(tolerance, "tolerance"),
-        "maps": bool(maps),
-        "keep_gap": maps not in (False, "pressure"),
         "threads": count(threads),
     }
+    keep_gap = maps not in (False, "pressure")
+    return {"maps": bool(maps), "request": {"boundary": boundary, "keep_gap": keep_gap, "settings": settings}}
 
 
 def displacement(
@@ -297,9 +294,6 @@ def asked(
     kind, values = request["loads"]
     places = [i for i, value in enumerate(values) if not math.isnan(value)]
     request = {**request, "loads": (kind, [values[i] for i in places])}
-    own: dict[str, Any] = {key: request.pop(key) for key in ("loads", "area", "accuracy", "maps") if key in request}
-    beside: dict[str, Any] = {key: request.pop(key) for key in _BESIDE if key in request}
-    request = {**own, "request": {**beside, "settings": request}}
     with sorted_as(SettingError):
         text, kept, trouble, stopped_by = _rust.solve(
             surface._heights,

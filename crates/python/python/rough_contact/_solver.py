@@ -10,7 +10,7 @@ from ._bodies import Bodies
 from ._errors import SettingError
 from ._progress import ProgressArgument
 from ._results import LoadCurve, Point
-from ._solve import Method, asked, loads, section, settings
+from ._solve import Method, asked, how, loads, section
 from ._surface import Level, Surface, check
 from ._units import Q
 
@@ -58,7 +58,7 @@ class Solver:
     (True, (128, 128))
     """
 
-    __slots__ = ("_keep", "_settings")
+    __slots__ = ("_how", "_keep")
 
     def __init__(
         self,
@@ -75,8 +75,8 @@ class Solver:
         threads: int | None = None,
     ) -> None:
         self._keep = _rust.Keep()
-        how = settings(level, boundary, method, precision, tolerance, maps, threads)
-        self._settings = {**_bodies.given(modulus, bodies, hardness), **how}
+        made_of = _bodies.given(modulus, bodies, hardness)
+        self._how = how(made_of, level, boundary, method, precision, tolerance, maps, threads)
 
     def __reduce__(self) -> Any:
         raise TypeError("an rc.Solver is not pickled; make one in each worker")
@@ -159,5 +159,5 @@ class Solver:
             In the order of the loads.
         """
         check("on_failure", on_failure, ("raise", "keep"))
-        request = {**self._settings, "loads": loads(pressure, gap, load)}
+        request = {**self._how, "loads": loads(pressure, gap, load)}
         return asked(section(surface, False), request, (None, "columns", None), progress, on_failure, self._keep)

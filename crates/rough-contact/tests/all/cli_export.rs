@@ -14,13 +14,6 @@ fn map() -> TestFolder {
     at
 }
 
-/// The numbers of a file of ours.
-fn numbers(at: &TestFolder, name: &str) -> Vec<f64> {
-    let bytes = std::fs::read(at.join(name)).unwrap();
-    let data = bytes.iter().position(|b| *b == b'\n').unwrap() + 1;
-    bytes[data..].chunks_exact(8).map(|b| f64::from_le_bytes(b.try_into().unwrap())).collect()
-}
-
 #[test]
 fn heights_come_back_from_every_format() {
     let at = &map();
@@ -56,7 +49,7 @@ fn a_contact_is_written_whole() {
     let said = at.answer(&format!("{SOLVE} --maps out {fields}"));
     let point = &said["points"][0];
     let [pressure, gap, displacement, heights] = ["pressure", "gap", "displacement", "heights"]
-        .map(|name| numbers(at, &format!("out/{name}-000.npy")));
+        .map(|name| at.npy(&format!("out/{name}-000.npy")).1);
     let count = pressure.len() as f64;
     assert_eq!(pressure.len(), 40 * 56);
 

@@ -98,6 +98,17 @@ impl TestFolder {
         rows.map(|mut row| row.nth(place).unwrap().parse().unwrap()).collect()
     }
 
+    /// Header and numbers of a little-endian f64 NPY file of version 1, as `numpy.save` writes it.
+    #[track_caller]
+    pub(crate) fn npy(&self, name: &str) -> (String, Vec<f64>) {
+        let bytes = std::fs::read(self.join(name)).unwrap();
+        assert_eq!(&bytes[..8], b"\x93NUMPY\x01\x00");
+        let length = usize::from(u16::from_le_bytes([bytes[8], bytes[9]]));
+        let header = String::from_utf8(bytes[10..10 + length].to_vec()).unwrap();
+        let values = bytes[10 + length..].chunks(8);
+        (header, values.map(|b| f64::from_le_bytes(b.try_into().unwrap())).collect())
+    }
+
     /// `results.json` of a study.
     #[track_caller]
     pub(crate) fn results(&self, study: &str) -> Value {

@@ -1,0 +1,89 @@
+//! What `solve` and `compare` are both asked: the bodies, their joint, and how the contact is solved.
+
+use crate::adhesion::AdhesionOptions;
+use crate::args::{self, one, one_of};
+use crate::bodies::BodyOptions;
+use crate::conduction::ConductionOptions;
+use crate::leak::LeakOptions;
+use crate::loads::Forces;
+use crate::outcome::Failure;
+use crate::units::Dimension::Number;
+use clap::Args;
+use rough_contact::compare::{AccuracyRequest, EdgesName, Level, Method, Precision, Settings};
+use rough_contact::front_end::bodies::Bodies;
+
+#[derive(Args, Clone, Debug)]
+pub(crate) struct ContactOptions {
+    #[command(flatten)]
+    pub(crate) bodies: BodyOptions,
+    /// Form to remove by least squares first
+    #[arg(long, value_name = "FORM", value_parser = one_of::<Level>(), default_value = args::LEVEL)]
+    pub(crate) level: Level,
+    /// Highest pressure that the softer body bears, as 2GPa: metals yield there, and the area grows; a study has the
+    /// elastic contact beside; `elastic` to leave out that of --material
+    #[arg(long, value_name = "H", value_parser = args::hardness, allow_hyphen_values = true)]
+    pub(crate) hardness: Option<f64>,
+    #[command(flatten)]
+    pub(crate) conduction: ConductionOptions,
+    #[command(flatten)]
+    pub(crate) leak: LeakOptions,
+    #[command(flatten)]
+    pub(crate) adhesion: AdhesionOptions,
+    /// Beyond the edges of a map: the map again, or its mirror images (four times the points, memory and time), which
+    /// take the jump out of a map that does not repeat
+    #[arg(long, value_name = "EDGES", value_parser = one_of::<EdgesName>(), default_value = "periodic")]
+    pub(crate) edges: EdgesName,
+    /// Method of the solver
+    #[arg(long, value_parser = one_of::<Method>(), default_value = "auto")]
+    method: Method,
+    /// Floating-point type of the iteration; results are always f64
+    #[arg(long, value_parser = one_of::<Precision>(), default_value = "f64")]
+    precision: Precision,
+    /// Relative rms error of the pressure to reach
+    #[arg(long, value_name = "T", value_parser = one(Number), allow_hyphen_values = true)]
+    #[arg(default_value = "1e-4")]
+    tolerance: f64,
+    /// Uncertainty of the area to stay within, as 2%: grid, precision and tolerance are chosen for it
+    #[arg(long, value_name = "A%", value_parser = AccuracyRequest::parse, allow_hyphen_values = true)]
+    #[arg(conflicts_with_all = ["tolerance", "precision"])]
+    accuracy: Option<AccuracyRequest>,
+    /// Every second point of the map at once, with its wider uncertainty
+    #[arg(long, conflicts_with = "accuracy")]
+    fast: bool,
+}
+
+impl ContactOptions {
+    /// Settings of a study of these bodies, under loads that may be these forces.
+    pub(crate) fn settings(
+        &self,
+        mut made_of: Bodies,
+        forces: &Forces,
+    ) -> Result<Settings, Failure> {
+        let joint = self.conduction.of_part(&mut made_of, forces)?;
+        Ok(Settings {
+            modulus: made_of.modulus.pascals(),
+            hardness: made_of.hardness,
+            materials: made_of.materials,
+            bodies: made_of.bodies,
+            resistivities: joint.resistivities,
+            conductivities: joint.conductivities,
+            gas: joint.gas,
+            load_area: joint.area,
+            adhesion: self.adhesion.asked()?,
+            leak: self.leak.asked()?,
+            level: self.level,
+            edges: self.edges,
+            method: self.method,
+            precision: self.precision,
+            tolerance: self.tolerance,
+            accuracy: self.accuracy.map(AccuracyRequest::relative),
+            fast: self.fast,
+            ..Settings::default()
+        })
+    }
+
+    /// Whether the grid is chosen, and not that of the map.
+    pub(crate) fn chooses_grid(&self) -> bool {
+        self.accuracy.is_some() || self.fast
+    }
+}
