@@ -106,7 +106,7 @@ mod tests {
         let mut stop = |_: crate::Progress<'_>| ControlFlow::Break(());
         let stopped = study.look_around(&mut stop);
         assert!(matches!(stopped, Err(("coarser_grids", StudyError::Stopped))));
-        assert!(study.surfaces[0].coarser.is_empty() && study.surfaces[0].closer.is_none());
+        assert!(study.surfaces[0].coarser.is_empty() && study.surfaces[0].choices.is_none());
         study.look_around(&mut go).unwrap();
         let surface = &study.surfaces[0];
         let shapes: Vec<[usize; 2]> = surface.coarser.iter().map(|c| c.shape).collect();

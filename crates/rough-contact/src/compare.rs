@@ -20,6 +20,7 @@ use rough_contact::compare::{
     Comparison, Level, ModelCurve, Refused, Registry, RunFile, RunSurface, Settings, Surface,
     on_threads,
 };
+use rough_contact::contact_types::Named;
 pub(crate) use rough_contact::front_end::not_met;
 use rough_contact::front_end::run_file_in;
 use rough_contact::report::Provenance;
@@ -351,7 +352,7 @@ fn models(reference: &report::Reference<'_>) -> Columns {
             text::or_dash(curve, |c| {
                 format!("{} + {}", text::seconds(c.preparation), text::seconds(c.seconds))
             }),
-            model.verdict.answer.word().to_owned(),
+            model.verdict.answer.name().to_owned(),
         ]);
     }
     let solved: Vec<f64> = reference

@@ -10,7 +10,7 @@ use crate::text::{self, Columns};
 use rough_contact::compare::{
     EdgesName, ProfileComparison, ProfileSurface, Registry, RunFile, Settings,
 };
-use rough_contact::contact_types::ContactState;
+use rough_contact::contact_types::{ContactState, Named};
 use rough_contact::report::Provenance;
 use rough_contact::{front_end, report};
 use std::fmt::Write as _;
@@ -83,7 +83,7 @@ fn describe(studies: &[ProfileComparison], folder: &Path) -> String {
                     format!("{} to {}", text::percent(low), text::percent(high))
                 }),
                 text::or_dash(state.and_then(ContactState::real_pressure), text::pressure),
-                model.verdict.answer.word().to_owned(),
+                model.verdict.answer.name().to_owned(),
             ]);
         }
         let _ = writeln!(out, "{columns}");
