@@ -136,6 +136,7 @@ pub enum Fact {
         /// H (Pa).
         hardness: f64,
         /// The headline, if part of its contact has yielded.
+        #[serde(flatten)]
         headline: Option<Yielding>,
         /// The highest load (Pa), if it is so high that the bodies yield in their volume.
         highest: Option<f64>,

@@ -18,7 +18,7 @@ pub(crate) fn headline(found: &Yielding, hardness: f64) -> [String; 2] {
     let hardness = quantity(hardness, PASCALS, 3);
     [
         format!("The contact yields: {share} of it is at the hardness of {hardness}."),
-        format!("At {load} it carries {load_share} of the load.{elastic} {LEFT_OUT}"),
+        format!("At {load} that part carries {load_share} of the load.{elastic} {LEFT_OUT}"),
     ]
 }
 
