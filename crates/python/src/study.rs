@@ -178,7 +178,7 @@ pub(crate) fn study(
         given.push(surface);
     }
     let laid = LaidBody::of(against.as_ref())?;
-    let mut registry = Registry::built_in();
+    let mut registry = contact_compare::built_in().clone();
     let mut times = Times::new();
     for own in own {
         times.insert(own.name.clone(), own.seconds.clone());

@@ -17,7 +17,7 @@ use crate::text::{self, Columns, plain};
 use crate::units::Dimension::{Number, Pressure};
 use clap::Args;
 use rough_contact::compare::{
-    Comparison, Level, ModelCurve, Refused, Registry, RunFile, RunSurface, Settings, Surface,
+    Comparison, Level, ModelCurve, Refused, RunFile, RunSurface, Settings, Surface, built_in,
     on_threads,
 };
 use rough_contact::contact_types::Named;
@@ -252,7 +252,7 @@ fn study(
 ) -> Result<Comparison, Failure> {
     let mut progress = ProgressDisplay::new(common.quiet, 0);
     let mut current = String::new();
-    let comparison = Comparison::run(surfaces, settings, &Registry::built_in(), &mut |news| {
+    let comparison = Comparison::run(surfaces, settings, built_in(), &mut |news| {
         match news {
             compare::Progress::Surface { name, index, count, loads } => {
                 current = format!("{name} ({} of {count})", index + 1);

@@ -8,7 +8,7 @@ use crate::profiles::uneven_line;
 use crate::text::plain;
 use crate::text::{self, Columns};
 use rough_contact::compare::{
-    EdgesName, ProfileComparison, ProfileSurface, Registry, RunFile, Settings,
+    EdgesName, ProfileComparison, ProfileSurface, RunFile, Settings, built_in,
 };
 use rough_contact::contact_types::{ContactState, Named};
 use rough_contact::report::Provenance;
@@ -43,8 +43,7 @@ pub(crate) fn run(
     refuse_solver(settings)?;
     let names = front_end::profile_documents_named(surfaces.len());
     let folder = Folder::prepare(out, &names, common.force)?;
-    let registry = Registry::built_in();
-    let study = |surface| ProfileComparison::run(surface, settings.clone(), &registry);
+    let study = |surface| ProfileComparison::run(surface, settings.clone(), built_in());
     let studies = surfaces.into_iter().map(study).collect::<Result<Vec<_>, _>>();
     let studies = studies.map_err(|e| Failure::from_error(&e))?;
     let provenance = Provenance::here(repeat);

@@ -1,8 +1,8 @@
 //! A study of two bodies: the sum of both, with what each was.
 
 use contact_compare::{
-    Comparison, Fact, Flip, GivenOrigin, Origin, Placing, Registry, RunFile, RunSurface, Settings,
-    StudyError, Surface, built_in_recipes, findings,
+    Comparison, Fact, Flip, GivenOrigin, Origin, Placing, RunFile, RunSurface, Settings,
+    StudyError, Surface, built_in, built_in_recipes, findings,
 };
 use std::ops::ControlFlow;
 use surface_stats::{Edges, Level};
@@ -30,7 +30,7 @@ fn the_models_get_the_moments_of_the_sum_and_it_is_said_how_they_add() {
         ..Settings::default()
     };
     let go = &mut |_: contact_compare::Progress<'_>| ControlFlow::Continue(());
-    let study = Comparison::run(vec![surface], settings, &Registry::built_in(), go).expect("runs");
+    let study = Comparison::run(vec![surface], settings, built_in(), go).expect("runs");
     let one = &study.surfaces[0];
     assert_eq!(one.inputs.moments, Some(independence.composite));
     let (moments, sum) = (one.inputs.moments.expect("rough"), independence.sum());

@@ -2,7 +2,7 @@
 
 use contact_compare::{
     Applies, BULK_YIELD, Comparison, DeterministicPoint, Fact, ModelComparison, Reason, Recipe,
-    Registry, Settings, StudyError, Surface, SurfaceComparison, elastic_holds, findings,
+    Settings, StudyError, Surface, SurfaceComparison, built_in, elastic_holds, findings,
 };
 use std::ops::ControlFlow;
 
@@ -29,7 +29,7 @@ fn surface() -> Surface {
 fn study(settings: Settings) -> Result<Comparison, StudyError> {
     let settings = Settings { modulus: MODULUS, tolerance: 1e-6, ..settings };
     let go = &mut |_: contact_compare::Progress<'_>| ControlFlow::Continue(());
-    Comparison::run(vec![surface()], settings, &Registry::built_in(), go)
+    Comparison::run(vec![surface()], settings, built_in(), go)
 }
 
 fn at(hardness: Option<f64>, pressures: &[f64]) -> SurfaceComparison {
