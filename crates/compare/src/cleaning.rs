@@ -1,5 +1,6 @@
 //! What is done to the heights of a file before its missing points are filled.
 
+use crate::StudyError;
 use contact_types::Grid;
 use serde::{Deserialize, Serialize};
 use surface_stats::clean::{Form, Step};
@@ -28,34 +29,6 @@ pub struct Cleaning {
     pub l_filter: Option<f64>,
 }
 
-/// Cleaning that cannot be done.
-#[derive(Debug, Clone, PartialEq, thiserror::Error)]
-#[non_exhaustive]
-pub enum CleaningError {
-    /// A cut-off that the points cannot show.
-    #[error(
-        "a filter with a cut-off of {cutoff:e} m sees nothing between points {pixel:e} m apart; \
-         give at least two points, {:e} m, or leave it out", 2.0 * pixel
-    )]
-    CutoffTooShort {
-        /// The cut-off (m).
-        cutoff: f64,
-        /// The larger pixel side (m).
-        pixel: f64,
-    },
-    /// Filters that leave nothing between them.
-    #[error(
-        "an S-filter at {s_filter:e} m and an L-filter at {l_filter:e} m leave no wave; the \
-         S-filter takes short waves off, so give it the shorter cut-off"
-    )]
-    NothingLeft {
-        /// Nesting index of the S-filter (m).
-        s_filter: f64,
-        /// Nesting index of the L-filter (m).
-        l_filter: f64,
-    },
-}
-
 impl Cleaning {
     /// True if nothing is asked for.
     pub fn is_empty(&self) -> bool {
@@ -79,18 +52,18 @@ impl Cleaning {
     /// Whether the filters make sense on `grid`.
     ///
     /// # Errors
-    /// [`CleaningError`].
-    pub fn check(&self, grid: Grid) -> Result<(), CleaningError> {
+    /// [`StudyError::CutoffTooShort`] and [`StudyError::NothingLeft`].
+    pub fn check(&self, grid: Grid) -> Result<(), StudyError> {
         let [dy, dx] = grid.pixel();
         let pixel = dy.max(dx);
         for cutoff in self.s_filter.into_iter().chain(self.l_filter) {
             if !(cutoff.is_finite() && cutoff >= 2.0 * pixel) {
-                return Err(CleaningError::CutoffTooShort { cutoff, pixel });
+                return Err(StudyError::CutoffTooShort { cutoff, pixel });
             }
         }
         match (self.s_filter, self.l_filter) {
             (Some(s_filter), Some(l_filter)) if s_filter >= l_filter => {
-                Err(CleaningError::NothingLeft { s_filter, l_filter })
+                Err(StudyError::NothingLeft { s_filter, l_filter })
             }
             _ => Ok(()),
         }
@@ -109,11 +82,11 @@ mod tests {
         assert!(of(None, None).check(grid).is_ok() && of(None, None).is_empty());
         assert!(matches!(
             of(Some(3.9e-6), None).check(grid),
-            Err(CleaningError::CutoffTooShort { .. })
+            Err(StudyError::CutoffTooShort { .. })
         ));
         assert!(matches!(
             of(Some(5e-6), Some(5e-6)).check(grid),
-            Err(CleaningError::NothingLeft { .. })
+            Err(StudyError::NothingLeft { .. })
         ));
     }
 }

@@ -4,10 +4,10 @@
 use crate::coarser::solve_coarser;
 use crate::conduction::remove_octaves;
 use crate::progress::LoadListener;
-use crate::result::{ChoiceKind, Closer, Comparison, SurfaceComparison};
+use crate::result::{ChoiceKind, Comparison, SurfaceComparison};
 use crate::{EdgesName, Listener, Origin, Settings, StudyError};
 use contact_accuracy::{Ladder, Setup, regrid};
-use contact_types::{Clock, HeightMap};
+use contact_types::HeightMap;
 use fft_bem_solver::{Load, Maps, Solution, Solver};
 use grid_fft::parallel::on_threads;
 use std::borrow::Cow;
@@ -74,7 +74,6 @@ fn look_closer(
     settings: &Settings,
     watch: &mut LoadListener<'_, '_>,
 ) -> Result<(), StudyError> {
-    let start = Clock::now();
     let is_solved = surface.headline_answer().is_some_and(|a| a.converged);
     if surface.plan.is_some() || !is_solved || surface.map.rms_height <= 0.0 {
         return Ok(());
@@ -83,8 +82,7 @@ fn look_closer(
     watch.go_on()?;
     let choices = choices(surface, settings, area, watch);
     watch.go_on()?;
-    let seconds = start.elapsed().as_secs_f64();
-    surface.closer = Some(Closer { choices, seconds });
+    surface.choices = Some(choices);
     Ok(())
 }
 

@@ -86,7 +86,7 @@ fn coarsened(map: &HeightMap, factor: usize) -> Option<HeightMap> {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::{Comparison, Registry, Settings, built_in_recipes};
+    use crate::{Comparison, Settings, built_in, built_in_recipes};
     use std::ops::ControlFlow;
 
     /// The error is against the map's own answer. A map whose shortest wave is 8 points long has 4 at half the points:
@@ -100,13 +100,12 @@ mod tests {
         let settings = Settings::default();
         let mut go = |_: crate::Progress<'_>| ControlFlow::Continue(());
         let mut study =
-            Comparison::run(vec![recipe.make().unwrap()], settings, &Registry::built_in(), &mut go)
-                .unwrap();
+            Comparison::run(vec![recipe.make().unwrap()], settings, built_in(), &mut go).unwrap();
         assert!(study.surfaces[0].coarser.is_empty(), "not asked for, not computed");
         let mut stop = |_: crate::Progress<'_>| ControlFlow::Break(());
         let stopped = study.look_around(&mut stop);
         assert!(matches!(stopped, Err(("coarser_grids", StudyError::Stopped))));
-        assert!(study.surfaces[0].coarser.is_empty() && study.surfaces[0].closer.is_none());
+        assert!(study.surfaces[0].coarser.is_empty() && study.surfaces[0].choices.is_none());
         study.look_around(&mut go).unwrap();
         let surface = &study.surfaces[0];
         let shapes: Vec<[usize; 2]> = surface.coarser.iter().map(|c| c.shape).collect();

@@ -225,11 +225,6 @@ pub struct Octave {
 }
 
 impl Conduction {
-    /// Whether the bodies yield.
-    pub fn yields(&self) -> bool {
-        self.theories.iter().any(|theory| theory.name == "cmy")
-    }
-
     /// By what factor area and conductance change at most when the shortest octaves are taken off, each the
     /// larger over the smaller; `None` without octaves.
     pub(crate) fn changes(&self) -> Option<[f64; 2]> {

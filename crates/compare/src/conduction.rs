@@ -24,7 +24,7 @@ const LEAST_BAND: f64 = 4.0;
 impl Conduction {
     /// From the solutions at the loads; `None` if nothing was asked.
     pub(crate) fn of(surface: &SurfaceComparison, settings: &Settings) -> Option<Self> {
-        if !settings.conducts() {
+        if !settings.joint().is_asked() {
             return None;
         }
         let modulus = surface.inputs.modulus.pascals();

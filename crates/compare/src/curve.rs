@@ -7,7 +7,7 @@ use crate::pressure_maps::PressureMaps;
 use crate::progress::{Listener, Progress};
 use crate::result::{DeterministicAnswer, DeterministicPoint, SurfaceComparison};
 use crate::sections::Sections;
-use crate::spots::{Spots, spot_list};
+use crate::spots::{Spots, contact_spots};
 use contact_accuracy::{Answered, Budget, Leaks, Map, Sink};
 use contact_types::HeightMap;
 use fft_bem_solver::{Iteration, Solution, SolverError};
@@ -88,7 +88,7 @@ impl Sink for Curve<'_, '_> {
             },
             || {
                 let Some((pressure, gap, grid)) = fields else { return (None, None) };
-                let list = spot_list(pressure, grid, repeats);
+                let (list, _) = contact_spots(pressure, grid, repeats);
                 (Spots::of(&list), Distributions::of(pressure, gap, &list))
             },
         );

@@ -179,7 +179,7 @@ impl SpotDistribution {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::spots::spot_list;
+    use crate::spots::contact_spots;
     use contact_types::Grid;
 
     /// Hertz: p = p0 √(1 − r²/a²), so that the share of the contact with less pressure than p is (p/p0)²: the density
@@ -194,7 +194,7 @@ mod tests {
             })
             .collect();
         let grid = Grid::new([n, n], [1e-6; 2]).unwrap();
-        let spots = spot_list(&pressure, grid, false);
+        let (spots, _) = contact_spots(&pressure, grid, false);
         let found = Distributions::of(&pressure, &[], &spots).unwrap();
         let share = std::f64::consts::PI * radius * radius / (n * n) as f64;
         let p = &found.pressure;
@@ -221,7 +221,7 @@ mod tests {
             pressure[i] = p;
         }
         let gap: Vec<f64> = pressure.iter().map(|p| if *p > 0.0 { 0.0 } else { 1e-6 }).collect();
-        let spots = spot_list(&pressure, grid, true);
+        let (spots, _) = contact_spots(&pressure, grid, true);
         let found = Distributions::of(&pressure, &gap, &spots).unwrap();
         let p = &found.pressure;
         let integral: f64 = p.density.iter().map(|d| d * (p.edges[1] - p.edges[0])).sum();

@@ -30,6 +30,11 @@ pub enum Weight {
     Passed,
 }
 
+/// Whether an area has no uncertainty because its load was not solved to the tolerance.
+pub(crate) fn is_unsolved(why: &NoUncertainty) -> bool {
+    matches!(why, NoUncertainty::NotConverged { .. })
+}
+
 impl Named for Weight {
     const NAMES: &'static [(Self, &'static str)] =
         &[(Self::Check, "check"), (Self::Note, "note"), (Self::Passed, "passed")];
@@ -84,12 +89,11 @@ impl Finding {
     /// what it has to resolve), `solution`, `edges` (what lies beyond them) or `plan` (the choice for an accuracy).
     pub fn subject(&self) -> &'static str {
         match &self.fact {
-            Fact::Yield(_)
-            | Fact::Yielding(_)
+            Fact::Yield { .. }
+            | Fact::Yielding { .. }
             | Fact::Unit { hardness: Some(_), .. }
-            | Fact::BulkYield { .. }
             | Fact::Adhesion(_) => "material",
-            Fact::NoUncertainty { why: NoUncertainty::NotConverged { .. }, .. } => "solution",
+            Fact::NoUncertainty { why, .. } if is_unsolved(why) => "solution",
             Fact::PlanUnmet(_) => "plan",
             Fact::Interpolation { .. } | Fact::NoUncertainty { .. } | Fact::BelowPoint { .. } => {
                 "grid"
@@ -117,15 +121,25 @@ pub enum Fact {
         hardness: Option<[f64; 3]>,
     },
     /// The elastic answer presses harder than solids of this modulus usually bear.
-    Yield(Yield),
-    /// Part of the contact has yielded at the hardness given.
-    Yielding(Yielding),
-    /// Loads so high that the bodies yield in their volume.
-    BulkYield {
-        /// The highest (Pa).
-        highest: f64,
+    Yield {
+        /// The lightest load at which it is too high.
+        at: Pressed,
+        /// Contact modulus (Pa).
+        modulus: f64,
+        /// Hardness of solids that have it, `[low, high]` (Pa).
+        hardness: [f64; 2],
+        /// E* times the rms gradient (Pa): the elastic area holds for a hardness of at least this.
+        full: Option<f64>,
+    },
+    /// What yields at the hardness given: part of the contact of the headline, or bodies in their volume.
+    Yielding {
         /// H (Pa).
         hardness: f64,
+        /// The headline, if part of its contact has yielded.
+        #[serde(flatten)]
+        headline: Option<Yielding>,
+        /// The highest load (Pa), if it is so high that the bodies yield in their volume.
+        highest: Option<f64>,
     },
     /// Whether the bodies stick, with a work of adhesion that was given.
     Adhesion(Box<Adhesion>),
@@ -165,9 +179,8 @@ pub enum Fact {
         /// Of how many.
         of: usize,
     },
-    /// Of profiles: one direction was measured, and the models are of isotropic surfaces.
-    OneDirection,
-    /// What the length and number of the traces leave open.
+    /// What traces leave open: the other directions, while the models are of isotropic surfaces, and by their length and
+    /// number the moments.
     Sample {
         /// How many traces.
         traces: usize,
@@ -179,21 +192,14 @@ pub enum Fact {
         /// Relative standard deviations from trace to trace, of two or more.
         between: Option<[f64; 3]>,
     },
-    /// The points of traces were put at equal distances.
-    Uneven(Unevenness),
-    /// Traces without parameters of roughness.
-    NoRoughness {
-        /// Why not, as the statistics refuse it.
-        why: String,
-    },
-    /// A filter of the roughness parameters that is not the standard's: λc shorter than Ra asks for, or λs left out.
-    Filter {
-        /// λc that was used, or λs that was not (m).
-        wavelength: f64,
-        /// Length of the traces, or spacing of their points (m), which allow no other.
-        limit: f64,
-        /// Ra with λc (m); `None` of λs.
-        ra: Option<f64>,
+    /// Traces without parameters of roughness, or with a filter of them that is not the standard's.
+    Roughness {
+        /// Why there are none, as the statistics refuse it.
+        none_because: Option<String>,
+        /// Ra, the λc that was used and the length of the traces (m), where Ra asks for a longer λc than the length allows.
+        short_cutoff: Option<[f64; 3]>,
+        /// The λs that was left out and the spacing of the points (m), which are too far apart for it.
+        no_s_filter: Option<[f64; 2]>,
     },
     /// A warning of the statistics.
     Warned(Warning),
@@ -219,7 +225,7 @@ pub enum Fact {
         /// How many cleaning took out before.
         taken: usize,
     },
-    /// Steps of cleaning, and points that were filled.
+    /// What was done to the heights before: points filled, steps of cleaning, points put at equal distances.
     Cleaned {
         /// The steps.
         steps: Vec<Record>,
@@ -227,18 +233,15 @@ pub enum Fact {
         filled: f64,
         /// By which rule.
         how: String,
+        /// How uneven the points of traces were, if they were put at equal distances.
+        uneven: Option<Unevenness>,
     },
-    /// Two bodies whose moments do not add, as those of independent surfaces do.
+    /// Two bodies that are not independent, or lie on each other not point on point or not with all of them.
     Pair {
         /// Their names.
         names: [String; 2],
-        /// The moments.
-        moments: Independence,
-    },
-    /// How two bodies lie on each other, where not point on point or not with all of them.
-    Laid {
-        /// Their names.
-        names: [String; 2],
+        /// Their moments, if these do not add as those of independent surfaces do.
+        moments: Option<Independence>,
         /// Their pixels `[dy, dx]` (m), if they differ.
         pixels: Option<[[f64; 2]; 2]>,
         /// Part of each that lies on the other \[-\], if not all does.
@@ -267,26 +270,10 @@ impl Pressed {
     }
 }
 
-/// Pressure beside the hardness that the modulus suggests.
-#[derive(Debug, Clone, Copy, PartialEq, Serialize)]
-#[non_exhaustive]
-pub struct Yield {
-    /// The lightest load at which it is too high.
-    pub at: Pressed,
-    /// Contact modulus (Pa).
-    pub modulus: f64,
-    /// Hardness of solids that have it, `[low, high]` (Pa).
-    pub hardness: [f64; 2],
-    /// E* times the rms gradient (Pa): the elastic area holds for a hardness of at least this.
-    pub full: Option<f64>,
-}
-
 /// What has yielded at the headline.
 #[derive(Debug, Clone, Copy, PartialEq, Serialize)]
 #[non_exhaustive]
 pub struct Yielding {
-    /// H (Pa).
-    pub hardness: f64,
     /// `E* g / H` \[-\], if g is known: up to 1 the elastic area is right to 2 %.
     pub over_elastic: Option<f64>,
     /// Nominal pressure of the headline (Pa).
@@ -309,13 +296,6 @@ pub struct Seam {
     pub share: EdgeShare,
     /// Its sides `[y, x]` (m).
     pub strip: [f64; 2],
-}
-
-impl Seam {
-    /// Size of the relative error of the area to expect.
-    pub(crate) fn worst(&self) -> f64 {
-        self.share.direct_effect().abs()
-    }
 }
 
 /// What was tested and is fine; what was not, or is not, is absent.

@@ -1,11 +1,13 @@
 //! What may change a conclusion: decided here once, for page, terminal and files alike.
 
 use crate::adhesion::Adhesion;
-use crate::finding::{Fact, Finding, Passed, Pressed, Seam, Weight, Yielding};
+use crate::finding::{
+    Fact, Finding, Passed, Pressed, Seam, Unevenness, Weight, Yielding, is_unsolved,
+};
 use crate::result::{DeterministicPoint, SurfaceComparison};
 use crate::scene::{Scene, is_steep};
 use crate::yielding::{BULK_YIELD, hardness_of};
-use crate::{Independence, Origin, PairFound, PairOrigin, Spikes};
+use crate::{Independence, Origin, PairOrigin, Spikes};
 use contact_accuracy::{EdgeShare, INDICATOR_LIMIT, NoUncertainty, Reached};
 use fft_bem_solver::End;
 use surface_stats::clean::Record;
@@ -33,9 +35,9 @@ pub fn findings(surface: &SurfaceComparison) -> Vec<Finding> {
             .map(|a| (a.budget.indicator, a.finer.as_ref().map(|n| n.area)))
             .collect(),
         plan: surface.plan.as_ref(),
-        small: answers()
-            .filter(|a| is_below_a_point(a.touching_fraction, a.diagnostics.contact_perimeter))
-            .count(),
+        touching: answers()
+            .map(|a| [a.touching_fraction, a.diagnostics.contact_perimeter])
+            .collect(),
         missing: file.map_or(0, |file| file.missing),
         points: surface.surface.grid().len(),
         fill: file.map_or("", |file| &file.fill),
@@ -69,12 +71,18 @@ fn without_uncertainty(surface: &SurfaceComparison) -> Vec<Option<NoUncertainty>
 }
 
 /// Whether the bodies stick: good to know if that is negligible, a thing to look at if not.
-pub fn sticking(adhesion: Adhesion) -> Finding {
+fn sticking(adhesion: Adhesion) -> Finding {
     Finding::check_if(!adhesion.negligible, Fact::Adhesion(Box::new(adhesion)))
 }
 
-/// What the statistics of a map alone say, worst first; `spikes` are its own, and it may be that of a pair.
-pub fn measured(s: &SurfaceStatistics, spikes: &Spikes, pair: Option<&PairOrigin>) -> Vec<Finding> {
+/// What the statistics of a map alone say, worst first; `spikes` are its own, it may be that of a pair, and whether bodies stick
+/// may have been asked.
+pub fn measured(
+    s: &SurfaceStatistics,
+    spikes: &Spikes,
+    pair: Option<&PairOrigin>,
+    adhesion: Option<Adhesion>,
+) -> Vec<Finding> {
     let scene = Scene {
         gradient: Some(s.rms_gradient),
         rms_height: Some(s.rms_height),
@@ -85,6 +93,7 @@ pub fn measured(s: &SurfaceStatistics, spikes: &Spikes, pair: Option<&PairOrigin
     found.extend(spiky(spikes, None));
     found.extend(s.warnings.iter().copied().map(Finding::warned));
     found.extend(pair.map(of_pair).into_iter().flatten());
+    found.extend(adhesion.map(sticking));
     found.sort_by_key(|f| f.weight);
     found
 }
@@ -100,23 +109,21 @@ fn hardness(surface: &SurfaceComparison) -> Vec<Finding> {
     let mut found: Vec<Finding> = given.unusual().map(odd).into_iter().collect();
     let solved = surface.deterministic.iter().filter(|p| p.answer.is_some());
     let highest = solved.map(|p| p.mean_pressure).fold(0.0, f64::max);
-    if highest > BULK_YIELD * pascals {
-        found.push(Finding::note(Fact::BulkYield { highest, hardness: pascals }));
-    }
-    let yielded = surface.headline_answer().and_then(|a| Some((a, a.diagnostics.yielded?)));
-    if let Some((answer, yielded)) = yielded
-        && yielded.area_fraction > 0.0
-    {
+    let highest = Some(highest).filter(|load| *load > BULK_YIELD * pascals);
+    let headline = surface.headline_answer().and_then(|answer| {
+        let yielded = answer.diagnostics.yielded.filter(|y| y.area_fraction > 0.0)?;
         let elastic = surface.elastic.get(surface.headline).and_then(|p| p.answer.as_ref());
-        found.push(Finding::note(Fact::Yielding(Yielding {
-            hardness: pascals,
+        Some(Yielding {
             over_elastic: given.over_elastic(),
             load: surface.headline_pressure(),
             share: (yielded.area_fraction / answer.touching_fraction).min(1.0),
             load_share: yielded.load_share,
             area: answer.area_fraction,
             elastic_area: elastic.map(|a| a.area_fraction),
-        })));
+        })
+    });
+    if headline.is_some() || highest.is_some() {
+        found.push(Finding::note(Fact::Yielding { hardness: pascals, headline, highest }));
     }
     found
 }
@@ -157,8 +164,8 @@ pub struct Solved<'a> {
     pub indicators: Vec<(Option<f64>, Option<f64>)>,
     /// The rung that was reached, if an accuracy was asked for.
     pub plan: Option<&'a Reached>,
-    /// How many loads have a contact that [`is_below_a_point`].
-    pub small: usize,
+    /// Of each load with a solution: touching fraction, and edges of touching points over all points.
+    pub touching: Vec<[f64; 2]>,
     /// Points that were filled.
     pub missing: usize,
     /// Points of the map.
@@ -197,8 +204,9 @@ impl Solved<'_> {
                 (loads > 0).then(|| Finding::check(Fact::NoUncertainty { why, loads, of })),
             );
         }
-        if self.small > 0 {
-            found.push(Finding::check(Fact::BelowPoint { loads: self.small, of }));
+        let small = self.touching.iter().filter(|touching| is_below_a_point(touching)).count();
+        if small > 0 {
+            found.push(Finding::check(Fact::BelowPoint { loads: small, of }));
         }
         let unmet = self.plan.filter(|plan| plan.unmet.is_some());
         found.extend(unmet.map(|plan| Finding::check(Fact::PlanUnmet(Box::new(plan.clone())))));
@@ -208,16 +216,11 @@ impl Solved<'_> {
         }
         found.extend(interpolation(&self.indicators));
         found.extend(statistics);
-        found.extend(cleaned(self.cleaned, self.missing, self.points, self.fill));
+        found.extend(cleaned(self.cleaned, [self.missing, self.points], self.fill, None));
         found.extend(self.pair.map(of_pair).into_iter().flatten());
         found.sort_by_key(|f| f.weight);
         found
     }
-}
-
-/// Whether an area has no uncertainty because its load was not solved to the tolerance.
-fn is_unsolved(why: &NoUncertainty) -> bool {
-    matches!(why, NoUncertainty::NotConverged { .. })
 }
 
 /// Larger over smaller distance of points from which waves of one body are missing in the sum.
@@ -225,26 +228,21 @@ const PIXELS_MATTER: f64 = 1.5;
 
 /// What two bodies say of each other, and what was done to each.
 fn of_pair(pair: &PairOrigin) -> Vec<Finding> {
-    let Some(PairFound { placed, independence }) = &pair.found else { return Vec::new() };
-    let names = || pair.names.clone();
-    let mut found = Vec::new();
-    if !independence.holds() {
-        found.push(Finding::check(Fact::Pair { names: names(), moments: *independence }));
-    }
-    if placed.resampled.contains(&true) {
-        let matters = placed.pixel_ratio >= PIXELS_MATTER;
-        let pixels = Some(placed.grids.map(|grid| grid.pixel()));
-        found.push(Finding::check_if(matters, Fact::Laid { names: names(), pixels, shares: None }));
-    }
-    let shares = placed.shares;
+    let Some((placed, independence)) = &pair.found else { return Vec::new() };
+    let moments = Some(*independence).filter(|found| !found.holds());
+    let is_resampled = placed.resampled.contains(&true);
+    let pixels = is_resampled.then(|| placed.grids.map(|grid| grid.pixel()));
     // Less than a point in a thousand is no part.
-    if shares.iter().any(|share| *share < 0.999) {
-        let shares = Some(shares);
-        found.push(Finding::note(Fact::Laid { names: names(), pixels: None, shares }));
+    let shares = Some(placed.shares).filter(|shares| shares.iter().any(|share| *share < 0.999));
+    let mut found = Vec::new();
+    if moments.is_some() || pixels.is_some() || shares.is_some() {
+        let matters = moments.is_some() || (is_resampled && placed.pixel_ratio >= PIXELS_MATTER);
+        let fact = Fact::Pair { names: pair.names.clone(), moments, pixels, shares };
+        found.push(Finding::check_if(matters, fact));
     }
     for ((body, origin), grid) in pair.names.iter().zip(&*pair.bodies).zip(placed.grids) {
         let Origin::File(file) = origin else { continue };
-        let own = cleaned(&file.cleaned, file.missing, grid.len(), &file.fill);
+        let own = cleaned(&file.cleaned, [file.missing, grid.len()], &file.fill, None);
         found.extend(own.map(|f| Finding { body: Some(body.clone()), ..f }));
     }
     found
@@ -262,8 +260,8 @@ fn spiky(spikes: &Spikes, share: Option<f64>) -> Option<Finding> {
 
 /// Whether every touching point stands alone, with four edges of the contact line: the contacts are smaller than a point
 /// of the map, and no number of them is one of the surface.
-pub fn is_below_a_point(touching: f64, perimeter: f64) -> bool {
-    touching > 0.0 && perimeter > 3.999 * touching
+fn is_below_a_point([touching, perimeter]: &[f64; 2]) -> bool {
+    *touching > 0.0 && *perimeter > 3.999 * touching
 }
 
 /// Whether an answer depends on what lies between the points: of each load its indicator, and its area on twice the
@@ -278,7 +276,7 @@ fn interpolation(all: &[(Option<f64>, Option<f64>)]) -> Option<Finding> {
 
 fn edge_jump(ratio: f64, surface: &SurfaceComparison) -> Finding {
     let seam = seam(surface);
-    let matters = seam.is_some_and(|s| s.worst() > EDGES_MATTER);
+    let matters = seam.is_some_and(|s| s.share.direct_effect().abs() > EDGES_MATTER);
     Finding::check_if(matters, Fact::EdgeJump { ratio, edges: surface.edges, seam })
 }
 
@@ -290,13 +288,18 @@ pub fn seam(surface: &SurfaceComparison) -> Option<Seam> {
     Some(Seam { share, strip })
 }
 
-/// What cleaning did to a map of `all` points, and how many were filled. Many may change a conclusion.
-pub(crate) fn cleaned(steps: &[Record], missing: usize, all: usize, how: &str) -> Option<Finding> {
-    if missing == 0 && steps.is_empty() {
+/// What was done to the heights of `all` points, `missing` of which were filled. Many may change a conclusion.
+pub(crate) fn cleaned(
+    steps: &[Record],
+    [missing, all]: [usize; 2],
+    how: &str,
+    uneven: Option<Unevenness>,
+) -> Option<Finding> {
+    if missing == 0 && steps.is_empty() && uneven.is_none() {
         return None;
     }
     let filled = missing as f64 / all.max(1) as f64;
-    let fact = Fact::Cleaned { steps: steps.to_vec(), filled, how: how.to_owned() };
+    let fact = Fact::Cleaned { steps: steps.to_vec(), filled, how: how.to_owned(), uneven };
     Some(Finding::check_if(filled > FILLED_MATTER, fact))
 }
 
@@ -326,7 +329,7 @@ fn passed(surface: &SurfaceComparison) -> Option<Finding> {
 
 /// Moments of two bodies, if they add.
 fn independence(surface: &SurfaceComparison) -> Option<Independence> {
-    let found = surface.origin.pair()?.found.as_ref()?.independence;
+    let (_, found) = *surface.origin.pair()?.found.as_ref()?;
     // Of a flat body there is nothing to test.
     let is_rough = found.bodies.iter().all(|body| body.m0 > 0.0);
     (is_rough && found.holds()).then_some(found)
@@ -372,10 +375,11 @@ mod tests {
         let loads = vec![None, Some(bare), Some(short), Some(rounded)];
         let solved = Solved { loads, missing: 2, fill: "nearest", ..clean };
         let check = |why| (Weight::Check, Fact::NoUncertainty { why, loads: 1, of: 4 });
-        let filled = Fact::Cleaned { steps: vec![], filled: 0.02, how: "nearest".to_owned() };
+        let how = "nearest".to_owned();
+        let filled = Fact::Cleaned { steps: vec![], filled: 0.02, how, uneven: None };
         let expected = [check(short), check(rounded), check(bare), (Weight::Note, filled)];
         assert_eq!(facts(&solved), expected);
-        let light = Solved { small: 2, ..solved.clone() };
+        let light = Solved { touching: vec![[0.1, 0.4], [0.2, 0.8], [0.2, 0.7]], ..solved.clone() };
         assert!(facts(&light).contains(&(Weight::Check, Fact::BelowPoint { loads: 2, of: 4 })));
         // More than a twentieth of guessed points may change a conclusion.
         let many = Solved { missing: 6, ..solved };

@@ -13,16 +13,13 @@ const MOST_LOADS: usize = 240;
 #[derive(Debug, Clone, PartialEq, Eq, Serialize)]
 #[non_exhaustive]
 pub struct FirstContact {
-    /// Index of that load, row-major; [`FirstContact::NEVER`] where no load makes the point touch.
+    /// Index of that load, row-major; `u8::MAX` where no load makes the point touch.
     pub first: Vec<u8>,
     /// Load and point where a point is out of contact again at a higher load.
     pub lost: Vec<(usize, usize)>,
 }
 
 impl FirstContact {
-    /// No load makes the point touch.
-    pub const NEVER: u8 = u8::MAX;
-
     /// True where `point` carries pressure at the load of index `load`.
     #[cfg(test)]
     fn touches(&self, load: usize, point: usize) -> bool {
@@ -33,9 +30,7 @@ impl FirstContact {
     /// there are too many loads, or more than a hundredth of the points was lost again.
     pub(crate) fn with(kept: Option<Self>, load: usize, pressure: &[f64]) -> Option<Self> {
         let mut kept = match kept {
-            None if load == 0 => {
-                Self { first: vec![Self::NEVER; pressure.len()], lost: Vec::new() }
-            }
+            None if load == 0 => Self { first: vec![u8::MAX; pressure.len()], lost: Vec::new() },
             kept => kept?,
         };
         if load >= MOST_LOADS || kept.first.len() != pressure.len() {
@@ -44,7 +39,7 @@ impl FirstContact {
         for (point, (first, p)) in kept.first.iter_mut().zip(pressure).enumerate() {
             if *p > 0.0 {
                 *first = (*first).min(load as u8); // below MOST_LOADS
-            } else if *first != Self::NEVER {
+            } else if *first != u8::MAX {
                 kept.lost.push((load, point));
             }
         }
@@ -74,7 +69,7 @@ mod tests {
         kept = FirstContact::with(kept, 1, &field);
         let kept = kept.unwrap();
         assert!(kept.touches(0, 0) && !kept.touches(1, 0) && kept.touches(1, 4));
-        assert!(!kept.touches(1, 3) && kept.first[3] == FirstContact::NEVER);
+        assert!(!kept.touches(1, 3) && kept.first[3] == u8::MAX);
         assert_eq!(FirstContact::with(Some(kept), 2, &field[..3]), None);
         assert_eq!(FirstContact::with(None, 1, &field), None, "the load before has no solution");
     }

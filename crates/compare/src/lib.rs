@@ -41,7 +41,7 @@ mod yielding;
 
 pub use adhesion::{Adhesion, NO_PULL_OFF, WorkOfAdhesion};
 pub use ask::possible;
-pub use cleaning::{Cleaning, CleaningError};
+pub use cleaning::Cleaning;
 pub use conducted::{
     Conductance, Conducted, Conduction, Joint, Octave, Resistance, TheoryStiffness,
 };
@@ -55,15 +55,13 @@ pub use distribution::{Distributions, GapDistribution, PressureHistogram, SpotDi
 pub use fft_bem_solver::{
     End, Iteration, Load, Method, ObserverResult, Precision, Solution, Solver, SolverError, Yielded,
 };
-pub use finding::{Fact, Finding, Passed, Pressed, Seam, Unevenness, Weight, Yield, Yielding};
-pub use findings::{Solved, findings, is_below_a_point, measured, seam, sticking};
+pub use finding::{Fact, Finding, Passed, Pressed, Seam, Unevenness, Weight, Yielding};
+pub use findings::{Solved, findings, measured, seam};
 pub use first_contact::FirstContact;
 pub use gas::{GapGas, Gas};
 pub use grid_fft::parallel::on_threads;
 pub use inputs::Inputs;
-pub use materials::{
-    Listed, Material, MaterialUse, Property, material, materials, source_of, spreads,
-};
+pub use materials::{Listed, Material, MaterialUse, Property, material, materials, spreads};
 pub use needs::{INPUTS, Input, InputFact, InputSet, InputUnit, OfMap};
 pub use pressure_maps::{PressureMap, PressureMaps, pressure_class, pressure_top};
 pub use profile::{
@@ -71,24 +69,22 @@ pub use profile::{
 };
 pub use progress::{Listener, Progress, StudyError};
 pub use reason::{Applies, Reason, Verdict};
-pub use recipe::{Recipe, RecipeError, built_in_recipes};
+pub use recipe::{Recipe, built_in_recipes};
 pub use registry::{NotRegistered, Registry, built_in, find};
 pub use result::{
-    ChoiceKind, Closer, Coarser, Comparison, DeterministicAnswer, DeterministicPoint,
-    ModelComparison, ModelCurve, Refused, Spectral, SurfaceComparison,
+    ChoiceKind, Coarser, Comparison, DeterministicAnswer, DeterministicPoint, ModelComparison,
+    ModelCurve, Refused, Spectral, SurfaceComparison,
 };
-pub use run_file::{RunFile, RunFileError, RunSurface};
+pub use run_file::{RunFile, RunSurface};
 pub use scene::{Scene, is_steep, typical_hardness};
 pub use sections::Sections;
 pub use settings::{
     Along, Body, EdgesName, LeakRequest, STEEL, Seal, Settings, default_pressures, poisson,
 };
 pub use spikes::{SPIKE_THRESHOLD, Spikes};
-pub use spots::{Spot, Spots, labelled_spots, spot_list};
+pub use spots::{Spot, Spots, contact_spots};
 pub use study::loads as loads_of_study;
-pub use surface::{
-    FileOrigin, GivenOrigin, NoPair, Origin, PairFound, PairOrigin, Surface, sha256_hex,
-};
+pub use surface::{FileOrigin, GivenOrigin, Origin, PairOrigin, Surface, sha256_hex};
 pub use surface_stats::Level;
 pub use surface_stats::pair::{Flip, Independence, Placed, Placing};
 pub use tabulated::{BadCurve, CurvePoint, Tabulated};

@@ -51,8 +51,8 @@ pub struct Listed {
     pub range: [f64; 2],
     /// How a hardness was measured: `HV`, `HK`, `HB`, `ball` or `indentation`; else empty.
     pub scale: &'static str,
-    /// Where it was read, as `S21`; see [`source_of`].
-    pub sources: Vec<&'static str>,
+    /// Where it was read: the key by which notes name it, as `S21`, and the place, as `olinbrass.com C26000`.
+    pub sources: Vec<(&'static str, &'static str)>,
     /// What to know about it.
     pub note: &'static str,
 }
@@ -103,7 +103,8 @@ pub fn materials() -> &'static [Material] {
             };
             let [value, low, high] =
                 if scale == "HV" { numbers.map(|x: f64| x / VICKERS) } else { numbers };
-            let sources = sources.split(' ').collect();
+            // A test holds that every key is listed.
+            let sources = sources.split(' ').map(|key| (key, source_of(key))).collect();
             let listed = Listed { value, range: [low, high], scale, sources, note };
             if all.last().is_none_or(|m| m.name != name) {
                 all.push(Material { name, title, condition, numbers: Vec::new() });
@@ -163,10 +164,10 @@ pub fn material(name: &str) -> Result<&'static Material, Vec<&'static str>> {
     Err(near)
 }
 
-/// Where a source is, as `olinbrass.com C26000`.
-pub fn source_of(key: &str) -> Option<&'static str> {
-    let lines = SOURCES.lines().filter(|line| !line.starts_with('#'));
-    lines.filter_map(|line| line.split_once('\t')).find(|(k, _)| *k == key).map(|(_, place)| place)
+/// Where a source is; empty if it is not listed.
+fn source_of(key: &str) -> &'static str {
+    let mut listed = SOURCES.lines().filter_map(|line| line.split_once('\t'));
+    listed.find(|(k, _)| *k == key).map_or("", |(_, place)| place)
 }
 
 /// Insertions, deletions and changes of letters between two words (Levenshtein).
@@ -207,7 +208,7 @@ mod tests {
                 let what = format!("{} {property:?}", m.name);
                 assert!(low <= listed.value && listed.value <= high && low > 0.0, "{what}");
                 assert!(!listed.sources.is_empty(), "{what}");
-                assert!(listed.sources.iter().all(|s| source_of(s).is_some()), "{what}");
+                assert!(listed.sources.iter().all(|(_, place)| !place.is_empty()), "{what}");
                 let is_hardness = *property == Property::Hardness;
                 assert_eq!(is_hardness, !listed.scale.is_empty(), "{what}");
             }

@@ -21,8 +21,6 @@ use surface_stats::{StatsError, Warning};
 const TYPICAL_LOAD: f64 = 0.01;
 /// Step of the logarithm of a moment by which the answer of a model is differentiated.
 const STEP: f64 = 0.05;
-/// Half width of the interval of m2 beyond which the traces are too few or too short.
-const LOOSE: f64 = 0.2;
 
 /// Traces of one surface, with a name and where they came from.
 #[derive(Debug, Clone)]
@@ -157,7 +155,7 @@ impl ProfileComparison {
         let modulus = ContactModulus::from_pascals(settings.modulus)?;
         check_pressures(&settings)?;
         check_models(&settings, registry)?;
-        if settings.conducts() {
+        if settings.joint().is_asked() {
             return Err(StudyError::NoConductance);
         }
         if settings.adhesion.is_some() {
@@ -200,11 +198,6 @@ impl ProfileComparison {
     /// What may change a conclusion, worst first.
     pub fn findings(&self) -> Vec<Finding> {
         profile_findings(&self.statistics, self.uneven, &self.origin, &self.scene())
-    }
-
-    /// Pressure of the headline (Pa).
-    pub fn headline_pressure(&self) -> f64 {
-        self.pressures[self.headline]
     }
 
     /// Lowest and highest area at a load among the models that answer, with their intervals, and how
@@ -268,35 +261,38 @@ pub fn profile_findings(
     scene: &Scene,
 ) -> Vec<Finding> {
     let mut found = scene.findings();
-    found.push(Finding::check(Fact::OneDirection));
     found.push(sample(statistics));
     found.extend(statistics.warnings.iter().copied().map(Finding::warned));
-    found.extend(uneven.map(|uneven| Finding::note(Fact::Uneven(uneven))));
-    match &statistics.roughness {
-        Err(error) => {
-            found.push(Finding::note(Fact::NoRoughness { why: error.to_string() }));
-        }
-        Ok(roughness) => {
-            let setting = roughness.setting;
-            let ra = roughness.parameters[0].mean; // the first parameter
-            if let (SettingSource::Longest(_), Some(ra)) = (setting.source, ra) {
-                let (wavelength, limit) = (setting.cutoff, statistics.length);
-                found.push(Finding::note(Fact::Filter { wavelength, limit, ra: Some(ra) }));
-            }
-            if let Some(wavelength) = setting.short_unresolved {
-                let limit = statistics.spacing;
-                found.push(Finding::note(Fact::Filter { wavelength, limit, ra: None }));
-            }
-        }
-    }
+    found.extend(roughness(statistics));
     if statistics.rolloff.is_none() && statistics.options.cutoff.is_none() {
         found.push(Finding::warned(Warning::FewWaves { count: None }));
     }
-    if let Origin::File(FileOrigin { missing, fill, cleaned: steps, .. }) = origin {
-        found.extend(cleaned(steps, *missing, statistics.points * statistics.traces, fill));
-    }
+    let points = statistics.points * statistics.traces;
+    found.extend(match origin {
+        Origin::File(FileOrigin { missing, fill, cleaned: steps, .. }) => {
+            cleaned(steps, [*missing, points], fill, uneven)
+        }
+        _ => cleaned(&[], [0, points], "", uneven),
+    });
     found.sort_by_key(|f| f.weight);
     found
+}
+
+/// That there are no roughness parameters, or that a filter of them is not the standard's.
+fn roughness(statistics: &ProfileStatistics) -> Option<Finding> {
+    let (mut none_because, mut short_cutoff, mut no_s_filter) = (None, None, None);
+    match &statistics.roughness {
+        Err(error) => none_because = Some(error.to_string()),
+        Ok(roughness) => {
+            let setting = roughness.setting;
+            let is_longest = matches!(setting.source, SettingSource::Longest(_));
+            let ra = roughness.parameters[0].mean.filter(|_| is_longest); // the first parameter
+            short_cutoff = ra.map(|ra| [ra, setting.cutoff, statistics.length]);
+            no_s_filter = setting.short_unresolved.map(|short| [short, statistics.spacing]);
+        }
+    }
+    let any = none_because.is_some() || short_cutoff.is_some() || no_s_filter.is_some();
+    any.then(|| Finding::note(Fact::Roughness { none_because, short_cutoff, no_s_filter }))
 }
 
 fn sample(statistics: &ProfileStatistics) -> Finding {
@@ -304,12 +300,10 @@ fn sample(statistics: &ProfileStatistics) -> Finding {
         let [low, high] = statistics.intervals[k]?;
         (low > 0.0).then(|| (high / low).sqrt())
     });
-    let is_loose = factors[1].is_none_or(|factor| factor > 1.0 + LOOSE);
-    let fact = Fact::Sample {
+    Finding::check(Fact::Sample {
         traces: statistics.traces,
         length: statistics.length,
         factors,
         between: statistics.between,
-    };
-    Finding::check_if(is_loose, fact)
+    })
 }

@@ -74,13 +74,44 @@ impl<'a, 'b> LoadListener<'a, 'b> {
     }
 }
 
-/// Why there is no study.
+/// Why there is no study, or no surface for it.
 #[derive(Debug, Clone, thiserror::Error)]
 #[non_exhaustive]
 pub enum StudyError {
     /// No surface was given.
-    #[error("a study needs at least one surface")]
+    #[error("a study needs at least one surface, a run file at least one [[surface]]")]
     NoSurface,
+    /// A run file that is not TOML, or a key of which is missing, unknown or of the wrong type.
+    #[error("this is no run file of this program: {0}")]
+    Syntax(#[from] toml::de::Error),
+    /// A surface of a run file that was handed over by a program.
+    #[error(
+        "the surface '{0}' was handed over by a program, not read from a file: its heights are \
+         not in the run file, so only that program can repeat the run"
+    )]
+    Given(String),
+    /// A filter of the cleaning whose cut-off the points cannot show.
+    #[error(
+        "a filter with a cut-off of {cutoff:e} m sees nothing between points {pixel:e} m apart; \
+         give at least two points, {:e} m, or leave it out", 2.0 * pixel
+    )]
+    CutoffTooShort {
+        /// The cut-off (m).
+        cutoff: f64,
+        /// The larger pixel side (m).
+        pixel: f64,
+    },
+    /// Filters of the cleaning that leave nothing between them.
+    #[error(
+        "an S-filter at {s_filter:e} m and an L-filter at {l_filter:e} m leave no wave; the \
+         S-filter takes short waves off, so give it the shorter cut-off"
+    )]
+    NothingLeft {
+        /// Nesting index of the S-filter (m).
+        s_filter: f64,
+        /// Nesting index of the L-filter (m).
+        l_filter: f64,
+    },
     /// The modulus is no modulus.
     #[error(transparent)]
     Material(#[from] SurfaceError),
@@ -103,7 +134,25 @@ pub enum StudyError {
     /// The list of models is empty; these there are.
     #[error("the list of models is empty; name at least one of {0}")]
     NoModel(String),
-    /// Statistics refuse the surface.
+    /// Both or neither of the two ways to scale a recipe are given.
+    #[error(
+        "recipe {name:?}: give exactly one of rms_height (m) and rms_gradient, found {found} of them"
+    )]
+    Scale {
+        /// Name of the recipe.
+        name: String,
+        /// How many were given.
+        found: usize,
+    },
+    /// A value of a recipe is out of its range.
+    #[error("recipe {name:?}: {source}")]
+    Impossible {
+        /// Name of the recipe.
+        name: String,
+        /// Which value and why.
+        source: StatsError,
+    },
+    /// Statistics refuse the surface, or the two of a pair.
     #[error("{surface}: {source}")]
     Statistics {
         /// Its name.

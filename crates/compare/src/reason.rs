@@ -2,7 +2,7 @@
 
 use crate::finding::Fact;
 use crate::theory::BuildError;
-use contact_types::Caveat;
+use contact_types::{Caveat, Named};
 use serde::Serialize;
 
 /// Whether a theory covers a surface. This judges the domain, not the error.
@@ -88,13 +88,7 @@ pub enum Applies {
     No,
 }
 
-impl Applies {
-    /// The word.
-    pub fn word(self) -> &'static str {
-        match self {
-            Self::Yes => "yes",
-            Self::Caution => "caution",
-            Self::No => "no",
-        }
-    }
+impl Named for Applies {
+    const NAMES: &'static [(Self, &'static str)] =
+        &[(Self::Yes, "yes"), (Self::Caution, "caution"), (Self::No, "no")];
 }

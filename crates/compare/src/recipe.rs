@@ -1,5 +1,6 @@
 //! Surfaces that are made, not stored: the recipes of `data/surfaces.toml`.
 
+use crate::StudyError;
 use contact_types::{Grid, HeightMap};
 use serde::{Deserialize, Serialize};
 use surface_stats::StatsError;
@@ -38,17 +39,17 @@ pub struct Recipe {
 }
 
 impl Recipe {
-    pub(crate) fn heights(&self) -> Result<HeightMap, RecipeError> {
+    pub(crate) fn heights(&self) -> Result<HeightMap, StudyError> {
         let name = || self.name.clone();
         let scale = match (self.rms_height, self.rms_gradient) {
             (Some(height), None) => Scale::RmsHeight(height),
             (None, Some(gradient)) => Scale::RmsGradient(gradient),
             (height, _) => {
                 let found = if height.is_some() { 2 } else { 0 };
-                return Err(RecipeError::Scale { name: name(), found });
+                return Err(StudyError::Scale { name: name(), found });
             }
         };
-        let impossible = |source| RecipeError::Impossible { name: name(), source };
+        let impossible = |source| StudyError::Impossible { name: name(), source };
         let grid =
             Grid::new(self.shape, self.pixel).map_err(|e| impossible(StatsError::from(e)))?;
         let Self { hurst, rolloff, cutoff, seed, quantise, .. } = *self;
@@ -71,31 +72,6 @@ pub fn built_in_recipes() -> Vec<Recipe> {
     file.expect("a test reads the committed recipes").surface
 }
 
-/// What is wrong with a recipe.
-#[derive(Debug, Clone, PartialEq, thiserror::Error)]
-#[non_exhaustive]
-pub enum RecipeError {
-    /// Both or neither of the two ways to scale a surface are given.
-    #[error(
-        "recipe {name:?}: give exactly one of rms_height (m) and rms_gradient, found {found} of \
-         them"
-    )]
-    Scale {
-        /// Name of the recipe.
-        name: String,
-        /// How many were given.
-        found: usize,
-    },
-    /// A value is out of its range.
-    #[error("recipe {name:?}: {source}")]
-    Impossible {
-        /// Name of the recipe.
-        name: String,
-        /// Which value and why.
-        source: StatsError,
-    },
-}
-
 #[cfg(test)]
 mod tests {
     use super::*;
@@ -108,12 +84,13 @@ mod tests {
             let small = Recipe { shape: [96, 80], ..recipe.clone() };
             assert_eq!(small.heights().unwrap().grid().shape(), [96, 80]);
             let refused = Recipe { hurst: -1.0, ..small.clone() }.heights();
-            assert!(matches!(refused, Err(RecipeError::Impossible { .. })));
+            assert!(matches!(refused, Err(StudyError::Impossible { .. })));
             for (found, given) in [(0, None), (2, Some(0.1))] {
                 let (rms_height, rms_gradient) = (given, given);
                 let refused = Recipe { rms_height, rms_gradient, ..small.clone() }.heights();
-                let name = recipe.name.clone();
-                assert_eq!(refused, Err(RecipeError::Scale { name, found }));
+                let is_told =
+                    |e: &StudyError| matches!(e, StudyError::Scale { found: n, .. } if *n == found);
+                assert!(refused.is_err_and(|e| is_told(&e)), "{found}");
             }
         }
     }

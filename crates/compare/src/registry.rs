@@ -53,16 +53,11 @@ pub fn find(name: &str) -> Option<&'static dyn Theory> {
 }
 
 impl Registry {
-    /// The built-in theories.
-    pub fn built_in() -> Self {
-        BUILT_IN.clone()
-    }
-
     /// The same with one more, after the others.
     ///
     /// # Errors
     /// [`NotRegistered`].
-    pub fn with(mut self, theory: impl Theory + 'static) -> Result<Self, NotRegistered> {
+    pub fn with(&self, theory: impl Theory + 'static) -> Result<Self, NotRegistered> {
         let (name, label) = (theory.card().name.to_string(), theory.card().label.to_string());
         let may_be = |c: char| c.is_ascii_lowercase() || c.is_ascii_digit() || c == '-';
         if name.is_empty() || !name.chars().all(may_be) {
@@ -75,8 +70,9 @@ impl Registry {
             let other = other.card().name.to_string();
             return Err(NotRegistered::LabelTaken { label, other });
         }
-        self.theories.push(Arc::new(theory));
-        Ok(self)
+        let mut theories = self.theories.clone();
+        theories.push(Arc::new(theory));
+        Ok(Self { theories })
     }
 
     /// The theory of a name.
@@ -107,7 +103,7 @@ mod tests {
     /// Every row makes its model, which answers and cites its paper; names are unique.
     #[test]
     fn every_built_in_theory_is_complete() {
-        let registry = Registry::built_in();
+        let registry = built_in();
         for (i, theory) in registry.iter().enumerate() {
             let card = theory.card();
             let model = Inputs::examples().iter().find_map(|i| theory.build(i).ok()).unwrap();
@@ -126,7 +122,7 @@ mod tests {
     #[test]
     fn a_missing_input_is_named() {
         let bare = Inputs::new(ContactModulus::from_pascals(1e11).unwrap());
-        for theory in Registry::built_in().iter() {
+        for theory in built_in().iter() {
             let made = theory.build(&bare);
             assert!(matches!(made, Err(BuildError::Missing { .. })), "{:?}", theory.card().name);
         }
@@ -141,14 +137,14 @@ mod tests {
             let point = CurvePoint { mean_pressure: 1.0, area_fraction: 0.5, mean_gap: None };
             Tabulated::new(Card::new(name, title, citation), vec![point]).unwrap()
         };
-        let own = Registry::built_in().with(card("mine", "Mine")).unwrap();
+        let own = built_in().with(card("mine", "Mine")).unwrap();
         assert_eq!(own.iter().last().unwrap().card().label, "Mine");
-        let taken = own.clone().with(card("gw", "Other"));
+        let taken = own.with(card("gw", "Other"));
         assert!(matches!(taken, Err(NotRegistered::NameTaken { .. })));
-        let taken = own.clone().with(card("mine-2", "Persson"));
+        let taken = own.with(card("mine-2", "Persson"));
         assert!(matches!(taken, Err(NotRegistered::LabelTaken { .. })));
         for bad in ["", "My model", "a,b"] {
-            let refused = own.clone().with(card(bad, "Other"));
+            let refused = own.with(card(bad, "Other"));
             assert!(matches!(refused, Err(NotRegistered::BadName { .. })), "{bad}");
         }
     }

@@ -73,8 +73,9 @@ pub struct SurfaceComparison {
     /// The headline load on coarser grids; empty unless asked for, see
     /// [`Comparison::look_around`].
     pub coarser: Vec<Coarser>,
-    /// A closer look at the headline, see [`Comparison::look_around`]; `None` unless asked for.
-    pub closer: Option<Closer>,
+    /// Other choices in preparing the map, each with the area with it over that without, less 1, see
+    /// [`Comparison::look_around`]; `None` unless asked for.
+    pub choices: Option<Vec<(ChoiceKind, f64)>>,
     /// What the contact conducts, if resistivities or conductivities were given.
     pub conduction: Option<Conduction>,
     /// The leak at each load, at the headline with the map of its flux; nothing unless asked for.
@@ -173,16 +174,6 @@ impl DeterministicAnswer {
     }
 }
 
-/// What a closer look found.
-#[derive(Debug, Clone, PartialEq, Serialize)]
-#[non_exhaustive]
-pub struct Closer {
-    /// Other choices in preparing the map, each with the area with it over that without, less 1.
-    pub choices: Vec<(ChoiceKind, f64)>,
-    /// Wall-clock time of all of it (s).
-    pub seconds: f64,
-}
-
 /// A choice that was tried.
 #[derive(Debug, Clone, Copy, PartialEq, Serialize)]
 #[serde(rename_all = "snake_case")]
@@ -195,18 +186,6 @@ pub enum ChoiceKind {
     WithoutSpikes(usize),
     /// Mirror images at the edges instead of the same map again.
     Mirrored,
-}
-
-impl ChoiceKind {
-    /// Name in JSON.
-    pub fn name(self) -> &'static str {
-        match self {
-            Self::Paraboloid => "paraboloid",
-            Self::Cutoff(_) => "twice_the_shortest_wavelength",
-            Self::WithoutSpikes(_) => "without_spikes",
-            Self::Mirrored => "mirrored",
-        }
-    }
 }
 
 /// The map with points left out, solved from nothing, to the tolerance of the study.

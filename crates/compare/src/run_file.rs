@@ -1,6 +1,6 @@
 //! `run.toml`: all settings, versions and surfaces of a run, from which it can be repeated.
 
-use crate::{Origin, Settings};
+use crate::{Origin, Settings, StudyError};
 use serde::{Deserialize, Serialize};
 
 /// The content of `run.toml`.
@@ -26,37 +26,19 @@ pub struct RunSurface {
     pub origin: Origin,
 }
 
-/// A `run.toml` that cannot be used.
-#[derive(Debug, Clone, PartialEq, thiserror::Error)]
-#[non_exhaustive]
-pub enum RunFileError {
-    /// It is not TOML, or a key is missing, unknown or of the wrong type.
-    #[error("this is no run file of this program: {0}")]
-    Syntax(#[from] toml::de::Error),
-    /// A surface was handed over by a program.
-    #[error(
-        "the surface '{0}' was handed over by a program, not read from a file: its heights are \
-         not in the run file, so only that program can repeat the run"
-    )]
-    Given(String),
-    /// It lists no surface.
-    #[error("the run file lists no surface; it needs at least one [[surface]]")]
-    NoSurface,
-}
-
 impl RunFile {
     /// Reads a run file.
     ///
     /// # Errors
-    /// [`RunFileError`].
-    pub fn parse(text: &str) -> Result<Self, RunFileError> {
+    /// [`StudyError::Syntax`], [`StudyError::Given`] and [`StudyError::NoSurface`].
+    pub fn parse(text: &str) -> Result<Self, StudyError> {
         let file: Self = toml::from_str(text)?;
         if file.surfaces.is_empty() {
-            return Err(RunFileError::NoSurface);
+            return Err(StudyError::NoSurface);
         }
         let is_given = |s: &&RunSurface| s.origin.is_given();
         if let Some(given) = file.surfaces.iter().find(is_given) {
-            return Err(RunFileError::Given(given.name.clone()));
+            return Err(StudyError::Given(given.name.clone()));
         }
         Ok(file)
     }

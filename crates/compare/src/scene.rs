@@ -1,6 +1,6 @@
 //! Is the question one that an elastic half-space can answer? Slopes, units and pressures.
 
-use crate::finding::{Fact, Finding, Pressed, Yield};
+use crate::finding::{Fact, Finding, Pressed};
 use surface_stats::Warning;
 use surface_stats::clean::RowOffsets;
 
@@ -77,7 +77,7 @@ impl Scene {
     /// Heights that far from zero are given by a few numbers, and what is left after levelling is theirs.
     fn rounding(&self) -> Option<Finding> {
         let rms_height = self.rms_height.filter(|rms| *rms > 0.0 && *rms < 4.0 * self.spacing)?;
-        Some(Finding::warned(Warning::Rounding { rms_height, spacing: self.spacing }))
+        Some(Finding::warned(Warning::Flat { rms_height, spacing: self.spacing }))
     }
 
     fn steep(&self) -> Option<Finding> {
@@ -98,8 +98,8 @@ impl Scene {
         let by_mean = first(hard, mean).or_else(|| first(soft, mean));
         let at = by_mean.or_else(|| first(hard, |p| p.highest.unwrap_or(0.0)))?;
         let full = self.gradient.map(|g| self.modulus * g);
-        let fact = Yield { at: *at, modulus: self.modulus, hardness, full };
-        Some(Finding::check_if(by_mean.is_some(), Fact::Yield(fact)))
+        let fact = Fact::Yield { at: *at, modulus: self.modulus, hardness, full };
+        Some(Finding::check_if(by_mean.is_some(), fact))
     }
 }
 
@@ -129,7 +129,7 @@ mod tests {
     fn said(scene: &Scene) -> Vec<(Weight, &'static str)> {
         let name = |f: &Finding| match f.fact {
             Fact::Unit { .. } => "unit",
-            Fact::Yield(_) => "yield",
+            Fact::Yield { .. } => "yield",
             Fact::Steep { .. } => "steep",
             _ => "other",
         };
@@ -163,7 +163,7 @@ mod tests {
         let pressed = vec![at(1e6, 1e8), at(2e6, 5e9), at(3e6, 10e9), at(4e6, 12e9)];
         let scene = Scene { pressed, ..steel(0.0, 0.0) };
         let found = scene.findings();
-        let Fact::Yield(Yield { at, hardness: [low, high], full, .. }) = found[0].fact else {
+        let Fact::Yield { at, hardness: [low, high], full, .. } = found[0].fact else {
             panic!("{found:?}")
         };
         assert_eq!(at.nominal.to_bits(), 3e6f64.to_bits());

@@ -116,11 +116,6 @@ impl Default for Settings {
 }
 
 impl Settings {
-    /// Whether the conductance of contacts is asked for.
-    pub fn conducts(&self) -> bool {
-        self.joint().is_asked()
-    }
-
     /// What is asked of the conduction.
     pub fn joint(&self) -> Joint {
         Joint {

@@ -46,26 +46,19 @@ pub struct Spot {
     pub points: usize,
 }
 
-/// Every contact spot of a pressure field (Pa), largest first: sets of touching points connected over edges or
+/// Every contact spot of a pressure field (Pa), largest first, and of each point the number of its spot in the order of
+/// their first points, from 1; 0 where nothing touches. Spots are sets of touching points connected over edges or
 /// corners; across the seam of the map too where it `repeats`: a spot at the edge of mirror images joins its own image, not
 /// what lies at the other edge, and counts by its part on the map. Empty if nothing touches or the field is
 /// not of this grid.
-pub fn spot_list(pressure: &[f64], grid: Grid, repeats: bool) -> Vec<Spot> {
-    let (mut spots, _) = labelled_spots(pressure, grid, repeats);
-    spots.sort_by_key(|spot| std::cmp::Reverse(spot.points));
-    spots
-}
-
-/// The spots of [`spot_list`] in the order of their first points, and of each point the number of its spot, from 1; 0
-/// where nothing touches.
-pub fn labelled_spots(pressure: &[f64], grid: Grid, repeats: bool) -> (Vec<Spot>, Vec<i32>) {
+pub fn contact_spots(pressure: &[f64], grid: Grid, repeats: bool) -> (Vec<Spot>, Vec<i32>) {
     let [ny, nx] = grid.shape();
     if pressure.len() != grid.len() {
         return (Vec::new(), Vec::new());
     }
     let [dy, dx] = grid.pixel();
     let mut labels = vec![0; pressure.len()];
-    let (mut spots, mut label) = (Vec::new(), 0);
+    let (mut spots, mut label): (Vec<Spot>, _) = (Vec::new(), 0);
     // Points with the way to them from the first one, which does not jump at the seam.
     let mut front: Vec<(usize, [isize; 2])> = Vec::new();
     for start in 0..pressure.len() {
@@ -110,6 +103,7 @@ pub fn labelled_spots(pressure: &[f64], grid: Grid, repeats: bool) -> (Vec<Spot>
             points,
         });
     }
+    spots.sort_by_key(|spot| std::cmp::Reverse(spot.points));
     (spots, labels)
 }
 
@@ -137,14 +131,13 @@ mod tests {
         let pressure: Vec<f64> =
             map.concat().chars().map(|c| f64::from(u8::from(c == 'x'))).collect();
         let grid = Grid::new([6, 6], [2.0, 1.0]).unwrap();
-        let contact_spots = |pressure: &[f64]| Spots::of(&spot_list(pressure, grid, true));
-        let spots = contact_spots(&pressure).unwrap();
+        let of = |pressure: &[f64]| Spots::of(&contact_spots(pressure, grid, true).0);
+        let spots = of(&pressure).unwrap();
         assert_eq!(spots, Spots { count: 2, median_area: 6.0, largest_area: 6.0 });
-        let inside = Spots::of(&spot_list(&pressure, grid, false)).unwrap();
+        let inside = Spots::of(&contact_spots(&pressure, grid, false).0).unwrap();
         assert_eq!((inside.count, inside.largest_area), (4, 4.0));
-        let (_, labels) = labelled_spots(&pressure, grid, true);
+        let (list, labels) = contact_spots(&pressure, grid, true);
         assert_eq!([0, 1, 5, 14, 21, 35].map(|i| labels[i]), [1, 0, 1, 2, 2, 1]);
-        let list = spot_list(&pressure, grid, true);
         let sorted = list.windows(2).all(|w| w[0].points >= w[1].points);
         assert!(sorted && list.iter().all(|s| (s.load / s.area - 1.0).abs() < 1e-12));
         // Three points around the corner of the map: (0, 0), (0, 5), (5, 5) in rows and columns.
@@ -154,7 +147,6 @@ mod tests {
             (y - 2.0 * (6.0 - 1.0 / 3.0)).abs() < 1e-12 && (x - (6.0 - 2.0 / 3.0)).abs() < 1e-12,
             "{y} {x}"
         );
-        assert!(contact_spots(&[0.0; 36]).is_none());
-        assert!(contact_spots(&[1.0; 35]).is_none());
+        assert!(of(&[0.0; 36]).is_none() && of(&[1.0; 35]).is_none());
     }
 }

@@ -161,7 +161,7 @@ fn compare(
     let whole = Setup {
         jump: settings.gas.map(|gas| gas.jump()),
         leak: settings.leak.map_or_else(Vec::new, |leak| leak.along.axes().to_vec()),
-        stiffness: settings.conducts(),
+        stiffness: settings.joint().is_asked(),
         section: Some(telling_row(&map)),
         ..setup(settings.solver().maps(Maps::PressureAndGap))
     };
@@ -187,7 +187,7 @@ fn compare(
         map: Map::of(&map),
         beside_seconds: [0.0; 2],
         coarser: Vec::new(),
-        closer: None,
+        choices: None,
         conduction: None,
         leaks: Vec::new(),
         adhesion: None,

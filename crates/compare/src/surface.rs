@@ -1,6 +1,6 @@
 //! A height map with a name and where it came from.
 
-use crate::{Cleaning, Recipe, RecipeError};
+use crate::{Cleaning, Recipe, StudyError};
 use contact_types::HeightMap;
 use serde::{Deserialize, Serialize};
 use sha2::{Digest, Sha256};
@@ -24,9 +24,9 @@ impl Recipe {
     /// Makes the surface.
     ///
     /// # Errors
-    /// [`RecipeError::Scale`] unless exactly one of rms height and rms gradient is given;
-    /// [`RecipeError::Impossible`] if a value is out of its range.
-    pub fn make(&self) -> Result<Surface, RecipeError> {
+    /// [`StudyError::Scale`] unless exactly one of rms height and rms gradient is given;
+    /// [`StudyError::Impossible`] if a value is out of its range.
+    pub fn make(&self) -> Result<Surface, StudyError> {
         let heights = self.heights()?;
         Ok(Surface { name: self.name.clone(), origin: Origin::Recipe(self.clone()), heights })
     }
@@ -58,29 +58,9 @@ pub struct PairOrigin {
     pub placing: Placing,
     /// Where the two came from.
     pub bodies: Box<[Origin; 2]>,
-    /// How they came to lie and what they know of each other. Not part of a run file, which repeats it.
+    /// How they came to lie, and the moments of both and of the sum of their heights. Not part of a run file, which repeats it.
     #[serde(skip)]
-    pub found: Option<PairFound>,
-}
-
-/// What was found when two bodies were laid on each other.
-#[derive(Debug, Clone, PartialEq)]
-#[non_exhaustive]
-pub struct PairFound {
-    /// How they lie.
-    pub placed: Placed,
-    /// Moments of both and of the sum of their heights.
-    pub independence: Independence,
-}
-
-/// Two surfaces that make no pair.
-#[derive(Debug, Clone, PartialEq, thiserror::Error)]
-#[error("{} against {}: {source}", names[0], names[1])]
-pub struct NoPair {
-    /// Their names.
-    pub names: [String; 2],
-    /// Why not.
-    pub source: StatsError,
+    pub found: Option<(Placed, Independence)>,
 }
 
 /// Heights that a program handed over, of which no file and no recipe tells.
@@ -236,7 +216,7 @@ impl Origin {
             Self::Recipe(_) => true,
             Self::Given(given) => given.repeats == Some(true),
             Self::Pair(pair) => {
-                let is_cell = pair.found.as_ref().is_some_and(|found| found.placed.is_rolled);
+                let is_cell = pair.found.as_ref().is_some_and(|(placed, _)| placed.is_rolled);
                 is_cell && pair.bodies.iter().all(|body| body.edges() == Edges::Periodic)
             }
         };
@@ -298,27 +278,27 @@ impl Surface {
     /// of both are compared; taking a plane off the sum is taking one off each.
     ///
     /// # Errors
-    /// [`NoPair`].
+    /// [`StudyError::Statistics`] of two surfaces that make no pair.
     pub fn against(
         &self,
         second: &Self,
         placing: &Placing,
         level: Level,
-    ) -> Result<Self, Box<NoPair>> {
+    ) -> Result<Self, StudyError> {
         let names = [self.name.clone(), second.name.clone()];
-        let refused = |source| Box::new(NoPair { names: names.clone(), source });
+        let name = format!("{} against {}", names[0], names[1]);
+        let refused = |source| StudyError::Statistics { surface: name.clone(), source };
         let pair = Composite::of(&self.heights, &second.heights, placing).map_err(refused)?;
         let repeats = |body: &Self| body.origin.edges() == Edges::Periodic;
         let is_cell = pair.placed.is_rolled && repeats(self) && repeats(second);
         let edges = if is_cell { Edges::Periodic } else { Edges::Open };
         let independence = Independence::of(&pair, level, edges).map_err(refused)?;
         let origin = Origin::Pair(PairOrigin {
-            names: names.clone(),
+            names,
             placing: *placing,
             bodies: Box::new([self.origin.clone(), second.origin.clone()]),
-            found: Some(PairFound { placed: pair.placed, independence }),
+            found: Some((pair.placed, independence)),
         });
-        let name = format!("{} against {}", names[0], names[1]);
         Ok(Self { name, origin, heights: pair.map })
     }
 }

@@ -102,7 +102,8 @@ impl Theory for Tabulated {
             && own != asked
         {
             let needs = format!("a curve of this surface; it was computed for '{own}'");
-            return Err(BuildError::missing(self.card.title.clone(), needs));
+            let model = self.card.title.clone();
+            return Err(BuildError::Missing { model, needs: needs.into() });
         }
         Ok(Box::new(self.clone()))
     }

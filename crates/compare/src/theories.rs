@@ -325,7 +325,7 @@ impl ContactModel for AreaAndGap {
 
 /// An input, or that it is missing.
 fn missing<T>(value: Option<T>, model: &'static str, needs: &'static str) -> Result<T, BuildError> {
-    value.ok_or_else(|| BuildError::missing(model, needs))
+    value.ok_or_else(|| BuildError::Missing { model: model.into(), needs: needs.into() })
 }
 
 fn moments(inputs: &Inputs, model: &'static str) -> Result<SpectralMoments, BuildError> {

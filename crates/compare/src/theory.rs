@@ -144,13 +144,3 @@ pub enum BuildError {
     #[error(transparent)]
     Model(#[from] ModelError),
 }
-
-impl BuildError {
-    /// That `model` lacks an input.
-    pub fn missing(
-        model: impl Into<Cow<'static, str>>,
-        needs: impl Into<Cow<'static, str>>,
-    ) -> Self {
-        Self::Missing { model: model.into(), needs: needs.into() }
-    }
-}

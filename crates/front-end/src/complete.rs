@@ -2,7 +2,7 @@
 
 use crate::failure::Failure;
 use contact_compare::{
-    Cleaning, CleaningError, FileOrigin, Origin, ProfileSurface, Surface, Unevenness,
+    Cleaning, FileOrigin, Origin, ProfileSurface, StudyError, Surface, Unevenness,
 };
 use contact_types::Named;
 use std::path::Path;
@@ -32,7 +32,7 @@ pub enum Incomplete {
     Line([usize; 2]),
     /// Cleaning that cannot be done.
     #[error(transparent)]
-    Cleaning(#[from] CleaningError),
+    Cleaning(#[from] StudyError),
     /// Cleaning that failed.
     #[error(transparent)]
     Clean(#[from] StatsError),

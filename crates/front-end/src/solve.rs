@@ -151,7 +151,7 @@ impl SolveRequest {
             mirrored: settings.edges == EdgesName::Mirrored,
             jump: settings.gas.map(|gas| gas.jump()),
             leak: settings.leak.map_or_else(Vec::new, |leak| leak.along.axes().to_vec()),
-            stiffness: self.stiffness || settings.conducts(),
+            stiffness: self.stiffness || settings.joint().is_asked(),
             ..Setup::new(settings.solver().certified(self.certify).maps(maps), modulus)
         };
         let joint = self.joint(grid.area());
@@ -187,7 +187,7 @@ impl SolveRequest {
             *kept = Some(ladder);
         }
         (solved.loads, solved.indicators) = (work.without_uncertainty(), work.indicators());
-        solved.small = work.small();
+        solved.touching = work.touching();
         // With a hardness no pressure is beyond it: nothing is left to warn of.
         if settings.hardness.is_none() {
             solved.scene.pressed = work.pressed();
@@ -263,7 +263,7 @@ impl SolveRequest {
         if let Some(gas) = &settings.gas {
             json["gas"] = contact_report::gas_json(gas);
         }
-        if settings.conducts() {
+        if settings.joint().is_asked() {
             json["nominal_area"] = json!(self.joint(work.grid.area()).area);
         }
         if let Some(leak) = &settings.leak {

@@ -62,7 +62,6 @@ pub fn statistics(subject: &Subject<'_>, asked: &StatisticsRequest) -> Result<St
     };
     let s = SurfaceStatistics::of(map, &options).map_err(refused)?;
     let spikes = Spikes::left(map, &subject.cleaned, origin.pair());
-    let mut findings = contact_compare::measured(&s, &spikes, origin.pair());
     let mut json = contact_report::statistics_json(&s);
     json["cleaning"] = contact_report::cleaning_json(&subject.cleaned);
     json["pair"] = origin.pair().map_or(Value::Null, contact_report::pair_json);
@@ -80,12 +79,13 @@ pub fn statistics(subject: &Subject<'_>, asked: &StatisticsRequest) -> Result<St
         json["scales"] = json!({ "x": along_x, "y": along_y });
         scales = Some([along_x, along_y]);
     }
+    let mut adhesion = None;
     if let (Some(map), Some((given, modulus))) = (&levelled, asked.adhesion) {
         let found = scene::adhesion(given, map, modulus, &[]).map_err(refused)?;
-        findings.push(contact_compare::sticking(found));
-        findings.sort_by_key(|f| f.weight);
         json["adhesion"] = json!(found);
+        adhesion = Some(found);
     }
+    let findings = contact_compare::measured(&s, &spikes, origin.pair(), adhesion);
     json["findings"] = contact_report::findings_json(&findings);
     Ok(Statistics { json, statistics: s, findings, iso, scales })
 }

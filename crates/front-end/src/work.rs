@@ -7,7 +7,7 @@ use crate::watch::Watch;
 use contact_accuracy::{Answered, Leaks, Map};
 use contact_compare::{
     Budget, Conducted, Distributions, Joint, LeakRequest, NoUncertainty, Pressed, Spikes,
-    is_below_a_point, spot_list,
+    contact_spots,
 };
 use contact_types::{ContactModulus, Grid};
 use fft_bem_solver::{Load, SetStiffness, Solution, SolverError};
@@ -43,13 +43,10 @@ impl SolvedLoads {
         converged.filter_map(|point| Some((point.solution.as_ref()?, point.budget.as_ref()?)))
     }
 
-    /// How many loads have a contact that is smaller than a point.
-    pub(crate) fn small(&self) -> usize {
+    /// Touching fraction and contact perimeter of each load that was solved.
+    pub(crate) fn touching(&self) -> Vec<[f64; 2]> {
         let solved = self.points.iter().flatten().filter_map(|point| point.solution.as_ref());
-        let is_small = |s: &&Solution| {
-            is_below_a_point(s.touching_fraction(), s.diagnostics.contact_perimeter)
-        };
-        solved.filter(is_small).count()
+        solved.map(|s| [s.touching_fraction(), s.diagnostics.contact_perimeter]).collect()
     }
 
     /// Mean pressure and area fraction of each load that converged.
@@ -129,7 +126,7 @@ impl SolvedLoads {
         }
         if let Some(mut solution) = solution {
             if let Some(repeats) = self.distributions {
-                let spots = spot_list(&solution.pressure, self.grid, repeats);
+                let (spots, _) = contact_spots(&solution.pressure, self.grid, repeats);
                 let found = Distributions::of(&solution.pressure, &solution.gap, &spots);
                 point.json["distributions"] = json!(found);
             }

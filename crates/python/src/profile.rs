@@ -6,7 +6,7 @@ use crate::reading::{FileReading, Unread, unmade};
 use crate::study::{REPEAT, run_file_of};
 use crate::surface::{HeightFacts, array, form, measurement};
 use crate::watched::quietly;
-use contact_compare::{Level, Origin, ProfileComparison, ProfileSurface, Registry, Settings};
+use contact_compare::{Level, Origin, ProfileComparison, ProfileSurface, Settings, built_in};
 use contact_front_end::Failure;
 use contact_front_end::model::ModelSubject;
 use contact_report::Provenance;
@@ -140,8 +140,7 @@ pub(crate) fn profile_study(
     let threads = settings.threads;
     let found = quietly(py, threads, move || -> Result<_, Failure> {
         let run_file = run_file_of(&settings, given.iter().map(|s| (&s.name, &s.origin)));
-        let registry = Registry::built_in();
-        let study = |s| ProfileComparison::run(s, settings.clone(), &registry);
+        let study = |s| ProfileComparison::run(s, settings.clone(), built_in());
         let studies = given.into_iter().map(study).collect::<Result<Vec<_>, _>>();
         let studies = studies.map_err(|e| Failure::from(&e))?;
         contact_front_end::profile_documents(&studies, &Provenance::here(REPEAT), &run_file)

@@ -5,7 +5,7 @@ use crate::surface::{LaidBody, Second, array, subject, surface_of};
 use crate::watched::{News, Reporter, WatchedOutcome, quietly, watched};
 use contact_accuracy::Ladder;
 use contact_compare::AccuracyRequest as Accuracy;
-use contact_compare::{Iteration, Load, Origin, Solution, Surface, labelled_spots};
+use contact_compare::{Iteration, Load, Origin, Solution, Surface, contact_spots};
 use contact_front_end::loads::Spread;
 use contact_front_end::{Failure, SolveRequest, Watch};
 use contact_types::{ContactModulus, Grid};
@@ -188,7 +188,7 @@ pub(crate) fn spots<'py>(
     repeats: bool,
 ) -> PyResult<Bound<'py, PyArray2<i32>>> {
     let (grid, field) = field(&pressure, pixel)?;
-    let (_, labels) = quietly(py, 1, move || labelled_spots(&field, grid, repeats))?;
+    let (_, labels) = quietly(py, 1, move || contact_spots(&field, grid, repeats))?;
     array(py, grid.shape(), labels)
 }
 

@@ -115,7 +115,8 @@ impl Theory for GivenTheory {
     }
 
     fn build(&self, inputs: &Inputs) -> Result<Box<dyn ContactModel>, BuildError> {
-        let needs = |what: String| BuildError::missing(self.card.title.clone(), what);
+        let model = || self.card.title.clone();
+        let needs = |what: String| BuildError::Missing { model: model(), needs: what.into() };
         let surface = inputs.surface.clone().unwrap_or_default();
         match self.curves.get(&surface) {
             Some(Ok((curve, holes))) => Ok(Box::new(Holed {
@@ -177,7 +178,7 @@ pub(crate) fn study(
         given.push(surface);
     }
     let laid = LaidBody::of(against.as_ref())?;
-    let mut registry = Registry::built_in();
+    let mut registry = contact_compare::built_in().clone();
     let mut times = Times::new();
     for own in own {
         times.insert(own.name.clone(), own.seconds.clone());

@@ -68,6 +68,7 @@ fn kind(finding: &Value) -> String {
     let kind = name(&finding["fact"]).unwrap_or_default();
     let fact = &finding["fact"][&kind];
     let inner = match kind.as_str() {
+        "warned" if fact["Noisy"]["step"].is_number() => Some("Stepped".to_owned()),
         "warned" => name(fact),
         // What a map says of one advice and of another is counted apart.
         "no_uncertainty" if fact["why"]["NotConverged"]["at_rounding"] == true => {

@@ -6,7 +6,8 @@ use crate::parts_json;
 use crate::provenance::Provenance;
 use contact_accuracy::{AccuracyRequest, Reached};
 use contact_compare::{
-    Comparison, DeterministicPoint, End, Finding, ModelComparison, ModelCurve, SurfaceComparison,
+    ChoiceKind, Comparison, DeterministicPoint, End, Finding, ModelComparison, ModelCurve,
+    SurfaceComparison,
 };
 use contact_types::{ContactState, ModelError, Named};
 use serde_json::{Value, json};
@@ -71,8 +72,8 @@ fn surface(s: &SurfaceComparison, comparison: &Comparison) -> Value {
         "contact_spots": s.spots,
         "distributions": s.distributions.get(s.headline),
         "finer": finer(s),
-        "choices": s.closer.as_ref().map(|c| c.choices.iter().map(|(kind, effect)| json!({
-            "choice": kind.name(),
+        "choices": s.choices.as_ref().map(|all| all.iter().map(|(kind, effect)| json!({
+            "choice": choice(*kind),
             "area_effect": effect,
         })).collect::<Vec<_>>()),
         "coarser": s.coarser.iter().map(|c| json!({
@@ -107,6 +108,15 @@ fn surface(s: &SurfaceComparison, comparison: &Comparison) -> Value {
         })),
         "models": s.models.iter().map(|m| model(m, s)).collect::<Vec<_>>(),
     })
+}
+
+fn choice(kind: ChoiceKind) -> &'static str {
+    match kind {
+        ChoiceKind::Paraboloid => "paraboloid",
+        ChoiceKind::Cutoff(_) => "twice_the_shortest_wavelength",
+        ChoiceKind::WithoutSpikes(_) => "without_spikes",
+        ChoiceKind::Mirrored => "mirrored",
+    }
 }
 
 /// The headline load on twice the points, if it was solved there.
@@ -175,7 +185,7 @@ fn model(m: &ModelComparison, surface: &SurfaceComparison) -> Value {
         "model": m.card.name,
         "citation": m.card.citation,
         "applicable": m.outcome.is_ok(),
-        "verdict": m.verdict.answer.word(),
+        "verdict": m.verdict.answer.name(),
         "reason": reason_of(&m.card, &m.verdict),
         "preparation_seconds": curve.map(|c| c.preparation),
         "seconds": curve.map(|c| c.seconds),

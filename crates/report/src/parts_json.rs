@@ -242,8 +242,7 @@ pub fn pair_json(pair: &PairOrigin) -> Value {
         "flip": pair.placing.flip.name(),
         "shift_asked": pair.placing.shift,
     });
-    let Some(found) = &pair.found else { return object };
-    let (placed, independence) = (&found.placed, &found.independence);
+    let Some((placed, independence)) = &pair.found else { return object };
     for (k, key) in ["first", "second"].into_iter().enumerate() {
         let body = &mut object[key];
         body["shape"] = json!(placed.grids[k].shape());

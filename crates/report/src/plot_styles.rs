@@ -83,12 +83,12 @@ pub(crate) fn inputs_html(card: &Card) -> String {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use contact_compare::{Registry, Theory};
+    use contact_compare::{Theory, built_in};
 
     /// Models that have a look are drawn in a way of their own; strangers differ from all of them.
     #[test]
     fn every_model_has_its_own_look() {
-        let registry = Registry::built_in();
+        let registry = built_in();
         let cards: Vec<&Card> = registry.iter().map(Theory::card).collect();
         let styles: Vec<Style> = cards.iter().map(|card| plot_style(&card.name, 0)).collect();
         for (i, card) in cards.iter().enumerate() {

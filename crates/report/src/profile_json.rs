@@ -4,6 +4,7 @@ use crate::json::{answer, cleaning, findings, warned};
 use crate::messages::reason_of;
 use crate::provenance::Provenance;
 use contact_compare::{ModelComparison, ProfileComparison, Unevenness};
+use contact_types::Named;
 use serde_json::{Value, json};
 use surface_stats::profile::{ParameterMean, ProfileStatistics, Setting, SettingSource};
 
@@ -100,7 +101,7 @@ fn model(m: &ModelComparison, pressures: &[f64]) -> Value {
         "model": m.card.name,
         "citation": m.card.citation,
         "applicable": m.outcome.is_ok(),
-        "verdict": m.verdict.answer.word(),
+        "verdict": m.verdict.answer.name(),
         "reason": reason_of(&m.card, &m.verdict),
         "points": points,
     })
@@ -116,7 +117,7 @@ pub fn profile_comparison(studies: &[ProfileComparison], provenance: &Provenance
             "cleaning": cleaning(s.origin.cleaned()),
             "findings": findings(&s.findings()),
             "statistics": profile_statistics(&s.statistics),
-            "headline_pressure": s.headline_pressure(),
+            "headline_pressure": s.pressures[s.headline],
             "span": s.span(s.headline).map(|(span, models)| {
                 json!({ "area_fraction": span, "models": models })
             }),

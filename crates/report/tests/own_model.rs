@@ -5,7 +5,7 @@
 
 use contact_compare::{
     BuildError, Card, Comparison, CurvePoint, Inputs, Progress, Registry, Settings, StudyError,
-    Surface, Tabulated, Theory,
+    Surface, Tabulated, Theory, built_in,
 };
 use contact_report::{Provenance, documents};
 use contact_types::{Citation, ContactModel, ContactState, Grid, HeightMap, ModelError};
@@ -52,7 +52,7 @@ fn registry() -> Registry {
     let elsewhere = Card::new("elsewhere", "Elsewhere", citation("Another"));
     let mut curve = Tabulated::new(elsewhere, vec![point(1e5), point(1e9)]).unwrap();
     curve.surface = Some("waves".into());
-    Registry::built_in().with(HalfTouches(half)).unwrap().with(curve).unwrap()
+    built_in().with(HalfTouches(half)).unwrap().with(curve).unwrap()
 }
 
 fn surface() -> Surface {

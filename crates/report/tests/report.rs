@@ -265,7 +265,7 @@ fn the_budget_has_every_source_and_choices_are_listed() {
     let slope =
         surface.headline_pressure() * (load(h + 1) / load(h - 1)).ln() / (gap(h - 1) - gap(h + 1));
     assert!((stiffness.value / slope - 1.0).abs() < 0.1, "{} {slope}", stiffness.value);
-    assert!(!surface.closer.as_ref().unwrap().choices.is_empty());
+    assert!(!surface.choices.as_ref().unwrap().is_empty());
     let page = html(one());
     let sources = ["Of this map ±", "Sampling variability", "Of the surface ±"];
     for words in sources.into_iter().chain(["Choices that move the answer"]) {

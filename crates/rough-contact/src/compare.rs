@@ -15,8 +15,9 @@ use crate::text::{self, Columns, plain};
 use crate::units::Dimension::{Number, Pressure};
 use clap::Args;
 use rough_contact::compare::{
-    Comparison, ModelCurve, Refused, Registry, RunFile, RunSurface, Settings, Surface, on_threads,
+    Comparison, ModelCurve, Refused, RunFile, RunSurface, Settings, Surface, built_in, on_threads,
 };
+use rough_contact::contact_types::Named;
 pub(crate) use rough_contact::front_end::not_met;
 use rough_contact::front_end::run_file_in;
 use rough_contact::report::Provenance;
@@ -231,7 +232,7 @@ fn study(
 ) -> Result<Comparison, Failure> {
     let mut progress = ProgressDisplay::new(common.quiet, 0);
     let mut current = String::new();
-    let comparison = Comparison::run(surfaces, settings, &Registry::built_in(), &mut |news| {
+    let comparison = Comparison::run(surfaces, settings, built_in(), &mut |news| {
         match news {
             compare::Progress::Surface { name, index, count, loads } => {
                 current = format!("{name} ({} of {count})", index + 1);
@@ -331,7 +332,7 @@ fn models(reference: &report::Reference<'_>) -> Columns {
             text::or_dash(curve, |c| {
                 format!("{} + {}", text::seconds(c.preparation), text::seconds(c.seconds))
             }),
-            model.verdict.answer.word().to_owned(),
+            model.verdict.answer.name().to_owned(),
         ]);
     }
     let solved: Vec<f64> = reference

@@ -6,7 +6,7 @@ use crate::compare::{Compare, quoted};
 use crate::input::One;
 use crate::outcome::{Failure, Reply};
 use crate::rows::{self, FileOutcome, How, Shown};
-use rough_contact::compare::{Comparison, Registry, Settings, Surface};
+use rough_contact::compare::{Comparison, Settings, Surface, built_in};
 use rough_contact::report::{Provenance, Summary};
 use rough_contact::{compare, report};
 use serde_json::{Value, json};
@@ -54,7 +54,7 @@ impl PerFile for Compare {
         let surface = vec![Surface { name: path.display().to_string(), ..*map }];
         let settings = self.loaded(settings, [surface[0].heights.grid().area()])?;
         let go_on = &mut |_: compare::Progress<'_>| ControlFlow::Continue(());
-        let study = Comparison::run(surface, settings, &Registry::built_in(), go_on)
+        let study = Comparison::run(surface, settings, built_in(), go_on)
             .map_err(|e| Failure::in_file(path, &e))?;
         let mut all = report::comparison_json(&study, &Provenance::here(""));
         let json = all.pointer_mut("/surfaces/0").map_or(Value::Null, Value::take);

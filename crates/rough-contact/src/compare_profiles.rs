@@ -8,9 +8,9 @@ use crate::profiles::uneven_line;
 use crate::text::plain;
 use crate::text::{self, Columns};
 use rough_contact::compare::{
-    EdgesName, ProfileComparison, ProfileSurface, Registry, RunFile, Settings,
+    EdgesName, ProfileComparison, ProfileSurface, RunFile, Settings, built_in,
 };
-use rough_contact::contact_types::ContactState;
+use rough_contact::contact_types::{ContactState, Named};
 use rough_contact::report::Provenance;
 use rough_contact::{front_end, report};
 use std::fmt::Write as _;
@@ -43,8 +43,7 @@ pub(crate) fn run(
     refuse_solver(settings)?;
     let names = front_end::profile_documents_named(surfaces.len());
     let folder = Folder::prepare(out, &names, common.force)?;
-    let registry = Registry::built_in();
-    let study = |surface| ProfileComparison::run(surface, settings.clone(), &registry);
+    let study = |surface| ProfileComparison::run(surface, settings.clone(), built_in());
     let studies = surfaces.into_iter().map(study).collect::<Result<Vec<_>, _>>();
     let studies = studies.map_err(|e| Failure::from(&e))?;
     let provenance = Provenance::here(repeat);
@@ -83,7 +82,7 @@ fn describe(studies: &[ProfileComparison], folder: &Path) -> String {
                     format!("{} to {}", text::percent(low), text::percent(high))
                 }),
                 text::or_dash(state.and_then(ContactState::real_pressure), text::pressure),
-                model.verdict.answer.word().to_owned(),
+                model.verdict.answer.name().to_owned(),
             ]);
         }
         let _ = writeln!(out, "{columns}");

@@ -3,7 +3,7 @@
 use crate::outcome::Failure;
 use crate::output::Folder;
 use clap::{Args, ValueEnum};
-use rough_contact::compare::spot_list;
+use rough_contact::compare::contact_spots;
 use rough_contact::contact_types::{Grid, HeightMap};
 use rough_contact::fft_bem_solver::Solution;
 use rough_contact::report;
@@ -142,7 +142,7 @@ impl FieldFolder {
     ) -> Result<(), Failure> {
         for (name, fields) in self.fields.files(load) {
             if fields == [Field::Spots] {
-                let spots = spot_list(&solution.pressure, grid, self.repeats);
+                let (spots, _) = contact_spots(&solution.pressure, grid, self.repeats);
                 let table = report::spots_csv(&spots);
                 self.folder.write(&name, |out| out.write_all(table.as_bytes()))?;
                 continue;

@@ -227,7 +227,7 @@ impl Solve {
         };
         let of_maps = [
             self.contact.chooses_grid(),
-            self.stiffness || settings.conducts(),
+            self.stiffness || settings.joint().is_asked(),
             settings.leak.is_some() || settings.adhesion.is_some(),
         ];
         let wrong = [

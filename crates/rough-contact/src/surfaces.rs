@@ -48,7 +48,7 @@ fn made_again(path: &Path, name: &str, origin: Origin, level: Level) -> Result<O
     Ok(match origin {
         Origin::Recipe(recipe) => One::Map(Box::new(recipe.make().map_err(|e| Failure::from(&e))?)),
         Origin::Given(_) => {
-            let error = compare::RunFileError::Given(name.to_owned());
+            let error = compare::StudyError::Given(name.to_owned());
             return Err(Failure::from(&error));
         }
         Origin::File(file) => again(path, &file)?,

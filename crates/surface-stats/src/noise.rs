@@ -58,16 +58,15 @@ impl Warning {
             [(m2 / moments.m2).min(1.0), (m4 / moments.m4).min(1.0)]
         };
         let matters = |[m2, m4]: [f64; 2]| m2 > 1.0 / 12.0 || m4 > 0.25;
-        let rms = noise.map_or(0.0, |n| n.rms);
-        if let Some(step) = step {
-            let rounding = step / 12f64.sqrt();
-            let [m2_share, m4_share] = shares(rounding);
-            if matters([m2_share, m4_share]) && rms < 2.0 * rounding {
-                return Some(Self::Stepped { step, m2_share, m4_share });
-            }
-        }
+        let floor = noise.map_or(0.0, |n| n.rms);
+        let rounding = |step: f64| step / 12f64.sqrt();
+        let explains =
+            |step: &f64| matters(shares(rounding(*step))) && floor < 2.0 * rounding(*step);
+        let step = step.filter(explains);
+        let rms = step.map_or(floor, rounding);
         let ([m2_share, m4_share], reliable) = (shares(rms), noise.and_then(|n| n.reliable));
-        matters([m2_share, m4_share]).then_some(Self::Noisy { rms, m2_share, m4_share, reliable })
+        let found = Self::Noisy { step, rms, m2_share, m4_share, reliable };
+        matters([m2_share, m4_share]).then_some(found)
     }
 }
 

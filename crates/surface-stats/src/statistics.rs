@@ -341,11 +341,8 @@ impl SurfaceStatistics {
         rows: Option<&RowOffsets>,
     ) -> Vec<Warning> {
         let mut warnings = Vec::new();
-        if self.rms_height <= 0.0 {
-            return vec![Warning::Flat];
-        }
-        if self.rms_height < 4.0 * spacing {
-            return vec![Warning::Rounding { rms_height: self.rms_height, spacing }];
+        if self.rms_height <= 0.0 || self.rms_height < 4.0 * spacing {
+            return vec![Warning::Flat { rms_height: self.rms_height, spacing }];
         }
         warnings.extend(noisy);
         let Summits { plateaus, count: summits, .. } = self.summits;

@@ -7,11 +7,9 @@ use std::fmt;
 #[derive(Debug, Clone, Copy, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize))]
 pub enum Warning {
-    /// The map is flat: it has no roughness.
-    Flat,
-    /// What is left after levelling is the rounding of the heights given.
-    Rounding {
-        /// Rms height (m).
+    /// There is no roughness: the map is flat, or what is left after levelling is the rounding of the heights given.
+    Flat {
+        /// Rms height (m); 0 if it is flat.
         rms_height: f64,
         /// Spacing of doubles at the heights given (m).
         spacing: f64,
@@ -50,18 +48,11 @@ pub enum Warning {
         /// Rms gradient by finite differences over the one by the spectrum (-).
         ratio: f64,
     },
-    /// Heights come in steps that show in the slopes and curvatures.
-    Stepped {
-        /// Height step (m).
-        step: f64,
-        /// Estimated share of the mean square slope that the steps make (-).
-        m2_share: f64,
-        /// Estimated share of the mean square curvature that the steps make (-).
-        m4_share: f64,
-    },
-    /// The spectrum ends in noise that shows in the slopes and curvatures.
+    /// Noise of the instrument shows in the slopes and curvatures: the heights come in steps, or the spectrum ends in a floor.
     Noisy {
-        /// Rms of white noise at the level of the floor (m).
+        /// Height step that explains it (m), if one does.
+        step: Option<f64>,
+        /// Rms of that rounding, or of white noise at the level of the floor (m).
         rms: f64,
         /// Share of the mean square slope that this noise makes (-).
         m2_share: f64,
@@ -124,15 +115,15 @@ impl Warning {
     /// A short name for scripts: `anisotropic`, `not-gaussian`, ...
     pub fn kind(&self) -> &'static str {
         match self {
-            Self::Flat => "flat",
-            Self::Rounding { .. } => "rounding",
+            Self::Flat { rms_height, .. } if *rms_height > 0.0 => "rounding",
+            Self::Flat { .. } => "flat",
             Self::Tilted { .. } => "tilted",
             Self::RowsJump { .. } => "rows-jump",
             Self::Anisotropic { .. } => "anisotropic",
             Self::NotGaussian { .. } => "not-gaussian",
             Self::NarrowBand { .. } => "narrow-band",
             Self::Unresolved { .. } => "unresolved",
-            Self::Stepped { .. } => "stepped",
+            Self::Noisy { step: Some(_), .. } => "stepped",
             Self::Noisy { .. } => "noisy",
             Self::FlatTops { .. } => "flat-tops",
             Self::EdgeJump { .. } => "edge-jump",
@@ -146,14 +137,14 @@ impl Warning {
     pub fn message(&self) -> [String; 2] {
         let ratio = |x: f64| significant(x, 2);
         match *self {
-            Self::Rounding { rms_height, spacing } => worded(
+            Self::Flat { rms_height, spacing } if rms_height > 0.0 => worded(
                 format!("The rms height of {} is rounding.", quantity(rms_height, METRES, 2)),
                 format!(
                     "The heights are stored to {}; what is left after levelling is no roughness.",
                     quantity(spacing, METRES, 1)
                 ),
             ),
-            Self::Flat => worded(
+            Self::Flat { .. } => worded(
                 "The map is flat.",
                 "There is no roughness: any load closes the contact, and the models have no input.",
             ),
@@ -200,7 +191,7 @@ impl Warning {
                 "The shortest waves are near two points, so m₂, m₄ and every area depend on the point spacing. Measure finer, or \
                  remove short wavelengths and quote the cut-off.",
             ),
-            Self::Stepped { step, m2_share, m4_share } => worded(
+            Self::Noisy { step: Some(step), m2_share, m4_share, .. } => worded(
                 format!(
                     "Height steps of {} make {} of m₂ and {} of m₄.",
                     quantity(step, METRES, 2),
@@ -210,7 +201,7 @@ impl Warning {
                 "Models made of them describe the instrument. Measure with finer steps, or remove \
                  short wavelengths.",
             ),
-            Self::Noisy { rms, m2_share, m4_share, reliable } => worded(
+            Self::Noisy { step: None, rms, m2_share, m4_share, reliable } => worded(
                 format!(
                     "{} of m₄ and {} of m₂ are noise of {} rms.",
                     percent(m4_share),

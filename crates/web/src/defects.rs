@@ -132,7 +132,7 @@ impl Remedied<'_> {
 /// What the statistics of a map say, but for what has a remedy above.
 pub(crate) fn beyond(statistics: &SurfaceStatistics) -> Value {
     use Warning::{EdgeJump, RowsJump, Tilted};
-    let mut found = contact_compare::measured(statistics, &Spikes::default(), None);
+    let mut found = contact_compare::measured(statistics, &Spikes::default(), None, None);
     found.retain(|f| {
         !matches!(f.fact, Fact::Warned(Tilted { .. } | RowsJump { .. } | EdgeJump { .. }))
     });

@@ -26,7 +26,7 @@ pub(crate) fn answer(request: &Request) -> Result<Value, Trouble> {
     let cost = facts.zip(pressures.as_ref()).map(|(facts, list)| {
         // Bodies that yield are solved as elastic ones, too; what a contact conducts is half a load more.
         let each = if settings.hardness.is_some() { 2.0 } else { 1.0 };
-        let each = if settings.conducts() { 1.5 * each } else { each };
+        let each = if settings.joint().is_asked() { 1.5 * each } else { each };
         cost(facts, settings.edges, each * list.len() as f64, (request.place, pace))
     });
     Ok(json!({

@@ -5,7 +5,7 @@ use crate::numbers::pressure as shown_pressure;
 use crate::request::Request;
 use crate::surface;
 use crate::trouble::Trouble;
-use contact_compare::{Comparison, PressureMaps, Progress, Registry, RunFile, RunSurface};
+use contact_compare::{Comparison, PressureMaps, Progress, RunFile, RunSurface, built_in};
 use contact_front_end::{Failure, shown};
 use contact_report::Provenance;
 use serde_json::{Value, json};
@@ -54,8 +54,7 @@ pub(crate) fn answer(
             }
             if out.is_cut() { ControlFlow::Break(()) } else { ControlFlow::Continue(()) }
         };
-        Comparison::run(vec![surface], settings, &Registry::built_in(), &mut listen)
-            .map_err(Trouble::Study)?
+        Comparison::run(vec![surface], settings, built_in(), &mut listen).map_err(Trouble::Study)?
     };
     out.tell("progress", json!({ "stage": "accuracy" }));
     contact_front_end::look_around(&mut found, &mut |news| {

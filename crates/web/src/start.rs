@@ -3,7 +3,7 @@
 use crate::numbers::length;
 use crate::place::Host;
 use crate::trouble::Trouble;
-use contact_compare::{Property, STEEL, built_in_recipes, materials, source_of};
+use contact_compare::{Property, STEEL, built_in_recipes, materials};
 use contact_front_end::Failure;
 use contact_report::numbers::{PASCALS, quantity};
 use serde_json::{Value, json};
@@ -51,10 +51,10 @@ fn table() -> Vec<Value> {
         else {
             continue;
         };
-        let mut keys: Vec<&str> = young.sources.iter().chain(&poisson.sources).copied().collect();
-        keys.sort_unstable();
-        keys.dedup();
-        let places: Vec<&str> = keys.into_iter().filter_map(source_of).collect();
+        let mut sources: Vec<_> = young.sources.iter().chain(&poisson.sources).collect();
+        sources.sort_unstable();
+        sources.dedup();
+        let places: Vec<&str> = sources.into_iter().map(|(_, place)| *place).collect();
         let hardness = number(Property::Hardness).map_or_else(String::new, |hardness| {
             format!(" Hardness {}.", quantity(hardness.value, PASCALS, 3))
         });

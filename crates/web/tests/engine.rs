@@ -1,6 +1,6 @@
 //! The engine built for this machine, asked as the page asks it.
 
-use contact_compare::{Comparison, Registry, Settings, built_in_recipes};
+use contact_compare::{Comparison, Settings, built_in, built_in_recipes};
 use contact_web::{Host, Messages, answer};
 use serde_json::{Value, json};
 use std::io::Cursor;
@@ -58,8 +58,7 @@ fn a_built_in_surface_gives_the_numbers_of_the_study() {
     let settings = Settings { pressures: Some(vec![1e8]), ..Settings::default() };
     let mut quiet = |_: contact_compare::Progress<'_>| ControlFlow::Continue(());
     let surface = recipe.make().expect("a map");
-    let direct = Comparison::run(vec![surface], settings, &Registry::built_in(), &mut quiet)
-        .expect("a study");
+    let direct = Comparison::run(vec![surface], settings, built_in(), &mut quiet).expect("a study");
     let answer = direct.surfaces[0].headline_answer().expect("an answer");
     let area = &found["surfaces"][0]["deterministic"]["points"][0]["area_fraction"];
     assert!((area.as_f64().expect("a number") - answer.area_fraction).abs() < 1e-15);

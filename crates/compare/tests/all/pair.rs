@@ -1,8 +1,8 @@
 //! A study of two bodies: the sum of both, with what each was.
 
 use contact_compare::{
-    Comparison, Fact, Flip, GivenOrigin, Origin, Placing, Registry, RunFile, RunFileError,
-    RunSurface, Settings, Surface, built_in_recipes, findings,
+    Comparison, Fact, Flip, GivenOrigin, Origin, Placing, RunFile, RunSurface, Settings,
+    StudyError, Surface, built_in, built_in_recipes, findings,
 };
 use std::ops::ControlFlow;
 use surface_stats::{Edges, Level};
@@ -21,7 +21,7 @@ fn pair(placing: &Placing) -> Surface {
 #[test]
 fn the_models_get_the_moments_of_the_sum_and_it_is_said_how_they_add() {
     let surface = pair(&Placing::default());
-    let found = surface.origin.pair().and_then(|p| p.found.clone()).expect("laid");
+    let (_, independence) = surface.origin.pair().and_then(|p| p.found).expect("laid");
     assert_eq!(surface.origin.edges(), Edges::Periodic, "as both were made");
     let settings = Settings {
         pressures: Some(vec![1e8]),
@@ -30,23 +30,23 @@ fn the_models_get_the_moments_of_the_sum_and_it_is_said_how_they_add() {
         ..Settings::default()
     };
     let go = &mut |_: contact_compare::Progress<'_>| ControlFlow::Continue(());
-    let study = Comparison::run(vec![surface], settings, &Registry::built_in(), go).expect("runs");
+    let study = Comparison::run(vec![surface], settings, built_in(), go).expect("runs");
     let one = &study.surfaces[0];
-    assert_eq!(one.inputs.moments, Some(found.independence.composite));
-    let (moments, sum) = (one.inputs.moments.expect("rough"), found.independence.sum());
+    assert_eq!(one.inputs.moments, Some(independence.composite));
+    let (moments, sum) = (one.inputs.moments.expect("rough"), independence.sum());
     for (k, (own, sum)) in
         [(moments.m0, sum.m0), (moments.m2, sum.m2), (moments.m4, sum.m4)].into_iter().enumerate()
     {
         let off = own / sum - 1.0;
-        let chance = found.independence.chance[k];
+        let chance = independence.chance[k];
         assert!(off.abs() < 4.0 * chance, "m{}: {off} beside {chance}", 2 * k);
     }
     let said = findings(one);
-    let independence = said.iter().find_map(|f| match &f.fact {
+    let passed = said.iter().find_map(|f| match &f.fact {
         Fact::Passed(passed) => passed.independence,
         _ => None,
     });
-    assert_eq!(independence, Some(found.independence));
+    assert_eq!(passed, Some(independence));
 }
 
 #[test]
@@ -71,5 +71,5 @@ fn a_run_file_holds_both_bodies_and_how_they_lie() {
         pair.bodies[1] = Origin::Given(GivenOrigin::of(&surface.heights, "handed over"));
     }
     let text = listed(origin).to_toml().expect("text");
-    assert!(matches!(RunFile::parse(&text), Err(RunFileError::Given { .. })));
+    assert!(matches!(RunFile::parse(&text), Err(StudyError::Given(_))));
 }

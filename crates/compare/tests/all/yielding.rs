@@ -2,7 +2,7 @@
 
 use contact_compare::{
     Applies, BULK_YIELD, Comparison, DeterministicPoint, Fact, ModelComparison, Reason, Recipe,
-    Registry, Settings, StudyError, Surface, SurfaceComparison, elastic_holds, findings,
+    Settings, StudyError, Surface, SurfaceComparison, built_in, elastic_holds, findings,
 };
 use std::ops::ControlFlow;
 
@@ -29,7 +29,7 @@ fn surface() -> Surface {
 fn study(settings: Settings) -> Result<Comparison, StudyError> {
     let settings = Settings { modulus: MODULUS, tolerance: 1e-6, ..settings };
     let go = &mut |_: contact_compare::Progress<'_>| ControlFlow::Continue(());
-    Comparison::run(vec![surface()], settings, &Registry::built_in(), go)
+    Comparison::run(vec![surface()], settings, built_in(), go)
 }
 
 fn at(hardness: Option<f64>, pressures: &[f64]) -> SurfaceComparison {
@@ -101,7 +101,7 @@ fn the_elastic_study_stands_beside_that_of_bodies_that_yield() {
     }
     let said = findings(&yielding);
     let found = said.iter().find_map(|f| match &f.fact {
-        Fact::Yielding(found) => Some(*found),
+        Fact::Yielding { headline, .. } => *headline,
         _ => None,
     });
     let found = found.unwrap();
@@ -109,7 +109,7 @@ fn the_elastic_study_stands_beside_that_of_bodies_that_yield() {
     assert!((ratio / (MODULUS * yielding.inputs.rms_gradient() / 4e9) - 1.0).abs() < 1e-12);
     assert!(found.elastic_area.unwrap() < found.area && found.share > 0.1, "{found:?}");
     // What presses elastic bodies too hard does not press these.
-    assert!(!said.iter().any(|f| matches!(f.fact, Fact::Yield(_))));
+    assert!(!said.iter().any(|f| matches!(f.fact, Fact::Yield { .. })));
 }
 
 /// A hardness that no pressure reaches is no other study, but for the two theories.
@@ -125,7 +125,7 @@ fn a_hardness_out_of_reach_changes_nothing() {
     assert!(
         model(&hard, "gw").verdict.reasons.iter().all(|r| !matches!(r, Reason::Elastic { .. }))
     );
-    assert!(!findings(&hard).iter().any(|f| matches!(f.fact, Fact::Yielding(_))));
+    assert!(!findings(&hard).iter().any(|f| matches!(f.fact, Fact::Yielding { .. })));
 }
 
 /// Loads that are chosen leave the bodies something to bear; loads that are asked may not.

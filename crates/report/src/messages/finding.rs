@@ -10,7 +10,8 @@ use crate::numbers::{
 };
 use contact_accuracy::{INDICATOR_LIMIT, NoUncertainty, Reached};
 use contact_compare::{
-    EdgesName, Fact, Finding, Origin, Passed, SPIKE_THRESHOLD, Seam, SurfaceComparison, Yield, seam,
+    EdgesName, Fact, Finding, Origin, Passed, Pressed, SPIKE_THRESHOLD, Seam, SurfaceComparison,
+    seam,
 };
 use surface_stats::Edges;
 use surface_stats::clean::{FormParameters, Record};
@@ -34,9 +35,11 @@ pub(crate) fn of_fact(fact: &Fact) -> Words {
     match fact {
         Fact::Unit { hardness: Some(hardness), .. } => yielding::odd(*hardness),
         Fact::Unit { gradient, rms_height, radius, .. } => unit([*gradient, *rms_height, *radius]),
-        Fact::Yield(found) => beyond_yield(found),
-        Fact::Yielding(found) => yielding::headline(found),
-        Fact::BulkYield { highest, hardness } => yielding::bulk(*highest, *hardness),
+        Fact::Yield { at, hardness, full, .. } => beyond_yield(*at, *hardness, *full),
+        Fact::Yielding { hardness, headline, highest } => together([
+            headline.map(|found| yielding::headline(&found, *hardness)),
+            highest.map(|highest| yielding::bulk(highest, *hardness)),
+        ]),
         Fact::Adhesion(found) => adhesion::verdict(found),
         Fact::Steep { gradient, is_over } => steep(*gradient, *is_over),
         Fact::Spikes { count, of, largest, share, taken } => {
@@ -65,28 +68,28 @@ pub(crate) fn of_fact(fact: &Fact) -> Words {
              unit of the load right? Raise the load, or measure finer.",
         ),
         Fact::NoUncertainty { why, loads, of } => no_uncertainty(*why, *loads, *of),
-        Fact::OneDirection => profile::one_direction(),
         Fact::Sample { traces, length, factors, between } => {
             profile::sample(*traces, *length, *factors, *between)
         }
-        Fact::Uneven(uneven) => profile::unevenly(*uneven),
-        Fact::NoRoughness { why } => words(
-            "There are no roughness parameters.",
-            format!("{}. Moments and models are of all waves of the trace.", capital(why)),
-        ),
-        Fact::Filter { wavelength, limit, ra: Some(ra) } => {
-            profile::coarser_class(*wavelength, *ra, *limit)
-        }
-        Fact::Filter { wavelength, limit, ra: None } => profile::no_short(*wavelength, *limit),
+        Fact::Roughness { none_because, short_cutoff, no_s_filter } => together([
+            none_because.as_deref().map(|why| {
+                let text = "Moments and models are of all waves of the trace.";
+                words("There are no roughness parameters.", format!("{}. {text}", capital(why)))
+            }),
+            short_cutoff.map(profile::coarser_class),
+            no_s_filter.map(profile::no_short),
+        ]),
         Fact::Warned(found) => found.message(),
         Fact::EdgeJump { ratio, edges, seam } => edge_jump(*ratio, *edges, seam.as_ref()),
-        Fact::Cleaned { steps, filled, how } => cleaned(steps, *filled, how),
-        Fact::Pair { names, moments } => pair::dependent(names, moments),
-        Fact::Laid { names, pixels, shares } => {
-            let pixels = pixels.map(|pixels| pair::pixels_differ(names, pixels));
-            let shares = shares.map(|shares| pair::common_part(names, shares));
-            together(pixels, shares)
+        Fact::Cleaned { steps, filled, how, uneven } => {
+            let [filled, steps] = cleaned(steps, *filled, how);
+            together([uneven.map(profile::unevenly), filled, steps])
         }
+        Fact::Pair { names, moments, pixels, shares } => together([
+            moments.as_ref().map(|found| pair::dependent(names, found)),
+            pixels.map(|pixels| pair::pixels_differ(names, pixels)),
+            shares.map(|shares| pair::common_part(names, shares)),
+        ]),
         Fact::Passed(passed) => tested(passed),
     }
 }
@@ -118,15 +121,14 @@ fn steep(gradient: f64, is_over: bool) -> Words {
     words(format!("Slopes are {too}steep: the rms gradient is {gradient}."), text)
 }
 
-fn beyond_yield(found: &Yield) -> Words {
+fn beyond_yield(at: Pressed, [low, high]: [f64; 2], full: Option<f64>) -> Words {
     let show = |p: f64| quantity(p, PASCALS, 2);
-    let [low, high] = found.hardness;
-    let highest = found.at.highest.map(|p| format!(", {} at the highest point", show(p)));
+    let highest = at.highest.map(|p| format!(", {} at the highest point", show(p)));
     let highest = highest.unwrap_or_default();
     let is_known = low >= high;
     let claim = if is_known {
         "These bodies yield under these pressures."
-    } else if found.at.mean > high {
+    } else if at.mean > high {
         "No usual solid bears these pressures."
     } else {
         "These pressures make many solids yield."
@@ -136,8 +138,8 @@ fn beyond_yield(found: &Yield) -> Words {
     } else {
         format!("solids of this modulus have a hardness of {} to {}", show(low), show(high))
     };
-    let (nominal, mean) = (found.at.nominal, found.at.mean);
-    let ends = found.full.map_or_else(String::new, |full| {
+    let (nominal, mean) = (at.nominal, at.mean);
+    let ends = full.map_or_else(String::new, |full| {
         let shown = show(full);
         if mean <= full {
             return format!(
@@ -267,13 +269,14 @@ fn spikes([count, taken, of]: [usize; 3], largest: f64, share: Option<f64>) -> W
     }
 }
 
-/// Both claims and both texts, of what there is.
-fn together(first: Option<Words>, second: Option<Words>) -> Words {
-    let all: Vec<Words> = first.into_iter().chain(second).collect();
+/// The claims and the texts of what there is.
+fn together<const N: usize>(all: [Option<Words>; N]) -> Words {
+    let all: Vec<Words> = all.into_iter().flatten().collect();
     [0, 1].map(|k| all.iter().map(|words| words[k].as_str()).collect::<Vec<_>>().join(" "))
 }
 
-fn cleaned(records: &[Record], filled: f64, how: &str) -> Words {
+/// Of the points that were filled, and of the steps.
+fn cleaned(records: &[Record], filled: f64, how: &str) -> [Option<Words>; 2] {
     let steps = (!records.is_empty()).then(|| {
         words(
             format!("The heights were cleaned: {}.", steps(records)),
@@ -291,7 +294,7 @@ fn cleaned(records: &[Record], filled: f64, how: &str) -> Words {
             ),
         )
     });
-    together(filled, steps)
+    [filled, steps]
 }
 
 /// The steps of cleaning in a few words.

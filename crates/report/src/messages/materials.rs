@@ -1,7 +1,7 @@
 //! Materials of the table, in words and for other programs.
 
 use crate::numbers::{PASCALS, quantity, significant};
-use contact_compare::{Listed, Material, MaterialUse, Property, material, source_of};
+use contact_compare::{Listed, Material, MaterialUse, Property, material};
 use contact_types::Named;
 use serde_json::{Map, Value, json};
 
@@ -39,8 +39,10 @@ fn number(property: Property, listed: &Listed) -> String {
 /// Where numbers were read, each place once.
 fn places<'a>(numbers: impl Iterator<Item = &'a Listed>) -> String {
     let mut all: Vec<&str> = Vec::new();
-    for source in numbers.flat_map(|listed| &listed.sources) {
-        all.extend(source_of(source).filter(|place| !all.contains(place)));
+    for (_, place) in numbers.flat_map(|listed| &listed.sources) {
+        if !all.contains(place) {
+            all.push(place);
+        }
     }
     all.join("; ")
 }
@@ -70,9 +72,8 @@ pub fn material_in_full(found: &Material) -> String {
             |listed| {
                 let note = if listed.note.is_empty() { "" } else { "; " };
                 // With the keys that notes name them by.
-                let place = |s: &&str| Some(format!("{s} {}", source_of(s)?));
-                let read: Vec<String> = listed.sources.iter().filter_map(place).collect();
-                let read = read.join("; ");
+                let place = |(key, place): &(&str, &str)| format!("{key} {place}");
+                let read = listed.sources.iter().map(place).collect::<Vec<_>>().join("; ");
                 format!("{}; {read}{note}{}", number(property, listed), listed.note)
             },
         );
@@ -90,7 +91,7 @@ pub fn material_json(found: &Material, properties: impl IntoIterator<Item = Prop
                 "value": listed.value,
                 "range": listed.range,
                 "scale": Some(listed.scale).filter(|s| !s.is_empty()),
-                "sources": listed.sources.iter().filter_map(|s| source_of(s)).collect::<Vec<_>>(),
+                "sources": listed.sources.iter().map(|(_, place)| place).collect::<Vec<_>>(),
                 "note": Some(listed.note).filter(|n| !n.is_empty()),
             })
         });

@@ -21,8 +21,7 @@ fn moved(way: f64) -> String {
 pub(crate) fn lying(pair: &PairOrigin) -> String {
     let [first, second] = &pair.names;
     let mut text = format!("{second} lies on {first}, {}", turned(pair.placing.flip));
-    let Some(found) = &pair.found else { return text };
-    let placed = &found.placed;
+    let Some((placed, _)) = &pair.found else { return text };
     let [dy, dx] = placed.shift;
     if dy != 0.0 || dx != 0.0 {
         text += &format!(", moved by {} along x and {} along y", moved(dx), moved(dy));
@@ -67,12 +66,12 @@ fn chance(found: &Independence) -> String {
 
 /// Whose moments the models have, as plain text.
 pub(crate) fn moments(pair: &PairOrigin) -> Option<String> {
-    let found = pair.found.as_ref()?.independence;
+    let (_, found) = pair.found.as_ref()?;
     let whose = "every model has those of the sum of both surfaces";
     if found.bodies.iter().any(|body| body.m0 <= 0.0) {
         return Some(whose.to_owned());
     }
-    let (excess, chance) = (excess(&found), chance(&found));
+    let (excess, chance) = (excess(found), chance(found));
     Some(format!(
         "{whose}; they differ from the sums of the moments of the two by {excess} ({chance})"
     ))
@@ -112,7 +111,7 @@ pub(crate) fn common_part(names: &[String; 2], shares: [f64; 2]) -> [String; 2] 
     let [a, b] = shares.map(percent);
     [
         format!("{a} of {} and {b} of {} lie on each other.", names[0], names[1]),
-        "Only that part is solved, and a load is one on its area.".to_owned(),
+        "Only the common part is solved, and a load is one on its area.".to_owned(),
     ]
 }
 

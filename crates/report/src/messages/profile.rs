@@ -3,19 +3,8 @@
 use crate::numbers::{METRES, PASCALS, SPACE, chosen, percent, quantity, significant};
 use contact_compare::{ProfileComparison, Unevenness};
 
-/// That one direction was measured: claim and text.
-pub(crate) fn one_direction() -> [String; 2] {
-    [
-        "The surface is taken to be isotropic.".into(),
-        "A trace has one direction: on a surface with a lay its moments are those along the \
-         trace, and every model here is wrong by as much as the other direction differs. Measure \
-         a second trace across the first, or a map."
-            .into(),
-    ]
-}
-
 /// That Ra asks for a longer cut-off.
-pub(crate) fn coarser_class(cutoff: f64, ra: f64, length: f64) -> [String; 2] {
+pub(crate) fn coarser_class([ra, cutoff, length]: [f64; 3]) -> [String; 2] {
     let [ra, length] = [ra, length].map(|metres| quantity(metres, METRES, 3));
     [
         format!("Ra = {ra} asks for a longer cut-off than {}.", chosen(cutoff, METRES)),
@@ -27,7 +16,7 @@ pub(crate) fn coarser_class(cutoff: f64, ra: f64, length: f64) -> [String; 2] {
 }
 
 /// That λs was left out.
-pub(crate) fn no_short(short: f64, spacing: f64) -> [String; 2] {
+pub(crate) fn no_short([short, spacing]: [f64; 2]) -> [String; 2] {
     let (short, spacing) = (chosen(short, METRES), quantity(spacing, METRES, 3));
     [
         format!("λs = {short} was not applied."),
@@ -37,7 +26,7 @@ pub(crate) fn no_short(short: f64, spacing: f64) -> [String; 2] {
     ]
 }
 
-/// What length and number of the traces leave open.
+/// What direction, length and number of the traces leave open.
 pub(crate) fn sample(
     traces: usize,
     length: f64,
@@ -50,10 +39,16 @@ pub(crate) fn sample(
         format!(" Standard deviation from trace to trace: {}", each(between.map(percent)))
     });
     [
-        format!("{what} of {}: {}", quantity(length, METRES, 3), each(factors.map(spread))),
+        format!(
+            "{what} of {}: {} The surface is taken to be isotropic.",
+            quantity(length, METRES, 3),
+            each(factors.map(spread))
+        ),
         format!(
             "So far would the moments of other traces of the same surface and length scatter (95 %). \
-             Waves longer than the trace are not in it.{between}"
+             Waves longer than the trace are not in it.{between} A trace has one direction: on a surface with a lay its \
+             moments are those along the trace, and every model here is wrong by as much as the other direction \
+             differs. Measure a second trace across the first, or a map."
         ),
     ]
 }
@@ -90,7 +85,7 @@ pub(crate) fn area_range([low, high]: [f64; 2]) -> String {
 
 /// What the models say together, in a sentence: plain text.
 pub fn profile_headline(study: &ProfileComparison) -> String {
-    let p = chosen(study.headline_pressure(), PASCALS);
+    let p = chosen(study.pressures[study.headline], PASCALS);
     match study.span(study.headline) {
         Some((span, count)) => format!(
             "At {p}, {} of the surface touches, if it is isotropic: the span of {count} models with \

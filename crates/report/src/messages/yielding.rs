@@ -8,17 +8,17 @@ pub(crate) const LEFT_OUT: &str =
     "One hardness at every scale; nothing hardens or piles up; loading only.";
 
 /// Of the headline.
-pub(crate) fn headline(found: &Yielding) -> [String; 2] {
+pub(crate) fn headline(found: &Yielding, hardness: f64) -> [String; 2] {
     let share = percent(found.share);
     let elastic = found.elastic_area.filter(|a| *a > 0.0).map_or_else(String::new, |elastic| {
         let more = signed_percent(elastic / found.area - 1.0);
         format!(" Elastic bodies would touch on {} ({more}).", percent(elastic))
     });
     let (load, load_share) = (chosen(found.load, PASCALS), percent(found.load_share));
-    let hardness = quantity(found.hardness, PASCALS, 3);
+    let hardness = quantity(hardness, PASCALS, 3);
     [
         format!("The contact yields: {share} of it is at the hardness of {hardness}."),
-        format!("At {load} it carries {load_share} of the load.{elastic} {LEFT_OUT}"),
+        format!("At {load} that part carries {load_share} of the load.{elastic} {LEFT_OUT}"),
     ]
 }
 

@@ -98,9 +98,9 @@ fn coarser_words(answer: &DeterministicAnswer) -> String {
 
 /// What other choices in preparing the map do to the area, largest first; only what was computed.
 pub(crate) fn choices(surface: &SurfaceComparison) -> String {
-    let Some(closer) = &surface.closer else { return String::new() };
+    let Some(choices) = &surface.choices else { return String::new() };
     let mut list: Vec<(f64, String)> =
-        closer.choices.iter().map(|(kind, effect)| (*effect, choice(*kind))).collect();
+        choices.iter().map(|(kind, effect)| (*effect, choice(*kind))).collect();
     if let Some(answer) = surface.headline_answer()
         && answer.area_fraction > 0.0
     {

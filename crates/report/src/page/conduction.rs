@@ -76,13 +76,14 @@ pub(crate) fn section(page: &mut ReportPage<'_>, surface: &SurfaceComparison, id
         };
         let lines: Vec<LoadLine> = found.theories.iter().map(theory).collect();
         let deterministic = of(&found.stiffness);
+        let yields = found.theories.iter().any(|theory| theory.name == "cmy");
         let title = format!("{} contact resistance", capital(kind.name));
         let draw =
             |key: &str| figures::over_load(surface, &deterministic, &lines, (&title, unit), key);
         let caption = format!(
             "{title}</b>{}. Dots: solver. Grey: correlations of Mikic{}.",
             if area.is_some() { "" } else { " of unit nominal area" },
-            if found.yields() { " and of Cooper, Mikic and Yovanovich (CMY)" } else { "" }
+            if yields { " and of Cooper, Mikic and Yovanovich (CMY)" } else { "" }
         );
         out.push_str(&page.numbers.figure(id, draw, &caption));
     }

@@ -54,7 +54,7 @@ impl<'a> Moving<'a> {
         let loads = surface.deterministic.len();
         let (first, shape) = reduced(&contact.first, [ny, nx], LARGEST);
         let step = 240 / loads.max(1); // FirstContact keeps at most so many loads
-        let grey = |load: u8| if load == FirstContact::NEVER { 255 } else { load as usize * step };
+        let grey = |load: u8| if load == u8::MAX { 255 } else { load as usize * step };
         let first: Vec<u8> = first.iter().map(|&load| grey(load) as u8).collect();
         let whole = [0, 0, ny, nx];
         let ((pressures, headline), (first, relief)) = join(
@@ -244,7 +244,7 @@ mod tests {
 
     #[test]
     fn a_reduced_map_loses_no_contact() {
-        let mut first = vec![FirstContact::NEVER; 7 * 10];
+        let mut first = vec![u8::MAX; 7 * 10];
         first[6 * 10 + 9] = 3;
         first[6 * 10 + 8] = 5;
         let (small, shape) = reduced(&first, [7, 10], 5);

@@ -131,7 +131,7 @@ fn thinned(points: &[[f64; 2]]) -> Vec<[f64; 2]> {
 }
 
 fn models(study: &ProfileComparison, numbers: &mut Numbering, h: &str, id: &str) -> String {
-    let p = chosen(study.headline_pressure(), PASCALS);
+    let p = chosen(study.pressures[study.headline], PASCALS);
     let line = |(place, m): (usize, &ModelComparison)| {
         let card = &m.card;
         let source = cited(numbers, card.citation.clone());

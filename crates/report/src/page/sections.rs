@@ -17,7 +17,7 @@ use crate::page::slider::dial;
 use crate::page::{statistics, tables};
 use crate::plot_styles::plot_style;
 use contact_compare::{
-    Finding, ModelComparison, PairFound, PairOrigin, SurfaceComparison, Weight, findings,
+    Finding, Independence, ModelComparison, PairOrigin, SurfaceComparison, Weight, findings,
 };
 use contact_types::SpectralMoments;
 
@@ -248,12 +248,11 @@ fn opening(pair: &PairOrigin) -> String {
         "<p>Neither of the two: the heights below are those of {first} and {second} added at each place, the \
          rough surface that touches a smooth flat as the two touch each other. {}.{whose}</p>\n{}",
         escape(&lying(pair)),
-        pair.found.as_ref().map_or_else(String::new, |found| added(pair, found))
+        pair.found.as_ref().map_or_else(String::new, |(_, found)| added(pair, found))
     )
 }
 
-fn added(pair: &PairOrigin, found: &PairFound) -> String {
-    let independence = &found.independence;
+fn added(pair: &PairOrigin, independence: &Independence) -> String {
     let line = |name: &str, m: &SpectralMoments| {
         let gradient = significant(m.rms_gradient(), 3);
         let [m2, m4] = [m.m2, m.m4].map(|m| significant(m, 3));

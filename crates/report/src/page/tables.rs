@@ -12,7 +12,7 @@ use crate::page::how_made::modulus_in_head;
 use crate::page::shared::{DETERMINISTIC, Numbering, ReportPage, key_table, table};
 use crate::plot_styles::{inputs_html, plot_style};
 use contact_compare::{Applies, Card, ModelComparison, SurfaceComparison, elastic_limit, is_steep};
-use contact_types::{Citation, ContactState, ModelError};
+use contact_types::{Citation, ContactState, ModelError, Named};
 
 /// What the answer holds for, and the ways to it: terms with a value and a note.
 pub(crate) fn key_numbers(page: &ReportPage<'_>, surface: &SurfaceComparison) -> String {
@@ -94,7 +94,7 @@ pub(crate) fn model_head(card: &Card, place: usize) -> String {
 }
 
 pub(crate) fn applies(answer: Applies, reason: &str) -> String {
-    format!("<b class=\"{0}\">{0}</b> {1}", answer.word(), escape(reason))
+    format!("<b class=\"{0}\">{0}</b> {1}", answer.name(), escape(reason))
 }
 
 pub(crate) fn models(page: &mut ReportPage<'_>, surface: &SurfaceComparison) -> String {

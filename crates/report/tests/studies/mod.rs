@@ -2,7 +2,7 @@
 #![allow(clippy::unwrap_used, unreachable_pub, reason = "a helper that fails is a failed test")]
 
 use contact_compare::{
-    Comparison, FileOrigin, Origin, Registry, Settings, Surface, built_in_recipes,
+    Comparison, FileOrigin, Origin, Settings, Surface, built_in, built_in_recipes,
 };
 use contact_report::{Provenance, documents};
 use contact_types::{Grid, HeightMap};
@@ -10,8 +10,7 @@ use std::ops::ControlFlow;
 use std::sync::OnceLock;
 
 pub fn run(surfaces: Vec<Surface>, settings: Settings) -> Comparison {
-    Comparison::run(surfaces, settings, &Registry::built_in(), &mut |_| ControlFlow::Continue(()))
-        .unwrap()
+    Comparison::run(surfaces, settings, built_in(), &mut |_| ControlFlow::Continue(())).unwrap()
 }
 
 /// The built-in surfaces on 96 x 96 points.

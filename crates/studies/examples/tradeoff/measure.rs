@@ -2,7 +2,7 @@
 //! tolerances, each with its time and its true error.
 
 use contact_compare::Inputs;
-use contact_compare::{Comparison, Level, Registry, Settings, Surface, built_in, built_in_recipes};
+use contact_compare::{Comparison, Level, Settings, Surface, built_in, built_in_recipes};
 use contact_types::{ContactModulus, Grid, HeightMap};
 use fft_bem_solver::{
     HalfSpace, Iteration, Load, Method, PERIMETER_CORRECTION, Precision, Real, Solution, Solver,
@@ -148,9 +148,8 @@ fn as_compared(surface: Surface) -> RunResult<(HeightMap, Inputs)> {
         tolerance: 0.1,
         ..Settings::default()
     };
-    let mut study = Comparison::run(vec![surface], settings, &Registry::built_in(), &mut |_| {
-        ControlFlow::Continue(())
-    })?;
+    let mut study =
+        Comparison::run(vec![surface], settings, built_in(), &mut |_| ControlFlow::Continue(()))?;
     let found = study.surfaces.pop().ok_or("no surface came back")?;
     Ok((found.surface, found.inputs))
 }

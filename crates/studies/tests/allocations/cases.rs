@@ -3,7 +3,7 @@
 
 use allocation_counter::{AllocationInfo, measure};
 use asperity_models::{SummitLaw, SummitModel};
-use contact_compare::{Comparison, Registry, Settings, Surface, built_in_recipes};
+use contact_compare::{Comparison, Settings, Surface, built_in, built_in_recipes};
 use contact_types::{
     ContactModel, ContactModulus, FractalParameters, Grid, HeightMap, SeparationModel,
     SpectralMoments,
@@ -223,13 +223,14 @@ fn studies() -> Vec<Case> {
     recipe.shape = [128, 128];
     let surface = recipe.make().expect("a surface");
     let map = surface.heights.clone();
-    let run = |surface: Surface| {
-        let settings = Settings { pressures: Some(vec![1e7, 1e8, 1e9]), ..Settings::default() };
-        let study = Comparison::run(vec![surface], settings, &Registry::built_in(), &mut |_| {
-            ControlFlow::Continue(())
-        });
-        black_box(study.expect("a study"));
-    };
+    let run =
+        |surface: Surface| {
+            let settings = Settings { pressures: Some(vec![1e7, 1e8, 1e9]), ..Settings::default() };
+            let study = Comparison::run(vec![surface], settings, built_in(), &mut |_| {
+                ControlFlow::Continue(())
+            });
+            black_box(study.expect("a study"));
+        };
     let call = "study of 128 × 128 points at three loads, with its solvers";
     vec![Case::on("compare", call, &map, || run(surface.clone()))]
 }

@@ -211,7 +211,7 @@ impl ProfileStatistics {
     fn judge(&self, noise: Option<NoiseFloor>) -> Vec<Warning> {
         let mut warnings = Vec::new();
         if self.moments.m0 <= 0.0 {
-            return vec![Warning::Flat];
+            return vec![Warning::Flat { rms_height: 0.0, spacing: 0.0 }];
         }
         // A filter that took the steps' waves away took their noise too.
         let step = self.height_step.filter(|_| self.options.short.is_none());

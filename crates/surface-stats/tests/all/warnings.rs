@@ -46,7 +46,7 @@ fn a_tilt_is_named_until_it_is_taken_off() {
 fn steps_are_named_with_their_height() {
     let map = SelfAffine { quantise: Some(50e-9), ..recipe() }.generate().unwrap();
     let found = warnings(&map, Edges::Periodic);
-    let Warning::Stepped { step, m4_share, .. } = found[0] else { panic!("{found:?}") };
+    let Warning::Noisy { step: Some(step), m4_share, .. } = found[0] else { panic!("{found:?}") };
     assert!((step / 50e-9 - 1.0).abs() < 1e-9 && m4_share > 0.25);
     assert!(matches!(found[1], Warning::FlatTops { .. }), "{found:?}");
 }
