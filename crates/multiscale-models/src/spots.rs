@@ -166,8 +166,9 @@ impl FractalContact {
     /// `v = ln ln(a_l/a_c)`, kept inside a bracket.
     fn largest(&self, load: Wide) -> Wide {
         let Some(Critical { area, .. }) = self.critical else {
-            return (load * (self.epsilon / self.size_exponent) / self.coefficient)
-                .powf(1.0 / self.load_exponent);
+            let x = load * (self.epsilon / self.size_exponent) / self.coefficient;
+            // x^(1/t), whose exponent next to 1 would be rounded.
+            return x * x.powf((1.0 - self.load_exponent) / self.load_exponent);
         };
         let (threshold, _) = self.load_and_slope(area);
         if !threshold.is_zero() && (load / threshold).value() <= 1.0 {

@@ -134,7 +134,7 @@ fn answers_at_the_ends_of_the_inputs() {
     let mut questions = std::collections::BTreeSet::new();
     for case in cases() {
         let place = &case.place;
-        let Some(_) = case.reference else {
+        let Some(reference) = case.reference else {
             assert!(case.answer.is_err(), "{place}: should be refused");
             continue;
         };
@@ -142,7 +142,12 @@ fn answers_at_the_ends_of_the_inputs() {
         // The exponential e^{-x^2} of a gap turns one rounding of x into 2 x^2 roundings: 1e-13 at
         // x = 20.
         let question = place.split(',').next().unwrap_or_default();
-        let limit = if question.contains("gap") { 3e-13 } else { 3e-15 };
+        // A power that is 1e-300 turns one rounding of its exponent into 690.
+        let limit = match question {
+            q if q.contains("gap") => 3e-13,
+            "majumdar-bhushan area" if reference < 1e-200 => 1e-14,
+            _ => 3e-15,
+        };
         assert!(error <= limit, "{place}: {error:e}");
         questions.insert(question.to_owned());
     }

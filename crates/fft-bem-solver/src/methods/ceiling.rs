@@ -46,9 +46,9 @@ impl<T: Real> Ceiling<T> for NoCeiling {
 
 /// The softer body yields at this pressure.
 #[derive(Debug, Clone, Copy)]
-pub(crate) struct Hardness<T>(pub(crate) T);
+pub(crate) struct HardnessCeiling<T>(pub(crate) T);
 
-impl<T: Real> Ceiling<T> for Hardness<T> {
+impl<T: Real> Ceiling<T> for HardnessCeiling<T> {
     const IS_FINITE: bool = true;
     #[inline(always)]
     fn top(self) -> T {
@@ -60,7 +60,7 @@ impl<T: Real> Ceiling<T> for Hardness<T> {
 macro_rules! under {
     ($top:expr, $ceiling:ident => $body:expr) => {
         if $top.is_finite() {
-            let $ceiling = $crate::methods::Hardness($crate::Real::of($top));
+            let $ceiling = $crate::methods::HardnessCeiling($crate::Real::of($top));
             $body
         } else {
             let $ceiling = $crate::methods::NoCeiling;

@@ -38,7 +38,7 @@ mod tension;
 mod thin_pixels;
 mod transfer;
 
-pub(crate) use ceiling::{Ceiling, Hardness, NoCeiling, under};
+pub(crate) use ceiling::{Ceiling, HardnessCeiling, NoCeiling, under};
 pub(crate) use choice::{build, operator};
 pub(crate) use compliance::Compliance;
 pub(crate) use contract::{
