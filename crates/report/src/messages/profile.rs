@@ -39,14 +39,10 @@ pub(crate) fn sample(
         format!(" Standard deviation from trace to trace: {}", each(between.map(percent)))
     });
     [
-        format!(
-            "{what} of {}: {} The surface is taken to be isotropic.",
-            quantity(length, METRES, 3),
-            each(factors.map(spread))
-        ),
+        format!("{what} of {}: {}", quantity(length, METRES, 3), each(factors.map(spread))),
         format!(
             "So far would the moments of other traces of the same surface and length scatter (95 %). \
-             Waves longer than the trace are not in it.{between} A trace has one direction: on a surface with a lay its \
+             Waves longer than the trace are not in it.{between} The surface is taken to be isotropic: with a lay the \
              moments are those along the trace, and every model here is wrong by as much as the other direction \
              differs. Measure a second trace across the first, or a map."
         ),
