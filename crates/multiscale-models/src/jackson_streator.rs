@@ -1,12 +1,12 @@
 //! Jackson and Streator's recursion over the sinusoids of a profile.
 
 use crate::answer::{citation, saturated, underflow};
-use crate::sinusoid;
 use crate::stacked::complete_contact_pressure;
 use crate::wide::Wide;
 use contact_types::{
     AmplitudeSpectrum, Citation, ContactModel, ContactModulus, ContactState, ModelError, require,
 };
+use std::f64::consts::PI;
 
 const MODEL: &str = "Jackson-Streator";
 
@@ -79,7 +79,7 @@ impl ContactModel for JacksonStreator {
             }
             let complete = complete_contact_pressure(self.modulus, ratio);
             let pressure = load / area;
-            area = area * sinusoid::area_fraction(pressure / complete);
+            area = area * sinusoid(pressure / complete);
         }
         let area_fraction = area.value();
         let is_complete = area_fraction >= 1.0;
@@ -87,4 +87,23 @@ impl ContactModel for JacksonStreator {
             if is_complete { Some(saturated()) } else { underflow(mean_pressure, area_fraction) };
         Ok(ContactState { mean_pressure, area_fraction, separation: None, mean_gap: None, caveat })
     }
+}
+
+/// Real over nominal area of a bi-sinusoid `Δ cos(2πx/λ) cos(2πy/λ)` at the mean pressure `x = p/p*` over that of
+/// complete contact, which must not be zero: the published fit. Both ends are exact, Hertz contact of the crests and the
+/// last valleys, which close as penny-shaped cracks.
+fn sinusoid(x: Wide) -> Wide {
+    let load = x.value();
+    if load < 1e-60 {
+        // g1 is exact to rounding, also beyond the range of a double.
+        let root = (x * (3.0 / (8.0 * PI))).cbrt();
+        return root * root * PI;
+    }
+    let hertz = PI * (3.0 * load / (8.0 * PI)).cbrt().powi(2);
+    let last_valleys = 1.0 - 3.0 / (2.0 * PI) * (1.0 - load);
+    Wide::from(if load < 0.8 {
+        hertz * (1.0 - load.powf(1.51)) + last_valleys * load.powf(1.04)
+    } else {
+        last_valleys.min(1.0)
+    })
 }

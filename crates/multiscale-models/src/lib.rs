@@ -20,7 +20,6 @@ mod equation;
 mod jackson_streator;
 mod majumdar_bhushan;
 mod persson;
-mod sinusoid;
 mod special;
 mod spots;
 mod stacked;

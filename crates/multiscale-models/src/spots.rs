@@ -131,18 +131,8 @@ impl FractalContact {
         self.size_exponent / (1.0 - self.size_exponent)
     }
 
-    /// Elastic load of one spot.
-    fn spot_load(&self, area: Wide) -> Wide {
-        self.coefficient * area.powf(self.load_exponent)
-    }
-
-    /// Load of all spots, and its `d ln F / d ln a_l`. Without critical area it is `F(a_l) s / epsilon`
-    /// and needs `epsilon > 0`.
-    fn load_and_slope(&self, largest: Wide) -> (Wide, f64) {
-        let Some(critical) = self.critical else {
-            let load = self.spot_load(largest) * (self.size_exponent / self.epsilon);
-            return (load, self.load_exponent);
-        };
+    /// Load of all spots with a critical area, and its `d ln F / d ln a_l`.
+    fn load_and_slope(&self, critical: Critical, largest: Wide) -> (Wide, f64) {
         let (s, epsilon) = (self.size_exponent, self.epsilon);
         let ratio = largest / critical.area;
         let log_ratio = ratio.ln();
@@ -155,7 +145,8 @@ impl FractalContact {
         let decay = epsilon.abs() * log_ratio;
         let bracket = if decay > 1e-300 { -(-decay).exp_m1() / epsilon.abs() } else { log_ratio };
         let growth = if epsilon < 0.0 { ratio.powf(-epsilon) } else { Wide::from(1.0) };
-        let elastic = self.spot_load(largest) * growth * (s * bracket);
+        let of_largest = self.coefficient * largest.powf(self.load_exponent);
+        let elastic = of_largest * growth * (s * bracket);
         let plastic = critical.hardness * share * critical.area * ratio.powf(s);
         let elastic_slope = s + 1.0 / bracket + epsilon.min(0.0);
         let elastic_weight = 1.0 / (1.0 + (plastic / elastic).value());
@@ -165,12 +156,13 @@ impl FractalContact {
     /// Largest spot that carries `load`. With a critical area: Newton for `ln F` in
     /// `v = ln ln(a_l/a_c)`, kept inside a bracket.
     fn largest(&self, load: Wide) -> Wide {
-        let Some(Critical { area, .. }) = self.critical else {
+        let Some(critical) = self.critical else {
             let x = load * (self.epsilon / self.size_exponent) / self.coefficient;
             // x^(1/t), whose exponent next to 1 would be rounded.
             return x * x.powf((1.0 - self.load_exponent) / self.load_exponent);
         };
-        let (threshold, _) = self.load_and_slope(area);
+        let area = critical.area;
+        let (threshold, _) = self.load_and_slope(critical, area);
         if !threshold.is_zero() && (load / threshold).value() <= 1.0 {
             // All spots plastic: load is hardness times area.
             return area * (load / threshold);
@@ -180,7 +172,7 @@ impl FractalContact {
         let mut v = 1.0_f64;
         while hi - lo > 1e-12 {
             let log_ratio = v.exp();
-            let (found, slope) = self.load_and_slope(area * Wide::exp(log_ratio));
+            let (found, slope) = self.load_and_slope(critical, area * Wide::exp(log_ratio));
             let mismatch = if found.is_zero() { f64::NEG_INFINITY } else { (found / load).ln() };
             let step = mismatch / (slope * log_ratio);
             // Quadratic: after a step of 1e-9 the rest is rounding.
@@ -200,7 +192,7 @@ impl FractalContact {
         // Two more steps on the spot itself, whose logarithm has lost digits.
         if v > 0.0 {
             for _ in 0..2 {
-                let (found, slope) = self.load_and_slope(spot);
+                let (found, slope) = self.load_and_slope(critical, spot);
                 spot = spot * Wide::exp(-(found / load).ln() / slope);
             }
         }
@@ -232,15 +224,15 @@ mod tests {
                 for area in [tiny, Wide::from(1.0), huge] {
                     for hardness in [Wide::from(0.0), tiny, huge] {
                         for load in [tiny * tiny, Wide::from(1.0), huge * huge] {
-                            let critical = Some(Critical { area, hardness });
-                            let spots = FractalContact { critical, ..spots };
+                            let critical = Critical { area, hardness };
+                            let spots = FractalContact { critical: Some(critical), ..spots };
                             let largest = spots.largest(load);
                             // Newton works on this, at most 6500; where it is small, the area rounds it.
                             let log_ratio = (largest / area).ln();
                             if log_ratio.abs() < 1e-4 {
                                 continue;
                             }
-                            let miss = (spots.load_and_slope(largest).0 / load).ln();
+                            let miss = (spots.load_and_slope(critical, largest).0 / load).ln();
                             let place = format!("{d} {coefficient:?} {critical:?} {load:?}");
                             assert!(miss.abs() < 1e-11, "{place}: {miss:e}");
                             seen += 1;

@@ -341,8 +341,8 @@ impl SurfaceStatistics {
         rows: Option<&RowOffsets>,
     ) -> Vec<Warning> {
         let mut warnings = Vec::new();
-        if self.rms_height <= 0.0 || self.rms_height < 4.0 * spacing {
-            return vec![Warning::Flat { rms_height: self.rms_height, spacing }];
+        if let Some(flat) = Warning::flat(self.rms_height, spacing) {
+            return vec![flat];
         }
         warnings.extend(noisy);
         let Summits { plateaus, count: summits, .. } = self.summits;

@@ -87,6 +87,12 @@ pub enum Warning {
 }
 
 impl Warning {
+    /// That there is no roughness above four spacings (m) of doubles at the heights given.
+    pub fn flat(rms_height: f64, spacing: f64) -> Option<Self> {
+        let is_flat = rms_height <= 0.0 || rms_height < 4.0 * spacing;
+        is_flat.then_some(Self::Flat { rms_height, spacing })
+    }
+
     /// Of the height distribution and of Nayak's bandwidth (1971), which is 3/2 at least.
     pub(crate) fn of_distribution(
         skewness: Option<f64>,

@@ -26,16 +26,10 @@ impl Persson {
     /// `(2/sqrt(pi)) sqrt(m2) int_0^1 I(x/rho)/q(rho) d rho`. It grows like `ln(1/p)` at light
     /// load: a Gaussian surface has no highest point. 0 where it is below the smallest double.
     ///
-    /// # Errors
-    /// [`ModelError::InvalidInput`] unless the pressure is finite and positive, or if the model was
-    /// made from moments.
-    ///
     /// # Source
     /// Persson (2007), doi:10.1103/PhysRevLett.99.125502, eq. (17); Yang & Persson (2008),
     /// doi:10.1088/0953-8984/20/21/215214.
-    pub(super) fn mean_gap(&self, pressure: f64) -> Result<f64, ModelError> {
-        require::positive(MODEL, "mean pressure", pressure)?;
-        let scales = self.spectrum()?;
+    pub(super) fn mean_gap(&self, scales: &Scales, pressure: f64) -> Result<f64, ModelError> {
         let Some(load) = self.load(pressure) else {
             return Ok(0.0); // flat
         };
@@ -67,7 +61,11 @@ impl Persson {
     /// [`ModelError::OutsideDomain`] where the stiffness exceeds the largest double: the contact is full.
     pub fn stiffness(&self, pressure: f64) -> Result<f64, ModelError> {
         require::positive(MODEL, "mean pressure", pressure)?;
-        let scales = self.spectrum()?;
+        let requirement =
+            "it needs more than moments: use Persson::from_spectrum or Persson::from_self_affine";
+        let scales = self.scales.as_deref().ok_or_else(|| {
+            require::refused(MODEL, "number of shells of the spectrum", 0.0, requirement)
+        })?;
         let x = self.load(pressure).map_or(f64::INFINITY, Wide::value);
         let integral = if x > FULL {
             0.0
@@ -82,15 +80,6 @@ impl Persson {
         let stiffness =
             if length.is_zero() { f64::INFINITY } else { (Wide::from(pressure) / length).value() };
         require::representable(MODEL, "stiffness", stiffness)
-    }
-
-    /// The spectrum, or a refusal that says how to give one.
-    pub(super) fn spectrum(&self) -> Result<&Scales, ModelError> {
-        let requirement = "the mean gap and all that depends on wavenumber need more than moments: \
-                           use Persson::from_spectrum or Persson::from_self_affine";
-        self.scales.as_deref().ok_or_else(|| {
-            require::refused(MODEL, "number of shells of the spectrum", 0.0, requirement)
-        })
     }
 }
 

@@ -149,8 +149,8 @@ impl ContactModel for Persson {
 
     fn at_pressure(&self, mean_pressure: f64) -> Result<ContactState, ModelError> {
         let area_fraction = self.area_fraction(mean_pressure)?;
-        let mean_gap = match &self.scales {
-            Some(_) if mean_pressure > 0.0 => Some(self.mean_gap(mean_pressure)?),
+        let mean_gap = match self.scales.as_deref() {
+            Some(scales) if mean_pressure > 0.0 => Some(self.mean_gap(scales, mean_pressure)?),
             _ => None,
         };
         let is_flat = self.slope.is_zero() && mean_pressure > 0.0;

@@ -7,14 +7,9 @@ mod persson_gap;
 mod quadrature;
 
 use contact_types::ContactModulus;
-use multiscale_models::{Persson, SelfAffineSpectrum};
 
 fn pascals(e: f64) -> ContactModulus {
     ContactModulus::from_pascals(e).expect("a modulus")
-}
-
-fn persson(spectrum: SelfAffineSpectrum, e: f64, gamma: f64) -> Persson {
-    Persson::from_self_affine(spectrum, pascals(e)).with_gamma(gamma).expect("a published gamma")
 }
 
 #[track_caller]

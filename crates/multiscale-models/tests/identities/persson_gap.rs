@@ -1,8 +1,8 @@
-//! Persson's mean gap and the moments below it: continuous spectra and shells.
+//! Persson's mean gap and stiffness: of shells, and at light load.
 
 use crate::close;
+use crate::pascals;
 use crate::quadrature::geometric_integral;
-use crate::{pascals, persson};
 use contact_types::{ContactModel, RoughnessSpectrum, Shell};
 use libm::erfc;
 use multiscale_models::{Persson, SelfAffineSpectrum};
@@ -62,7 +62,7 @@ fn shells_have_their_closed_forms() {
 fn the_gap_is_a_logarithm_at_light_load() {
     let spectrum = SelfAffineSpectrum::from_wavenumbers(0.8, [1.0, 1.0, 100.0], 1.0).unwrap();
     for gamma in [1.0, 0.45] {
-        let model = persson(spectrum, 3.0, gamma);
+        let model = Persson::from_self_affine(spectrum, pascals(3.0)).with_gamma(gamma).unwrap();
         let u0 = gamma * 1.05357529;
         let first = gap(&model, 1e-12);
         for decades in [88, 294] {
