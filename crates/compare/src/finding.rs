@@ -30,11 +30,6 @@ pub enum Weight {
     Passed,
 }
 
-/// Whether an area has no uncertainty because its load was not solved to the tolerance.
-pub(crate) fn is_unsolved(why: &NoUncertainty) -> bool {
-    matches!(why, NoUncertainty::NotConverged { .. })
-}
-
 impl Named for Weight {
     const NAMES: &'static [(Self, &'static str)] =
         &[(Self::Check, "check"), (Self::Note, "note"), (Self::Passed, "passed")];
@@ -102,6 +97,11 @@ impl Finding {
             _ => "surface",
         }
     }
+}
+
+/// Whether an area has no uncertainty because its load was not solved to the tolerance.
+pub(crate) fn is_unsolved(why: &NoUncertainty) -> bool {
+    matches!(why, NoUncertainty::NotConverged { .. })
 }
 
 /// What was found, with its numbers.

@@ -229,14 +229,14 @@ const PIXELS_MATTER: f64 = 1.5;
 /// What two bodies say of each other, and what was done to each.
 fn of_pair(pair: &PairOrigin) -> Vec<Finding> {
     let Some((placed, independence)) = &pair.found else { return Vec::new() };
-    let moments = Some(*independence).filter(|found| !found.holds());
-    let is_resampled = placed.resampled.contains(&true);
-    let pixels = is_resampled.then(|| placed.grids.map(|grid| grid.pixel()));
+    let moments = (!independence.holds()).then_some(*independence);
+    let pixels = placed.resampled.contains(&true).then(|| placed.grids.map(|grid| grid.pixel()));
     // Less than a point in a thousand is no part.
     let shares = Some(placed.shares).filter(|shares| shares.iter().any(|share| *share < 0.999));
     let mut found = Vec::new();
     if moments.is_some() || pixels.is_some() || shares.is_some() {
-        let matters = moments.is_some() || (is_resampled && placed.pixel_ratio >= PIXELS_MATTER);
+        let matters =
+            moments.is_some() || (pixels.is_some() && placed.pixel_ratio >= PIXELS_MATTER);
         let fact = Fact::Pair { names: pair.names.clone(), moments, pixels, shares };
         found.push(Finding::check_if(matters, fact));
     }

@@ -103,13 +103,8 @@ impl GapGas {
         require::positive(MODEL, "gas pressure", self.pressure)?;
         let domain = TEMPERATURES[0]..=TEMPERATURES[6];
         if !domain.contains(&self.temperature) {
-            return Err(ModelError::OutsideDomain {
-                model: MODEL.into(),
-                quantity: "temperature".into(),
-                value: self.temperature,
-                domain,
-                reason: "the table of thermal conductivities (K) ends there".into(),
-            });
+            let reason = "the table of thermal conductivities (K) ends there";
+            return Err(require::outside(MODEL, "temperature", self.temperature, domain, reason));
         }
         self.jump_of(self.free_path()).map(drop)
     }

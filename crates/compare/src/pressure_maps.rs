@@ -45,7 +45,7 @@ impl PressureMaps {
         let shape = [ny, nx].map(|n| n.div_ceil(block));
         let mut kept = match kept {
             None if load == 0 => Self { block, shape, loads: Vec::new() },
-            kept => kept.filter(|kept| kept.block == block && kept.shape == shape)?,
+            kept => kept?,
         };
         if pressure.len() != grid.len() {
             return None;

@@ -268,12 +268,9 @@ pub fn profile_findings(
         found.push(Finding::warned(Warning::FewWaves { count: None }));
     }
     let points = statistics.points * statistics.traces;
-    found.extend(match origin {
-        Origin::File(FileOrigin { missing, fill, cleaned: steps, .. }) => {
-            cleaned(steps, [*missing, points], fill, uneven)
-        }
-        _ => cleaned(&[], [0, points], "", uneven),
-    });
+    let none = FileOrigin::default();
+    let file = if let Origin::File(file) = origin { file } else { &none };
+    found.extend(cleaned(&file.cleaned, [file.missing, points], &file.fill, uneven));
     found.sort_by_key(|f| f.weight);
     found
 }

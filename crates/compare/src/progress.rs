@@ -79,7 +79,7 @@ impl<'a, 'b> LoadListener<'a, 'b> {
 #[non_exhaustive]
 pub enum StudyError {
     /// No surface was given.
-    #[error("a study needs at least one surface, a run file at least one [[surface]]")]
+    #[error("no surface is given; a study needs at least one ([[surface]] in a run file)")]
     NoSurface,
     /// A run file that is not TOML, or a key of which is missing, unknown or of the wrong type.
     #[error("this is no run file of this program: {0}")]

@@ -88,8 +88,7 @@ mod tests {
             for (found, given) in [(0, None), (2, Some(0.1))] {
                 let (rms_height, rms_gradient) = (given, given);
                 let refused = Recipe { rms_height, rms_gradient, ..small.clone() }.heights();
-                let is_told =
-                    |e: &StudyError| matches!(e, StudyError::Scale { found: n, .. } if *n == found);
+                let is_told = |e: &StudyError| matches!(e, StudyError::Scale { name, found: n } if *n == found && *name == small.name);
                 assert!(refused.is_err_and(|e| is_told(&e)), "{found}");
             }
         }

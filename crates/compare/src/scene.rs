@@ -76,8 +76,8 @@ impl Scene {
 
     /// Heights that far from zero are given by a few numbers, and what is left after levelling is theirs.
     fn rounding(&self) -> Option<Finding> {
-        let rms_height = self.rms_height.filter(|rms| *rms > 0.0 && *rms < 4.0 * self.spacing)?;
-        Some(Finding::warned(Warning::Flat { rms_height, spacing: self.spacing }))
+        let rms_height = self.rms_height.filter(|rms| *rms > 0.0)?;
+        Warning::flat(rms_height, self.spacing).map(Finding::warned)
     }
 
     fn steep(&self) -> Option<Finding> {

@@ -27,7 +27,7 @@ impl Sections {
         let Section { row, pressure, gap, .. } = section?;
         let mut kept = match kept {
             None if load == 0 => Self { row, pressure: Vec::new(), gap: Vec::new() },
-            kept => kept.filter(|kept| kept.row == row)?,
+            kept => kept?,
         };
         kept.pressure.push(pressure);
         kept.gap.push(gap);

@@ -125,7 +125,7 @@ impl Estimate {
 
     /// The same as a number of the surface and its materials, of which the map is a sample. Sampling variability and
     /// materials are independent of the rest: squares add. `None` if neither is known.
-    pub fn prediction_half_width(&self) -> Option<f64> {
+    fn prediction_half_width(&self) -> Option<f64> {
         let beside = self.sampling.or((self.materials > 0.0).then_some(0.0))?;
         Some(self.half_width().ok()?.hypot(beside).hypot(self.materials))
     }

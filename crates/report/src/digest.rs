@@ -67,10 +67,11 @@ fn kind(finding: &Value) -> String {
     };
     let kind = name(&finding["fact"]).unwrap_or_default();
     let fact = &finding["fact"][&kind];
+    // What a map says of one advice and of another is counted apart.
     let inner = match kind.as_str() {
         "warned" if fact["Noisy"]["step"].is_number() => Some("Stepped".to_owned()),
+        "warned" if fact["Flat"]["rms_height"].as_f64() > Some(0.0) => Some("Rounding".to_owned()),
         "warned" => name(fact),
-        // What a map says of one advice and of another is counted apart.
         "no_uncertainty" if fact["why"]["NotConverged"]["at_rounding"] == true => {
             Some("AtRounding".to_owned())
         }
@@ -165,6 +166,10 @@ mod tests {
         assert_eq!([false, true].map(unsolved), ["NotConverged", "AtRounding"]);
         let unit = |hardness| kind(&json!({ "fact": { "unit": { "hardness": hardness } } }));
         assert_eq!([json!(null), json!([1, 2, 3])].map(unit), ["unit", "odd_hardness"]);
+        let flat = |rms| kind(&json!({ "fact": { "warned": { "Flat": { "rms_height": rms } } } }));
+        assert_eq!([0.0, 1e-12].map(flat), ["Flat", "Rounding"]);
+        let noisy = |step| kind(&json!({ "fact": { "warned": { "Noisy": { "step": step } } } }));
+        assert_eq!([json!(null), json!(1e-8)].map(noisy), ["Noisy", "Stepped"]);
         assert_eq!(row["models"]["gw"]["area_error"], -0.2);
         assert_eq!(row["curve"], json!([[1e6, 0.01], [2e6, 0.02]]));
     }

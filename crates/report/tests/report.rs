@@ -192,15 +192,13 @@ fn the_fitted_formula_is_printed() {
 fn the_headline_agrees_with_table_and_csv() {
     let page = html(one());
     let surface = &one().surfaces[0];
-    let area = 100.0 * surface.headline_answer().unwrap().area_fraction;
+    let budget = surface.headline_answer().unwrap().budget.area;
+    let area = 100.0 * budget.value;
     let h1 = &page[page.find("<h1>").unwrap()..page.find("</h1>").unwrap()];
     let bold = &h1[h1.find("<b>").unwrap() + 3..h1.find("</b>").unwrap()];
     // A map of 96 points a side, whose load few blocks carry, may say the upper end alone.
     let (number, stands_for) = match bold.strip_prefix("at most ") {
-        Some(most) => {
-            let half = surface.headline_answer().unwrap().budget.area.prediction_half_width();
-            (most, area + 100.0 * half.unwrap())
-        }
+        Some(most) => (most, 100.0 * budget.prediction().unwrap()[1]),
         None => (bold, area),
     };
     let number = number.split([' ', '\u{202F}']).next().unwrap();
@@ -208,8 +206,7 @@ fn the_headline_agrees_with_table_and_csv() {
     assert!((printed / stands_for - 1.0).abs() < 0.03, "{printed} {stands_for}");
     assert!(page.matches(bold).count() >= 2, "headline and key number: prediction");
     // The model table and the read-out carry the same interval.
-    let budget = surface.headline_answer().unwrap().budget.area;
-    let stated = budget.prediction_half_width().unwrap();
+    let stated = budget.prediction().unwrap()[1] - budget.value;
     assert!(stated > budget.half_width().unwrap());
     let row = &page[page.find("data-k=\"a-det\"").unwrap()..];
     let cell = &row[row.find('>').unwrap() + 1..row.find("</td>").unwrap()];

@@ -22,14 +22,14 @@ pub struct CostFigure<'a> {
     pub series: Vec<CostSeries>,
 }
 
-/// What costs of one kind look like: a line, markers and a name at the last of them.
-#[derive(Debug, Clone, Default)]
+/// Costs of one kind: a line through them, a marker at each, a name at the last.
+#[derive(Debug, Default)]
 pub struct CostSeries {
     /// Name of a model, or of a method of the solver with its precision, by which it is drawn.
     pub style: String,
     /// Time (s) and error (a fraction) of each.
     pub costs: Vec<[f64; 2]>,
-    /// Smallest and largest error, if there is one marker with a bar.
+    /// Smallest and largest error: the bar of its one marker.
     pub range: Option<[f64; 2]>,
     /// A thin line without markers, not on the front.
     pub is_line: bool,
@@ -39,7 +39,7 @@ pub struct CostSeries {
     pub label: String,
     /// Bold.
     pub bold: bool,
-    /// Below the name, which stands right of its place then, as that of a line does.
+    /// Small type below the name. With a note, and for a line, the name stands directly right of the last place.
     pub note: String,
 }
 
@@ -59,11 +59,11 @@ impl CostFigure<'_> {
         for series in &self.series {
             places.push(series.costs.iter().map(|[s, e]| plot.at([*s, scale * e])).collect());
         }
-        let moved = |i: &usize| self.series[*i].is_moved;
-        let moved: Vec<usize> = (0..places.len()).filter(moved).collect();
-        let wanted: Vec<f64> = moved.iter().map(|i| places[*i][0][0]).collect();
-        for (i, x) in moved.into_iter().zip(push_apart(&wanted, 7.0, plot.frame.x.units)) {
-            places[i][0][0] = x;
+        let moved = self.series.iter().zip(&mut places).filter(|(series, _)| series.is_moved);
+        let mut moved: Vec<&mut [f64; 2]> = moved.flat_map(|(_, places)| places).collect();
+        let wanted: Vec<f64> = moved.iter().map(|place| place[0]).collect();
+        for (place, x) in moved.iter_mut().zip(push_apart(&wanted, 7.0, plot.frame.x.units)) {
+            place[0] = x;
         }
         let each = || self.series.iter().zip(&places);
         let marked = || each().filter(|(series, _)| !series.is_line);
@@ -86,7 +86,7 @@ impl CostFigure<'_> {
     }
 }
 
-/// Such a figure as it is drawn. Places are in units of the figure.
+/// A figure being drawn; places are in its own units.
 pub(super) struct CostPlot {
     pub(super) frame: PlotFrame,
     pub(super) canvas: Canvas,

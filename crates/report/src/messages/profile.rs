@@ -41,7 +41,7 @@ pub(crate) fn sample(
     [
         format!("{what} of {}: {}", quantity(length, METRES, 3), each(factors.map(spread))),
         format!(
-            "So far would the moments of other traces of the same surface and length scatter (95 %). \
+            "Moments of other traces of this surface, equally long, scatter this far (95 %). \
              Waves longer than the trace are not in it.{between} The surface is taken to be isotropic: with a lay the \
              moments are those along the trace, and every model here is wrong by as much as the other direction \
              differs. Measure a second trace across the first, or a map."

@@ -25,8 +25,8 @@ pub(crate) fn where_it_touches(
     let window = maps::busiest_window(pressure, grid.shape());
     let n = page.numbers.next_figure();
     let key = format!("{id}-f{n}");
-    let cut = deformed::cut(surface).zip(surface.sections.as_ref());
-    let row = cut.as_ref().map(|(_, sections)| sections.row);
+    let cut = deformed::cut(surface);
+    let row = cut.as_ref().map(|(_, row)| *row);
     let moving = moving(page, surface);
     let (limit, surfaces) = (page.map_limit, page.comparison.surfaces.len());
     let (map, hidden) = join(

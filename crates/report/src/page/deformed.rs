@@ -9,11 +9,11 @@ use crate::page::moving::LARGEST;
 use crate::page::shared::{ReportPage, attribute, figure, touching, wide};
 use base64::Engine as _;
 use base64::engine::general_purpose::STANDARD;
-use contact_compare::{DeterministicPoint, Sections, SurfaceComparison};
+use contact_compare::{DeterministicPoint, SurfaceComparison};
 use serde_json::json;
 
-/// What lies along the row of a surface; `None` if not every load has an answer or nothing is rough.
-pub(crate) fn cut(surface: &SurfaceComparison) -> Option<SectionCut> {
+/// What lies along the row of a surface, and which row it is; `None` if not every load has an answer or nothing is rough.
+pub(crate) fn cut(surface: &SurfaceComparison) -> Option<(SectionCut, usize)> {
     let sections = surface.sections.as_ref()?;
     let map = surface.solved_map();
     let [ny, nx] = map.grid().shape();
@@ -42,7 +42,8 @@ pub(crate) fn cut(surface: &SurfaceComparison) -> Option<SectionCut> {
     let highest = |range: std::ops::Range<usize>| {
         row[range].iter().fold(f64::NEG_INFINITY, |top, z| top.max(z - mean))
     };
-    Some(SectionCut { length: map.grid().size()[1], heights: parts(nx, highest), loads })
+    let cut = SectionCut { length: map.grid().size()[1], heights: parts(nx, highest), loads };
+    Some((cut, sections.row))
 }
 
 /// One value for each part of a row that is drawn: for each point, or of longer rows for the points that one of
@@ -56,11 +57,11 @@ fn parts(n: usize, value: impl Fn(std::ops::Range<usize>) -> f64) -> Vec<f64> {
 pub(crate) fn through(
     page: &mut ReportPage<'_>,
     surface: &SurfaceComparison,
-    cut: Option<(SectionCut, &Sections)>,
+    cut: Option<(SectionCut, usize)>,
     moves: bool,
     id: &str,
 ) -> String {
-    let Some((cut, sections)) = cut else { return String::new() };
+    let Some((cut, row)) = cut else { return String::new() };
     let n = page.numbers.next_figure();
     let touching = touching(surface);
     let title = |(point, (load, share)): (&DeterministicPoint, (&PressedRow, &String))| {
@@ -75,7 +76,7 @@ pub(crate) fn through(
     let headline = surface.headline;
     let svg = section(&cut, headline, titles[headline].clone(), &format!("{id}-f{n}"));
     let facts = if moves {
-        let data = facts(&cut, sections.row, surface.solved_map().grid().shape()[0], &titles);
+        let data = facts(&cut, row, surface.solved_map().grid().shape()[0], &titles);
         format!("<span class=\"cut\" hidden data-facts='{}'></span>", attribute(&data))
     } else {
         String::new()
