@@ -4,7 +4,7 @@
 //! re-export alone is a face and no arrow. What is not seen: a method of an `impl` that stands in
 //! another file than its type, and names that a macro makes.
 
-use proc_macro2::{Delimiter, TokenStream, TokenTree};
+use proc_macro2::{Delimiter, Spacing, TokenStream, TokenTree};
 use std::collections::{BTreeMap, BTreeSet};
 use std::fmt::Write;
 use std::path::{Path, PathBuf};
@@ -193,7 +193,7 @@ fn strongly_connected(arrows: &Arrows) -> Vec<BTreeSet<ModulePath>> {
 
 impl FileNames {
     fn of(text: &str) -> Self {
-        let all = tokens(text.parse().unwrap_or_default());
+        let all = tokens(text.parse().expect("a source that compiles"));
         let at = |i: usize| all.get(i).map_or("", String::as_str);
         let mut found = Self::default();
         let (mut i, mut depth) = (0, 0_i32);
@@ -266,7 +266,7 @@ fn is_word(c: char) -> bool {
 }
 
 /// The names and signs of Rust source without items under `#[cfg(test)]` or `#[cfg(all(test, ..))]`; comments, strings,
-/// characters and lifetimes are gone.
+/// characters and lifetimes are gone. A documentation comment is the attribute `doc`.
 fn tokens(source: TokenStream) -> Vec<String> {
     let is =
         |tree: &TokenTree, sign: char| matches!(tree, TokenTree::Punct(p) if p.as_char() == sign);
@@ -292,7 +292,11 @@ fn tokens(source: TokenStream) -> Vec<String> {
                 '#' if trees.peek().is_some_and(is_of_tests) => {
                     trees.find(|tree| is_body(tree) || is(tree, ';'));
                 }
-                ':' if trees.next_if(|tree| is(tree, ':')).is_some() => found.push("::".to_owned()),
+                ':' if sign.spacing() == Spacing::Joint
+                    && trees.next_if(|tree| is(tree, ':')).is_some() =>
+                {
+                    found.push("::".to_owned());
+                }
                 sign => found.push(sign.to_string()),
             },
             TokenTree::Literal(_) => {}

@@ -17,16 +17,12 @@ pub(crate) fn run(args: &[String]) -> TaskResult {
     keep_section(python, "numbers", &python_numbers(&statistics), check)
 }
 
-/// The fields of Python's `Statistics` after the table `STATISTICS` of a source text.
+/// The fields of Python's `Statistics`: one for each number of the table `STATISTICS` in a source text.
 fn python_numbers(source: &str) -> String {
     let mut lines = String::new();
-    let table =
-        source.split("pub const STATISTICS").nth(1).and_then(|rest| rest.split("\n];").next());
-    let calls = table
-        .unwrap_or_default()
-        .split(" number(")
-        .filter(|call| call.trim_start().starts_with('"'));
-    for call in calls {
+    let rest = source.split("pub const STATISTICS").nth(1).unwrap_or_default();
+    let table = rest.split("\n];").next().unwrap_or_default();
+    for call in table.split(" number(").skip(1) {
         let mut texts = call.split('"').skip(1).step_by(2);
         let (key, unit) = (texts.next().unwrap_or_default(), texts.nth(2).unwrap_or_default());
         let unit = if unit.is_empty() { "1" } else { &unit.replace('²', "2").replace('⁻', "-") };

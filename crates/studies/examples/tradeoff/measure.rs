@@ -1,8 +1,7 @@
 //! The measurements: every closed form, and the solver over methods, grids, precisions and
 //! tolerances, each with its time and its true error.
 
-use contact_compare::Inputs;
-use contact_compare::{Comparison, Level, Settings, Surface, built_in, built_in_recipes};
+use contact_compare::{Comparison, Inputs, Level, Settings, Surface, built_in, built_in_recipes};
 use contact_types::{ContactModulus, Grid, HeightMap};
 use fft_bem_solver::{
     HalfSpace, Iteration, Load, Method, PERIMETER_CORRECTION, Precision, Real, Solution, Solver,
