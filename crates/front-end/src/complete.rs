@@ -133,7 +133,7 @@ pub fn complete(
         return Err(Incomplete::Line([ny, nx]));
     }
     measurement.format.name().clone_into(&mut file.format);
-    (file.crop, file.fill) = (measurement.cropped, fill.name().to_owned());
+    file.crop = measurement.cropped;
     // Neither a removed form nor filled points take the steps away; only smoothing does.
     let kept = file.cleaning.s_filter.is_none();
     file.height_step = kept.then(|| height_step(measurement.heights())).flatten();
@@ -160,8 +160,7 @@ pub fn traces(
     mut file: FileOrigin,
     fill: Fill,
 ) -> Result<ProfileSurface, Incomplete> {
-    let format = measurements.first().map_or("", |m| m.format.name());
-    (file.format, file.fill) = (format.to_owned(), fill.name().to_owned());
+    measurements.first().map_or("", |m| m.format.name()).clone_into(&mut file.format);
     (file.crop, file.missing) = (measurements.first().and_then(|m| m.cropped), 0);
     // λs and λc act on the profile after its form is off, with their own ends.
     let before = Cleaning { s_filter: None, l_filter: None, ..file.cleaning };

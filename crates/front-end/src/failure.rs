@@ -27,7 +27,7 @@ impl Failure {
         Self { kind: kind.to_owned(), message: message.into(), status: 1 }
     }
 
-    /// The same with the name of the file in front; an empty path is no file.
+    /// A refusal by one of the libraries, the name of the file in front; an empty path is no file.
     pub fn in_file<E: std::error::Error>(path: &Path, error: &E) -> Self {
         let message = error.to_string();
         let shown = path.display().to_string();

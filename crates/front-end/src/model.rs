@@ -193,6 +193,7 @@ impl ModelSubject {
         // Every model has the moments that a study gives it; only Persson's mean gap needs more.
         inputs.is_measured = true;
         inputs.moments = Some(moments(&map, edges).map_err(refused)?);
+        // Spectra take several times the memory of the map: what was not levelled goes before.
         match card.of_map {
             OfMap::Fractal => {
                 let missing = origin.missing();

@@ -102,7 +102,7 @@ impl Watch for KeptMaps<'_> {
 type MapArray<'py> = Option<Bound<'py, PyArray2<f64>>>;
 
 /// JSON of the answer; pressure and gap by the place of the load, if they were kept; what went wrong, as kind and
-/// message; whether an accuracy was missed; the exception that stopped it.
+/// message; the exception that stopped it.
 type SolveAnswer<'py> = (
     String,
     Vec<(usize, MapArray<'py>, MapArray<'py>)>,

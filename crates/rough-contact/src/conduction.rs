@@ -97,7 +97,7 @@ impl ConductionOptions {
         Self { resistivity, conductivity, ..self }.asked(bodies, area)
     }
 
-    pub(crate) fn is_asked(self) -> bool {
+    fn is_asked(self) -> bool {
         self.resistivity.is_some() || self.conductivity.is_some()
     }
 

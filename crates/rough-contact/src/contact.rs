@@ -24,11 +24,11 @@ pub(crate) struct ContactOptions {
     #[arg(long, value_name = "H", value_parser = args::hardness, allow_hyphen_values = true)]
     pub(crate) hardness: Option<f64>,
     #[command(flatten)]
-    pub(crate) conduction: ConductionOptions,
+    conduction: ConductionOptions,
     #[command(flatten)]
-    pub(crate) leak: LeakOptions,
+    leak: LeakOptions,
     #[command(flatten)]
-    pub(crate) adhesion: AdhesionOptions,
+    adhesion: AdhesionOptions,
     /// Beyond the edges of a map: the map again, or its mirror images (four times the points, memory and time), which
     /// take the jump out of a map that does not repeat
     #[arg(long, value_name = "EDGES", value_parser = one_of::<EdgesName>(), default_value = "periodic")]

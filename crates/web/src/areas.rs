@@ -1,14 +1,13 @@
 //! How much touches without each remedy and with it, at a light load.
 
 use crate::message::Messages;
-use crate::request::Request;
+use crate::request::{Remedies, Request};
 use crate::surface::{RoughnessNumbers, measurement, prepared};
 use crate::trouble::Trouble;
 use contact_compare::{Iteration, Load, Solver};
 use contact_front_end::{Failure, shown};
 use contact_types::ContactModulus;
 use serde_json::{Value, json};
-use std::collections::BTreeMap;
 use std::ops::ControlFlow;
 use surface_io::{Cut, Measurement};
 
@@ -30,14 +29,13 @@ pub(crate) fn answer(
 ) -> Result<Option<Value>, Trouble> {
     let (measured, is_cut) = middle(measurement(request, file)?)?;
     let pressure = LOAD * RoughnessNumbers::of(&prepared(&measured, request)?)?.gradient;
-    let mut known: BTreeMap<String, f64> = BTreeMap::new();
+    let mut known: Vec<(Remedies, f64)> = Vec::new();
     let mut area = |asked: &Request, out: &mut Messages<'_>| -> Result<Option<f64>, Trouble> {
-        let key = format!("{:?}", asked.remedies);
-        if let Some(area) = known.get(&key) {
+        if let Some((_, area)) = known.iter().find(|(with, _)| *with == asked.remedies) {
             return Ok(Some(*area));
         }
         let found = solved(&measured, asked, pressure, out)?;
-        known.extend(found.map(|area| (key, area)));
+        known.extend(found.map(|area| (asked.remedies.clone(), area)));
         Ok(found)
     };
     for key in &request.defects {

@@ -12,7 +12,7 @@ use contact_front_end::{Failure, raw, shown};
 use contact_report::numbers::significant;
 use contact_types::{Grid, HeightMap};
 use serde_json::{Value, json};
-use surface_io::{ChannelInfo, Cut, Fill, Measurement, Need, ReadError, ReadOptions};
+use surface_io::{ChannelInfo, Cut, Fill, Measurement, Need, ReadError};
 use surface_stats::SurfaceStatistics;
 
 /// Most pixels of a picture along its longer side.
@@ -187,8 +187,8 @@ fn picture(map: &HeightMap, points: &[usize], key: &str) -> String {
 
 /// The state `ask`: numbers as they stand in the file, and what the fields filled in so far would mean.
 fn ask(request: &Request, file: &[u8]) -> Result<Value, Trouble> {
-    let read = |options: &ReadOptions| surface_io::read_bytes(file, options);
-    let (raw, missing) = raw(request.options()?, read).map_err(Trouble::Unread)?;
+    let found = raw(request.options()?, |options| surface_io::read_bytes(file, options));
+    let (raw, missing) = found.map_err(Trouble::Unread)?;
     if raw.is_profile() {
         return Err(Trouble::Profile { points: raw.heights().len() });
     }

@@ -3,6 +3,8 @@
 use crate::cli::{TestFolder, UNITS, folder, has, list};
 use serde_json::Value;
 
+const INTERPOLATED: &str = "Result depends on interpolation between points";
+
 /// White noise: waves of two points, which no grid error bar covers.
 fn noise() -> TestFolder {
     let at = folder();
@@ -35,8 +37,7 @@ fn solve_says_on_the_terminal_what_its_json_says() {
     let line = format!("solve noise.txt {UNITS} --modulus 1GPa --pressure 1MPa,9MPa");
     let json = at.answer(&line);
     let found = open(&json["findings"]);
-    let interpolated = |claim: &str| claim.starts_with("Result depends on interpolation");
-    assert!(found.iter().any(|(claim, _)| interpolated(claim)), "{found:?}");
+    assert!(found.iter().any(|(claim, _)| claim.starts_with(INTERPOLATED)), "{found:?}");
     assert!(list(&json["findings"]).iter().any(|f| f["subject"] == "grid"), "{json}");
     let text = at.run(&line).out;
     for (claim, effect) in found.iter().take(3) {
@@ -58,8 +59,11 @@ fn page_terminal_and_results_of_a_study_agree() {
     let line = "compare noise.txt --modulus 1GPa --pressure 1MPa,9MPa --out out";
     let said = at.done(&format!("{line} {UNITS}")).out;
     let page = at.read("out/report.html");
-    let found = open(&at.results("out")["surfaces"][0]["findings"]);
-    assert!(found.len() > 1, "{found:?}");
+    let surface = &at.results("out")["surfaces"][0];
+    // The finer grid was solved unasked.
+    assert!(!surface["finer"].is_null(), "{surface}");
+    let found = open(&surface["findings"]);
+    assert!(found.iter().any(|(claim, _)| claim.starts_with(INTERPOLATED)), "{found:?}");
     for (claim, text) in found.iter().take(3) {
         has(&said, &[&claim.replace('\u{202F}', " ")]);
         for part in [claim, text] {

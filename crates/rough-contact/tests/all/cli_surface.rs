@@ -203,6 +203,8 @@ fn threads_change_nothing_and_a_gap_gives_its_pressure_back() {
     let [one, three] =
         [1, 3].map(|threads| solve(&format!("--pressure 50MPa --threads {threads}")));
     assert_eq!(timeless(&one, &[]), timeless(&three, &[]));
+    let line = format!("{SOLVE} --modulus 70GPa --pressure 50MPa --method polonsky-keer");
+    assert_eq!(at.answer(&line)["method"], "polonsky-keer");
     let back = solve(&format!("--gap {}m", number(&one["mean_gap"])));
     close(number(&back["mean_pressure"]), 50e6, 1e-6);
 }
