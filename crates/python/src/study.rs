@@ -183,8 +183,8 @@ pub(crate) fn study(
     for own in own {
         times.insert(own.name.clone(), own.seconds.clone());
         let theory = GivenTheory::of(own).map_err(|e| raise(&e))?;
-        let refused = |e| raise(&Failure::refused("model", format!("{e}")));
-        registry = registry.with(theory).map_err(|e: contact_compare::NotRegistered| refused(e))?;
+        let refused = |e: StudyError| raise(&Failure::refused("model", e.to_string()));
+        registry = registry.with(theory).map_err(refused)?;
     }
     let threads = settings.threads;
     let WatchedOutcome { value, stopped_by } = watched(py, threads, progress, move |reporter| {

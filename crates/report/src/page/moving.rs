@@ -6,7 +6,7 @@
 
 use crate::draw::palette::{OkLab, PRESSURE_RAMP, ramp_table};
 use crate::draw::png;
-use crate::figures::maps::{self, MapPart};
+use crate::figures::maps::{self, MapPart, combined};
 use crate::numbers::{METRES, PASCALS, quantity, unit_for};
 use crate::page::shared::attribute;
 use contact_compare::{
@@ -199,21 +199,6 @@ fn reduced(first: &[u8], [ny, nx]: [usize; 2], limit: usize) -> (Vec<u8>, [usize
     }
     let small = [ny, nx].map(|n| (n * limit / ny.max(nx)).max(1));
     (combined(first, [ny, nx], small, u8::min), small)
-}
-
-/// One value for the points that each dot covers; where a dot is less than a point wide, two share it.
-fn combined<T: Copy>(
-    field: &[T],
-    [ny, nx]: [usize; 2],
-    small: [usize; 2],
-    both: impl Fn(T, T) -> T,
-) -> Vec<T> {
-    let span = |j: usize, n: usize, m: usize| j * n / m..((j + 1) * n).div_ceil(m);
-    let dot = |y: usize, x: usize| {
-        let rows = span(y, ny, small[0]).map(|iy| &field[iy * nx..][span(x, nx, small[1])]);
-        rows.flatten().copied().reduce(&both).expect("a dot covers a point")
-    };
-    (0..small[0] * small[1]).map(|i| dot(i / small[1], i % small[1])).collect()
 }
 
 #[cfg(test)]
