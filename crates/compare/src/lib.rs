@@ -78,9 +78,7 @@ pub use result::{
 };
 pub use run_file::{RunFile, RunSurface};
 pub use scene::{Scene, is_steep, typical_hardness};
-pub use settings::{
-    Along, Body, EdgesName, LeakRequest, STEEL, Seal, Settings, default_pressures, poisson,
-};
+pub use settings::{Along, Body, EdgesName, LeakRequest, STEEL, Seal, Settings, poisson};
 pub use spikes::{SPIKE_THRESHOLD, Spikes};
 pub use spots::{Spot, contact_spots};
 pub use study::loads as loads_of_study;

@@ -4,9 +4,9 @@ use crate::failure::{bug, raise};
 use crate::surface::{LaidBody, Second, surface_of};
 use crate::watched::{News, WatchedOutcome, watched};
 use contact_compare::{
-    BuildError, Card, Citation, Comparison, ContactModel, ContactState, CurvePoint, Inputs,
-    ModelError, Origin, Progress, Registry, RunFile, RunSurface, Settings, StudyError, Surface,
-    Tabulated, Theory,
+    BuildError, Card, Citation, Comparison, ContactModel, ContactModulus, ContactState, CurvePoint,
+    Inputs, ModelError, Origin, Progress, Registry, RunFile, RunSurface, Settings, StudyError,
+    Surface, Tabulated, Theory, loads_of_study,
 };
 use contact_front_end::Failure;
 use contact_report::Provenance;
@@ -147,8 +147,10 @@ pub(crate) fn model_inputs() -> String {
 
 /// Nominal pressures (Pa) for a surface nobody chose loads for.
 #[pyfunction]
-pub(crate) fn default_pressures(modulus: f64, rms_gradient: f64) -> Vec<f64> {
-    contact_compare::default_pressures(modulus, rms_gradient)
+pub(crate) fn default_pressures(modulus: f64, rms_gradient: f64) -> PyResult<Vec<f64>> {
+    let settings = Settings { modulus, ..Settings::default() };
+    let modulus = ContactModulus::from_pascals(modulus).map_err(|e| raise(&Failure::from(&e)))?;
+    Ok(loads_of_study(&settings, modulus, rms_gradient))
 }
 
 /// Files by name; what went wrong, as kind and message; the exception that stopped it.
