@@ -178,11 +178,9 @@ pub struct Resistance {
 pub struct Conduction {
     /// What was asked.
     pub joint: Joint,
-    /// Electrical conductance over stiffness, `2/(E* (ρ1 + ρ2))` (S/N); 0 with an insulator, infinite
-    /// between superconductors. `None` if no resistivity was given.
-    pub electrical: Option<f64>,
-    /// The same of the thermal conductance (m/s/K · W/N, that is W/m²/K over Pa/m).
-    pub thermal: Option<f64>,
+    /// Electrical conductance over stiffness, `2/(E* (ρ1 + ρ2))` (S/N), and thermal (W/m²/K over Pa/m); 0 with an insulator,
+    /// infinite between superconductors. `None` if it was not asked for.
+    pub factors: [Option<f64>; 2],
     /// Stiffness of the contact set at each load (Pa/m): 0 without contact, infinite in full contact. `None`
     /// without a converged solution.
     pub stiffness: Vec<Option<f64>>,
@@ -266,8 +264,7 @@ mod tests {
             };
             let found = Conduction {
                 joint: Joint::default(),
-                electrical: None,
-                thermal: None,
+                factors: [None; 2],
                 stiffness: Vec::new(),
                 theories: Vec::new(),
                 octaves: octaves.iter().map(octave).collect(),

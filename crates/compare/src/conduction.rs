@@ -29,11 +29,9 @@ impl Conduction {
         }
         let modulus = surface.inputs.modulus.pascals();
         let joint = Joint { area: Some(surface.nominal_area()), ..settings.joint() };
-        let [electrical, thermal] = joint.factors().map(|f| f.map(|f| f / modulus));
         Some(Self {
             joint,
-            electrical,
-            thermal,
+            factors: joint.factors().map(|f| f.map(|f| f / modulus)),
             stiffness: surface
                 .deterministic
                 .iter()
