@@ -161,12 +161,14 @@ impl SpotDistribution {
     fn of(spots: &[Spot]) -> Option<Self> {
         let largest = spots.first()?.points;
         let point = spots[0].area / spots[0].points as f64;
-        let [area, load] =
-            [|s: &Spot| s.area, |s: &Spot| s.load].map(|of| spots.iter().map(of).sum::<f64>());
         let sizes: Vec<usize> = std::iter::successors(Some(1_usize), |n| n.checked_mul(2))
             .take_while(|n| *n <= largest)
             .collect();
         let from = |size: usize| spots.iter().filter(move |s| s.points >= size);
+        let share = |of: fn(&Spot) -> f64| -> Vec<f64> {
+            let all: f64 = spots.iter().map(of).sum();
+            sizes.iter().map(|&n| from(n).map(of).sum::<f64>() / all).collect()
+        };
         Some(Self {
             count: spots.len(),
             // Largest first: the upper one of two in the middle.
@@ -174,14 +176,8 @@ impl SpotDistribution {
             largest_area: spots[0].area,
             areas: sizes.iter().map(|&n| n as f64 * point).collect(),
             count_at_least: sizes.iter().map(|&n| from(n).count()).collect(),
-            area_share: sizes
-                .iter()
-                .map(|&n| from(n).map(|s| s.area).sum::<f64>() / area)
-                .collect(),
-            load_share: sizes
-                .iter()
-                .map(|&n| from(n).map(|s| s.load).sum::<f64>() / load)
-                .collect(),
+            area_share: share(|s| s.area),
+            load_share: share(|s| s.load),
         })
     }
 }
