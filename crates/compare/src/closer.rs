@@ -18,8 +18,7 @@ use surface_stats::{Level, level};
 const MOST_POINTS: usize = 1024;
 
 /// What is asked of a surface beside its loads.
-type Ask =
-    fn(&mut SurfaceComparison, &Settings, &mut LoadListener<'_, '_>) -> Result<(), StudyError>;
+type Ask = fn(&mut SurfaceComparison, &Settings, &mut LoadListener<'_, '_>);
 
 impl Comparison {
     /// What a report asks beside the loads, at the converged headline of every surface: coarser grids, unless the grid was
@@ -42,11 +41,11 @@ impl Comparison {
         let Self { settings, surfaces, .. } = self;
         on_threads(settings.threads, || {
             all.into_iter().try_for_each(|(stage, ask)| {
-                let mut asked = surfaces.iter_mut().map(|surface| {
+                surfaces.iter_mut().try_for_each(|surface| {
                     let mut watch = LoadListener::new(progress, surface.headline);
-                    ask(surface, settings, &mut watch)
-                });
-                asked.try_for_each(|done| done.map_err(|why| (stage, why)))
+                    ask(surface, settings, &mut watch);
+                    watch.go_on().map_err(|why| (stage, why))
+                })
             })
         })
     }
@@ -73,17 +72,14 @@ fn look_closer(
     surface: &mut SurfaceComparison,
     settings: &Settings,
     watch: &mut LoadListener<'_, '_>,
-) -> Result<(), StudyError> {
+) {
     let is_solved = surface.headline_answer().is_some_and(|a| a.converged);
     if surface.plan.is_some() || !is_solved || surface.map.rms_height <= 0.0 {
-        return Ok(());
+        return;
     }
     let area = certify(surface, settings, watch);
-    watch.go_on()?;
     let choices = choices(surface, settings, area, watch);
-    watch.go_on()?;
-    surface.choices = Some(choices);
-    Ok(())
+    surface.choices = watch.go_on().is_ok().then_some(choices);
 }
 
 /// Solves the headline once more with the rigorous bound and the stiffness of its contact set. Answers with the

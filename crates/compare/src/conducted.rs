@@ -63,7 +63,7 @@ impl Joint {
     }
 
     /// From the conductances over conductivity of the contact and of the gas (1/m), at a mean pressure (Pa).
-    pub fn conducted(
+    pub(crate) fn conducted(
         &self,
         contact: Conductance,
         gas: Option<Conductance>,
@@ -108,7 +108,7 @@ impl Conductance {
 
     /// Nothing without contact or with an insulator.
     #[must_use]
-    pub fn times(self, factor: f64) -> Self {
+    pub(crate) fn times(self, factor: f64) -> Self {
         if self.value <= 0.0 || factor <= 0.0 {
             return Self::of(0.0);
         }
@@ -178,11 +178,9 @@ pub struct Resistance {
 pub struct Conduction {
     /// What was asked.
     pub joint: Joint,
-    /// Electrical conductance over stiffness, `2/(E* (ρ1 + ρ2))` (S/N); 0 with an insulator, infinite
-    /// between superconductors. `None` if no resistivity was given.
-    pub electrical: Option<f64>,
-    /// The same of the thermal conductance (m/s/K · W/N, that is W/m²/K over Pa/m).
-    pub thermal: Option<f64>,
+    /// Electrical conductance over stiffness, `2/(E* (ρ1 + ρ2))` (S/N), and thermal (W/m²/K over Pa/m); 0 with an insulator,
+    /// infinite between superconductors. `None` if it was not asked for.
+    pub factors: [Option<f64>; 2],
     /// Stiffness of the contact set at each load (Pa/m): 0 without contact, infinite in full contact. `None`
     /// without a converged solution.
     pub stiffness: Vec<Option<f64>>,
@@ -225,59 +223,54 @@ pub struct Octave {
 }
 
 impl Conduction {
-    /// By what factor area and conductance change at most when the shortest octaves are taken off, each the
-    /// larger over the smaller; `None` without octaves.
-    pub(crate) fn changes(&self) -> Option<[f64; 2]> {
-        let first = self.octaves.first()?;
-        let rest = self.octaves.get(1..).filter(|rest| !rest.is_empty())?;
-        let most = |of: fn(&Octave) -> f64| {
-            let ratio = |o: &Octave| (of(o) / of(first)).max(of(first) / of(o));
-            rest.iter().map(ratio).fold(1.0, f64::max)
-        };
-        let found = [most(|o| o.area), most(|o| o.stiffness)];
-        found.iter().all(|f| f.is_finite()).then_some(found)
-    }
-
-    /// Whether the conductance hardly depends on the shortest waves, while the area does.
+    /// Whether the conductance hardly depends on the shortest waves, while the area does; `None` without octaves.
     pub fn is_sturdy(&self) -> Option<bool> {
-        self.changes().map(|[area, conductance]| conductance.ln() <= HARDLY * area.ln())
+        let [area, conductance] = changes(&self.octaves)?;
+        Some(conductance.ln() <= HARDLY * area.ln())
     }
+}
+
+/// By what factor area and conductance change at most when the shortest octaves are taken off, each the larger over the
+/// smaller.
+fn changes(octaves: &[Octave]) -> Option<[f64; 2]> {
+    let (first, rest) = octaves.split_first().filter(|(_, rest)| !rest.is_empty())?;
+    let most = |of: fn(&Octave) -> f64| {
+        let ratio = |o: &Octave| (of(o) / of(first)).max(of(first) / of(o));
+        rest.iter().map(ratio).fold(1.0, f64::max)
+    };
+    let found = [most(|o| o.area), most(|o| o.stiffness)];
+    found.iter().all(|f| f.is_finite()).then_some(found)
 }
 
 #[cfg(test)]
 mod tests {
     use super::*;
 
-    fn of(octaves: &[[f64; 2]]) -> Conduction {
-        let octave = |[area, stiffness]: &[f64; 2]| Octave {
-            shortest: 1.0,
-            area: *area,
-            stiffness: *stiffness,
-        };
-        Conduction {
-            joint: Joint::default(),
-            electrical: None,
-            thermal: None,
-            stiffness: Vec::new(),
-            theories: Vec::new(),
-            octaves: octaves.iter().map(octave).collect(),
-            seconds: 0.0,
-        }
-    }
-
-    /// ENDUSE A.1, check 5: area .0243 to .0736 and conductance 1.892 to 1.881 from all waves to the longest.
+    /// ENDUSE A.1, check 5: area .0243 to .0736 and conductance 1.892 to 1.881 from all waves to the longest. Both change alike;
+    /// only the conductance does; nothing was taken off.
     #[test]
     fn the_sentence_follows_the_numbers() {
-        let rough = of(&[[0.0243, 1.881], [0.05, 1.9], [0.0736, 1.892]]);
-        let [area, conductance] = rough.changes().expect("octaves");
-        assert!(
-            (area - 0.0736 / 0.0243).abs() < 1e-12 && (conductance - 1.9 / 1.881).abs() < 1e-12
-        );
-        assert_eq!(rough.is_sturdy(), Some(true));
-        // Both change alike; only the conductance does; nothing was taken off.
-        assert_eq!(of(&[[0.02, 2.0], [0.03, 1.3]]).is_sturdy(), Some(false));
-        assert_eq!(of(&[[0.02, 2.0], [0.02, 1.3]]).is_sturdy(), Some(false));
-        assert_eq!(of(&[[0.02, 2.0]]).is_sturdy(), None);
-        assert_eq!(of(&[]).changes(), None);
+        for (octaves, expected) in [
+            (&[[0.0243, 1.881], [0.05, 1.9], [0.0736, 1.892]][..], Some(true)),
+            (&[[0.02, 2.0], [0.03, 1.3]], Some(false)),
+            (&[[0.02, 2.0], [0.02, 1.3]], Some(false)),
+            (&[[0.02, 2.0]], None),
+            (&[], None),
+        ] {
+            let octave = |[area, stiffness]: &[f64; 2]| Octave {
+                shortest: 1.0,
+                area: *area,
+                stiffness: *stiffness,
+            };
+            let found = Conduction {
+                joint: Joint::default(),
+                factors: [None; 2],
+                stiffness: Vec::new(),
+                theories: Vec::new(),
+                octaves: octaves.iter().map(octave).collect(),
+                seconds: 0.0,
+            };
+            assert_eq!(found.is_sturdy(), expected, "{octaves:?}");
+        }
     }
 }

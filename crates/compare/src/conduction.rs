@@ -10,7 +10,7 @@ use crate::progress::LoadListener;
 use crate::registry::find;
 use crate::result::{DeterministicAnswer, SurfaceComparison};
 use crate::settings::Settings;
-use crate::{GapGas, Input, Inputs, StudyError, Theory};
+use crate::{GapGas, Input, Inputs, Theory};
 use asperity_models::thermal_conductance::gas_between;
 use contact_accuracy::{Budget, regrid};
 use contact_types::{Clock, ContactModel, ContactModulus, ContactState, HeightMap};
@@ -29,11 +29,9 @@ impl Conduction {
         }
         let modulus = surface.inputs.modulus.pascals();
         let joint = Joint { area: Some(surface.nominal_area()), ..settings.joint() };
-        let [electrical, thermal] = joint.factors().map(|f| f.map(|f| f / modulus));
         Some(Self {
             joint,
-            electrical,
-            thermal,
+            factors: joint.factors().map(|f| f.map(|f| f / modulus)),
             stiffness: surface
                 .deterministic
                 .iter()
@@ -70,7 +68,7 @@ fn theories(surface: &SurfaceComparison, joint: Joint) -> Vec<TheoryStiffness> {
             loads().map(at).collect()
         };
         let gas = joint.gas.map_or_else(Vec::new, gas);
-        let gamma = theory.card().takes(Input::Gamma).then(|| inputs.gamma());
+        let gamma = inputs.gamma().filter(|_| theory.card().takes(Input::Gamma));
         let label = theory.card().label.to_string();
         Some(TheoryStiffness { name: name.to_owned(), label, gamma, stiffness, gas })
     };
@@ -160,15 +158,13 @@ pub(crate) fn remove_octaves(
     surface: &mut SurfaceComparison,
     settings: &Settings,
     watch: &mut LoadListener<'_, '_>,
-) -> Result<(), StudyError> {
+) {
     let start = Clock::now();
     let octaves = octaves(surface, settings, watch);
-    watch.go_on()?;
-    if let Some(conduction) = &mut surface.conduction {
+    if let Some(conduction) = surface.conduction.as_mut().filter(|_| watch.go_on().is_ok()) {
         conduction.octaves = octaves;
         conduction.seconds = start.elapsed().as_secs_f64();
     }
-    Ok(())
 }
 
 fn octaves(

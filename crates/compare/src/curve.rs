@@ -6,8 +6,7 @@ use crate::first_contact::FirstContact;
 use crate::pressure_maps::PressureMaps;
 use crate::progress::{Listener, Progress};
 use crate::result::{DeterministicAnswer, DeterministicPoint, SurfaceComparison};
-use crate::sections::Sections;
-use crate::spots::{Spots, contact_spots};
+use crate::spots::contact_spots;
 use contact_accuracy::{Answered, Budget, Leaks, Map, Sink};
 use contact_types::HeightMap;
 use fft_bem_solver::{Iteration, Solution, SolverError};
@@ -54,8 +53,9 @@ impl Sink for Curve<'_, '_> {
         found.deterministic.clear();
         found.leaks.clear();
         found.distributions.clear();
-        (found.first_contact, found.pressure_maps, found.sections) = (None, None, None);
-        (found.headline, found.spots) = (0, None);
+        (found.first_contact, found.pressure_maps) = (None, None);
+        found.sections.clear();
+        found.headline = 0;
         found.pressure.clear();
         self.score = f64::INFINITY;
     }
@@ -75,21 +75,20 @@ impl Sink for Curve<'_, '_> {
         let (point, mut solution) = solved(mean_pressure, result, self.materials, &self.found.map);
         let score = self.distance(index, point.answer.as_ref());
         let found = &mut self.found;
-        let section = solution.as_mut().and_then(|s| s.section.take());
-        found.sections = Sections::with(found.sections.take(), index, section);
+        found.sections.extend(solution.as_mut().and_then(|s| s.section.take()));
         let (first, maps) = (found.first_contact.take(), found.pressure_maps.take());
         let repeats = found.edges == EdgesName::Periodic;
         let fields = solution.as_ref().map(|s| (&s.pressure[..], &s.gap[..], s.grid));
-        let (kept, (spots, distributions)) = join(
+        let (kept, distributions) = join(
             || {
                 let pressure = fields.map_or(&[][..], |(pressure, ..)| pressure);
                 let maps = fields.and_then(|(p, _, grid)| PressureMaps::with(maps, index, grid, p));
                 (FirstContact::with(first, index, pressure), maps)
             },
             || {
-                let Some((pressure, gap, grid)) = fields else { return (None, None) };
+                let (pressure, gap, grid) = fields?;
                 let (list, _) = contact_spots(pressure, grid, repeats);
-                (Spots::of(&list), Distributions::of(pressure, gap, &list))
+                Distributions::of(pressure, gap, &list)
             },
         );
         (found.first_contact, found.pressure_maps) = kept;
@@ -97,7 +96,7 @@ impl Sink for Curve<'_, '_> {
         found.deterministic.push(point);
         found.leaks.push(leak);
         if score < self.score {
-            (self.score, found.headline, found.spots) = (score, index, spots);
+            (self.score, found.headline) = (score, index);
             found.pressure = solution.map_or_else(Vec::new, |s| s.pressure);
         }
         let headline = found.headline;

@@ -67,19 +67,14 @@ pub(crate) fn spectral(power: &PowerSpectrum, statistics: &SurfaceStatistics) ->
 
 /// The PSD in about 12 bins per octave of wavenumber, `[wavelength, C]`: what a figure can show.
 fn thinned(rings: &[Ring]) -> Vec<[f64; 2]> {
-    let mut bins: Vec<(i64, f64, f64, f64)> = Vec::new(); // bin, waves, sum C, sum ln q
-    for ring in rings.iter().filter(|r| r.wavenumber > 0.0) {
-        let bin = (12.0 * ring.wavenumber.log2()).floor() as i64;
-        let waves = ring.waves as f64;
-        let (c, q) = (waves * ring.psd, waves * ring.wavenumber.ln());
-        match bins.last_mut() {
-            Some(last) if last.0 == bin => {
-                last.1 += waves;
-                last.2 += c;
-                last.3 += q;
-            }
-            _ => bins.push((bin, waves, c, q)),
-        }
-    }
-    bins.into_iter().map(|(_, waves, c, q)| [TAU / (q / waves).exp(), c / waves]).collect()
+    let rings: Vec<&Ring> = rings.iter().filter(|r| r.wavenumber > 0.0).collect();
+    let bin = |ring: &Ring| (12.0 * ring.wavenumber.log2()).floor() as i64;
+    let mean = |rings: &[&Ring]| {
+        let waves: f64 = rings.iter().map(|r| r.waves as f64).sum();
+        let of = |part: fn(&Ring) -> f64| -> f64 {
+            rings.iter().map(|r| r.waves as f64 * part(r)).sum::<f64>() / waves
+        };
+        [TAU / of(|r| r.wavenumber.ln()).exp(), of(|r| r.psd)]
+    };
+    rings.chunk_by(|a, b| bin(a) == bin(b)).map(mean).collect()
 }

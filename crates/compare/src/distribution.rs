@@ -57,6 +57,12 @@ pub struct GapDistribution {
 pub struct SpotDistribution {
     /// How many there are.
     pub count: usize,
+    /// Median area (m²), by counted points; listed with the spots of a study.
+    #[serde(skip)]
+    pub median_area: f64,
+    /// Largest area (m²), likewise.
+    #[serde(skip)]
+    pub largest_area: f64,
     /// Areas (m²), rising by factors of two from one point.
     pub areas: Vec<f64>,
     /// Number of spots of at least each area.
@@ -151,27 +157,27 @@ impl GapDistribution {
 }
 
 impl SpotDistribution {
+    /// Of a list, largest first; `None` if it is empty.
     fn of(spots: &[Spot]) -> Option<Self> {
-        let largest = spots.iter().map(|s| s.points).max()?;
+        let largest = spots.first()?.points;
         let point = spots[0].area / spots[0].points as f64;
-        let [area, load] =
-            [|s: &Spot| s.area, |s: &Spot| s.load].map(|of| spots.iter().map(of).sum::<f64>());
         let sizes: Vec<usize> = std::iter::successors(Some(1_usize), |n| n.checked_mul(2))
             .take_while(|n| *n <= largest)
             .collect();
         let from = |size: usize| spots.iter().filter(move |s| s.points >= size);
+        let share = |of: fn(&Spot) -> f64| -> Vec<f64> {
+            let all: f64 = spots.iter().map(of).sum();
+            sizes.iter().map(|&n| from(n).map(of).sum::<f64>() / all).collect()
+        };
         Some(Self {
             count: spots.len(),
+            // Largest first: the upper one of two in the middle.
+            median_area: spots[spots.len() - 1 - spots.len() / 2].area,
+            largest_area: spots[0].area,
             areas: sizes.iter().map(|&n| n as f64 * point).collect(),
             count_at_least: sizes.iter().map(|&n| from(n).count()).collect(),
-            area_share: sizes
-                .iter()
-                .map(|&n| from(n).map(|s| s.area).sum::<f64>() / area)
-                .collect(),
-            load_share: sizes
-                .iter()
-                .map(|&n| from(n).map(|s| s.load).sum::<f64>() / load)
-                .collect(),
+            area_share: share(|s| s.area),
+            load_share: share(|s| s.load),
         })
     }
 }
@@ -232,6 +238,8 @@ mod tests {
             (&[1.0, 2.0][..], &[2, 1][..])
         );
         assert_eq!(found.spots.load_share, [1.0, 0.5]);
+        let [median, largest] = [found.spots.median_area, found.spots.largest_area];
+        assert!((median - 2.0).abs() < 1e-12 && (largest - 2.0).abs() < 1e-12);
         let gap = found.gap.unwrap();
         assert!(
             (gap.mean - 1e-6).abs() < 1e-18

@@ -7,7 +7,7 @@ use crate::finding::{
 use crate::result::{DeterministicPoint, SurfaceComparison};
 use crate::scene::{Scene, is_steep};
 use crate::yielding::{BULK_YIELD, hardness_of};
-use crate::{Independence, Origin, PairOrigin, Spikes};
+use crate::{Independence, PairOrigin, Spikes};
 use contact_accuracy::{EdgeShare, INDICATOR_LIMIT, NoUncertainty, Reached};
 use fft_bem_solver::End;
 use surface_stats::clean::Record;
@@ -22,10 +22,7 @@ const FILLED_MATTER: f64 = 0.05;
 pub fn findings(surface: &SurfaceComparison) -> Vec<Finding> {
     let points = &surface.deterministic;
     let answers = || points.iter().filter_map(|p| p.answer.as_ref());
-    let file = match &surface.origin {
-        Origin::File(file) => Some(file),
-        _ => None,
-    };
+    let file = surface.origin.file();
     let solved = Solved {
         scene: scene(surface),
         spikes: surface.spikes.clone(),
@@ -114,7 +111,7 @@ fn hardness(surface: &SurfaceComparison) -> Vec<Finding> {
         let yielded = answer.diagnostics.yielded.filter(|y| y.area_fraction > 0.0)?;
         let elastic = surface.elastic.get(surface.headline).and_then(|p| p.answer.as_ref());
         Some(Yielding {
-            over_elastic: given.over_elastic(),
+            over_elastic: given.indices(None).modulus_gradient_over_hardness,
             load: surface.headline_pressure(),
             share: (yielded.area_fraction / answer.touching_fraction).min(1.0),
             load_share: yielded.load_share,
@@ -241,7 +238,7 @@ fn of_pair(pair: &PairOrigin) -> Vec<Finding> {
         found.push(Finding::check_if(matters, fact));
     }
     for ((body, origin), grid) in pair.names.iter().zip(&*pair.bodies).zip(placed.grids) {
-        let Origin::File(file) = origin else { continue };
+        let Some(file) = origin.file() else { continue };
         let own = cleaned(&file.cleaned, [file.missing, grid.len()], &file.fill, None);
         found.extend(own.map(|f| Finding { body: Some(body.clone()), ..f }));
     }

@@ -106,7 +106,7 @@ impl GapGas {
             let reason = "the table of thermal conductivities (K) ends there";
             return Err(require::outside(MODEL, "temperature", self.temperature, domain, reason));
         }
-        self.jump_of(self.free_path()).map(drop)
+        self.jump_length().map(drop)
     }
 
     /// Thermal conductivity (W/m/K), a power of the temperature between those of the table.
@@ -127,12 +127,12 @@ impl GapGas {
 
     /// Length of the temperature jumps at both walls, M (m); NaN of a gas that is refused.
     pub fn jump(&self) -> f64 {
-        self.jump_of(self.free_path()).unwrap_or(f64::NAN)
+        self.jump_length().unwrap_or(f64::NAN)
     }
 
-    fn jump_of(&self, free_path: f64) -> Result<f64, ModelError> {
+    fn jump_length(&self) -> Result<f64, ModelError> {
         let row = self.gas.row();
-        temperature_jump(free_path, row.prandtl, row.heat_ratio, self.accommodation)
+        temperature_jump(self.free_path(), row.prandtl, row.heat_ratio, self.accommodation)
     }
 }
 

@@ -100,14 +100,10 @@ impl Inputs {
         }
     }
 
-    /// Whether Persson's mean gap can be made from these.
-    pub fn has_gap(&self) -> bool {
-        self.spectrum.is_some() || self.self_affine.is_some()
-    }
-
-    /// The weight that Persson's mean gap has \[-\].
-    pub fn gamma(&self) -> f64 {
-        self.gamma.unwrap_or(Persson::GAMMA)
+    /// The weight that Persson's mean gap has \[-\]; `None` if it cannot be made from these.
+    pub fn gamma(&self) -> Option<f64> {
+        let has_gap = self.spectrum.is_some() || self.self_affine.is_some();
+        has_gap.then(|| self.gamma.unwrap_or(Persson::GAMMA))
     }
 
     /// The moment m2 \[-\].

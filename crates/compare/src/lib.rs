@@ -53,7 +53,8 @@ pub use contact_types::{
 };
 pub use distribution::{Distributions, GapDistribution, PressureHistogram, SpotDistribution};
 pub use fft_bem_solver::{
-    End, Iteration, Load, Method, ObserverResult, Precision, Solution, Solver, SolverError, Yielded,
+    Diagnostics, End, Iteration, Load, Method, ObserverResult, Precision, Section, Solution,
+    Solver, SolverError, Yielded,
 };
 pub use finding::{Fact, Finding, Passed, Pressed, Seam, Unevenness, Weight, Yielding};
 pub use findings::{Solved, findings, measured, seam};
@@ -70,24 +71,21 @@ pub use profile::{
 pub use progress::{Listener, Progress, StudyError};
 pub use reason::{Applies, Reason, Verdict};
 pub use recipe::{Recipe, built_in_recipes};
-pub use registry::{NotRegistered, Registry, built_in, find};
+pub use registry::{Registry, built_in, find};
 pub use result::{
     ChoiceKind, Coarser, Comparison, DeterministicAnswer, DeterministicPoint, ModelComparison,
     ModelCurve, Refused, Spectral, SurfaceComparison,
 };
 pub use run_file::{RunFile, RunSurface};
 pub use scene::{Scene, is_steep, typical_hardness};
-pub use sections::Sections;
-pub use settings::{
-    Along, Body, EdgesName, LeakRequest, STEEL, Seal, Settings, default_pressures, poisson,
-};
+pub use settings::{Along, Body, EdgesName, LeakRequest, STEEL, Seal, Settings, poisson};
 pub use spikes::{SPIKE_THRESHOLD, Spikes};
-pub use spots::{Spot, Spots, contact_spots};
+pub use spots::{Spot, contact_spots};
 pub use study::loads as loads_of_study;
 pub use surface::{FileOrigin, GivenOrigin, Origin, PairOrigin, Surface, sha256_hex};
 pub use surface_stats::Level;
 pub use surface_stats::pair::{Flip, Independence, Placed, Placing};
-pub use tabulated::{BadCurve, CurvePoint, Tabulated};
+pub use tabulated::{CurvePoint, Tabulated};
 pub use theory::{Assumes, BuildError, Card, Theory};
 pub use yielding::{
     BULK_YIELD, Hardness, PlasticityIndices, elastic_holds, elastic_limit, hardness_of,

@@ -105,15 +105,4 @@ mod tests {
         assert_eq!(PressureMaps::with(Some(maps), 2, grid, &[]), None, "no solution");
         assert_eq!(PressureMaps::with(None, 1, grid, &field), None, "the load before has none");
     }
-
-    #[test]
-    fn the_scale_ends_at_two_digits_of_the_99th_percentile() {
-        let pressure: Vec<f64> = (0..=200).map(f64::from).collect(); // 0 does not touch
-        assert_eq!(pressure_top(&pressure), (200.0, false));
-        assert_eq!(pressure_top(&[0.0, 0.0]), (1.0, false));
-        assert_eq!(
-            [0.0, 1e-9, 0.5, 1.0, 3.0].map(|p| pressure_class(p, 1.0)),
-            [0, 1, 128, 255, 255]
-        );
-    }
 }

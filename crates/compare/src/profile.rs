@@ -5,12 +5,12 @@ use crate::ask::{curve_of, possible};
 use crate::finding::{Fact, Finding, Pressed, Unevenness};
 use crate::findings::cleaned;
 use crate::inputs::Inputs;
-use crate::result::ModelComparison;
+use crate::result::{ModelComparison, ModelCurve};
 use crate::scene::Scene;
 use crate::study::{check_models, check_pressures, headline, loads, nearest};
 use crate::theory::Theory;
 use crate::verdict::{Judged, verdict};
-use crate::{FileOrigin, Origin, Registry, Settings, StudyError};
+use crate::{Origin, Registry, Settings, StudyError};
 use contact_types::{Clock, ContactModulus, ContactState, SpectralMoments};
 use surface_stats::profile::{
     ProfileOptions, ProfileStatistics, SettingSource, Trace, TraceSpectrum,
@@ -29,7 +29,8 @@ pub struct ProfileSurface {
     pub name: String,
     /// Where it came from; the filters of its cleaning are λs and λc here.
     pub origin: Origin,
-    /// The traces, of the same length and spacing, before they are levelled and filtered.
+    /// The traces, of the same length and spacing; of a study as their moments are taken: levelled, and filtered if that was
+    /// asked for.
     pub traces: Vec<Trace>,
     /// How their points were put at equal distances, if they were not.
     pub uneven: Option<Unevenness>,
@@ -38,18 +39,13 @@ pub struct ProfileSurface {
 impl ProfileSurface {
     /// How statistics of it are taken in a study.
     pub fn options(&self, settings: &Settings) -> ProfileOptions {
-        let (short, cutoff, height_step) = match &self.origin {
-            Origin::File(file) => {
-                (file.cleaning.s_filter, file.cleaning.l_filter, file.height_step)
-            }
-            Origin::Recipe(_) | Origin::Given(_) | Origin::Pair(_) => (None, None, None),
-        };
+        let file = self.origin.file();
         ProfileOptions {
             degree: settings.level.degree().unwrap_or(0),
-            short,
-            cutoff,
+            short: file.and_then(|file| file.cleaning.s_filter),
+            cutoff: file.and_then(|file| file.cleaning.l_filter),
             fractal_range: settings.fractal_range,
-            height_step,
+            height_step: file.and_then(|file| file.height_step),
         }
     }
 }
@@ -59,14 +55,8 @@ impl ProfileSurface {
 pub struct ProfileComparison {
     /// What was asked for; what concerns the solver is not used.
     pub settings: Settings,
-    /// What the report calls it.
-    pub name: String,
-    /// Where it came from.
-    pub origin: Origin,
-    /// How the points were put at equal distances, if they were not.
-    pub uneven: Option<Unevenness>,
-    /// The traces as their moments are taken: levelled, and filtered if that was asked for.
-    pub traces: Vec<Trace>,
+    /// The traces.
+    pub surface: ProfileSurface,
     /// Their statistics.
     pub statistics: ProfileStatistics,
     /// Their spectrum.
@@ -147,7 +137,7 @@ impl ProfileComparison {
     /// # Errors
     /// [`StudyError`]. A model that does not apply is a result, not an error.
     pub fn run(
-        surface: ProfileSurface,
+        mut surface: ProfileSurface,
         settings: Settings,
         registry: &Registry,
     ) -> Result<Self, StudyError> {
@@ -165,12 +155,12 @@ impl ProfileComparison {
             return Err(StudyError::YieldingProfiles);
         }
         let options = surface.options(&settings);
-        let ProfileSurface { name, origin, traces, uneven } = surface;
-        let refused = |source| StudyError::Statistics { surface: name.clone(), source };
-        let (statistics, traces, spectrum) =
-            ProfileStatistics::of(&traces, &options).map_err(refused)?;
+        let refused = |source| StudyError::Statistics { surface: surface.name.clone(), source };
+        let (statistics, spectrum);
+        (statistics, surface.traces, spectrum) =
+            ProfileStatistics::of(&surface.traces, &options).map_err(refused)?;
         let mut inputs = profile_inputs(&statistics, &spectrum, modulus).map_err(refused)?;
-        inputs.surface = Some(name.clone());
+        inputs.surface = Some(surface.name.clone());
         let pressures = loads(&settings, modulus, inputs.rms_gradient());
         let typical = TYPICAL_LOAD * modulus.pascals() * inputs.rms_gradient();
         let headline =
@@ -181,10 +171,7 @@ impl ProfileComparison {
             .collect();
         Ok(Self {
             settings,
-            name,
-            origin,
-            uneven,
-            traces,
+            surface,
             statistics,
             spectrum,
             inputs,
@@ -197,13 +184,14 @@ impl ProfileComparison {
 
     /// What may change a conclusion, worst first.
     pub fn findings(&self) -> Vec<Finding> {
-        profile_findings(&self.statistics, self.uneven, &self.origin, &self.scene())
+        let ProfileSurface { origin, uneven, .. } = &self.surface;
+        profile_findings(&self.statistics, *uneven, origin, &self.scene())
     }
 
     /// Lowest and highest area at a load among the models that answer, with their intervals, and how
     /// many they are; models that are not made of moments are not counted.
     pub fn span(&self, load: usize) -> Option<([f64; 2], usize)> {
-        let answers = self.models.iter().filter_map(|m| m.intervals[load]);
+        let answers = self.models.iter().filter_map(|m| m.outcome.as_ref().ok()?.intervals[load]);
         let ends = |[a, b]: [f64; 2], [low, high]: [f64; 2]| [a.min(low), b.max(high)];
         let count = answers.clone().count();
         Some((answers.reduce(ends)?, count))
@@ -236,12 +224,13 @@ fn ask(
     statistics: &ProfileStatistics,
 ) -> ModelComparison {
     let card = theory.card().clone();
-    let outcome = curve_of(theory, inputs, pressures);
-    let interval = |(i, pressure): (usize, &f64)| {
-        outcome.as_ref().ok()?.points[i].as_ref().ok()?;
-        area_interval(theory, inputs, statistics, *pressure)
-    };
-    let intervals = pressures.iter().enumerate().map(interval).collect();
+    let outcome = curve_of(theory, inputs, pressures).map(|curve| {
+        let answered = curve.points.iter().map(Result::is_ok).zip(pressures);
+        let interval = |(is_ok, pressure): (bool, &f64)| {
+            is_ok.then(|| area_interval(theory, inputs, statistics, *pressure))?
+        };
+        ModelCurve { intervals: answered.map(interval).collect(), ..curve }
+    });
     let judged = Judged {
         gradient: inputs.rms_gradient(),
         heights: statistics.skewness.zip(statistics.kurtosis),
@@ -249,7 +238,7 @@ fn ask(
         ..Judged::default()
     };
     let verdict = verdict(&card, inputs, &outcome, pressures, &judged);
-    ModelComparison { card, outcome, intervals, verdict }
+    ModelComparison { card, outcome, verdict }
 }
 
 /// The findings of profiles, worst first. `scene` is what is asked of elasticity, `origin` where the
@@ -268,9 +257,9 @@ pub fn profile_findings(
         found.push(Finding::warned(Warning::FewWaves { count: None }));
     }
     let points = statistics.points * statistics.traces;
-    let none = FileOrigin::default();
-    let file = if let Origin::File(file) = origin { file } else { &none };
-    found.extend(cleaned(&file.cleaned, [file.missing, points], &file.fill, uneven));
+    let file = origin.file();
+    let (missing, fill) = file.map_or((0, ""), |file| (file.missing, file.fill.as_str()));
+    found.extend(cleaned(origin.cleaned(), [missing, points], fill, uneven));
     found.sort_by_key(|f| f.weight);
     found
 }

@@ -74,9 +74,10 @@ impl<'a, 'b> LoadListener<'a, 'b> {
     }
 }
 
-/// Why there is no study, or no surface for it.
+/// Why there is no study, no surface for it, or no place for a theory in it.
 #[derive(Debug, Clone, thiserror::Error)]
 #[non_exhaustive]
+#[allow(missing_docs, reason = "the messages say what the fields are")]
 pub enum StudyError {
     /// No surface was given.
     #[error("no surface is given; a study needs at least one ([[surface]] in a run file)")]
@@ -95,23 +96,13 @@ pub enum StudyError {
         "a filter with a cut-off of {cutoff:e} m sees nothing between points {pixel:e} m apart; \
          give at least two points, {:e} m, or leave it out", 2.0 * pixel
     )]
-    CutoffTooShort {
-        /// The cut-off (m).
-        cutoff: f64,
-        /// The larger pixel side (m).
-        pixel: f64,
-    },
+    CutoffTooShort { cutoff: f64, pixel: f64 },
     /// Filters of the cleaning that leave nothing between them.
     #[error(
         "an S-filter at {s_filter:e} m and an L-filter at {l_filter:e} m leave no wave; the \
          S-filter takes short waves off, so give it the shorter cut-off"
     )]
-    NothingLeft {
-        /// Nesting index of the S-filter (m).
-        s_filter: f64,
-        /// Nesting index of the L-filter (m).
-        l_filter: f64,
-    },
+    NothingLeft { s_filter: f64, l_filter: f64 },
     /// The modulus is no modulus.
     #[error(transparent)]
     Material(#[from] SurfaceError),
@@ -125,12 +116,7 @@ pub enum StudyError {
     HeadlineNotComputed(f64),
     /// A name that is no model of the study.
     #[error("the study has no model '{name}'; it has {known}")]
-    UnknownModel {
-        /// The name.
-        name: String,
-        /// Those it has.
-        known: String,
-    },
+    UnknownModel { name: String, known: String },
     /// The list of models is empty; these there are.
     #[error("the list of models is empty; name at least one of {0}")]
     NoModel(String),
@@ -138,36 +124,16 @@ pub enum StudyError {
     #[error(
         "recipe {name:?}: give exactly one of rms_height (m) and rms_gradient, found {found} of them"
     )]
-    Scale {
-        /// Name of the recipe.
-        name: String,
-        /// How many were given.
-        found: usize,
-    },
+    Scale { name: String, found: usize },
     /// A value of a recipe is out of its range.
     #[error("recipe {name:?}: {source}")]
-    Impossible {
-        /// Name of the recipe.
-        name: String,
-        /// Which value and why.
-        source: StatsError,
-    },
+    Impossible { name: String, source: StatsError },
     /// Statistics refuse the surface, or the two of a pair.
     #[error("{surface}: {source}")]
-    Statistics {
-        /// Its name.
-        surface: String,
-        /// Why.
-        source: StatsError,
-    },
+    Statistics { surface: String, source: StatsError },
     /// The solver refuses the settings.
     #[error("{surface}: {source}")]
-    Solver {
-        /// Name of the surface.
-        surface: String,
-        /// Why.
-        source: Box<SolverError>,
-    },
+    Solver { surface: String, source: Box<SolverError> },
     /// The accuracy asked for is none.
     #[error(transparent)]
     Accuracy(#[from] BadRequest),
@@ -201,6 +167,24 @@ pub enum StudyError {
          leave the work of adhesion out"
     )]
     NoAdhesion,
+    /// Another theory has its name.
+    #[error("there is a model '{0}' already; give the new one another name")]
+    NameTaken(String),
+    /// Another theory has its label, so that figures could not tell them apart.
+    #[error("the model '{other}' has the label '{label}' already; give the new one another label")]
+    LabelTaken { label: String, other: String },
+    /// The name cannot be typed as an option or be a column of a table.
+    #[error(
+        "'{0}' cannot be the name of a model: use lower-case letters, digits and hyphens, for \
+         example 'my-model'"
+    )]
+    BadName(String),
+    /// A curve without points.
+    #[error("a curve needs at least one point")]
+    EmptyCurve,
+    /// A point that no curve has.
+    #[error("point {index} of the curve: {why}")]
+    BadPoint { index: usize, why: String },
     /// The observer asked to stop.
     #[error("stopped")]
     Stopped,

@@ -1,5 +1,6 @@
 //! The open list of models: the built-in ones and those a program adds.
 
+use crate::progress::StudyError;
 use crate::theories;
 use crate::theory::{Card, Theory};
 use std::sync::{Arc, LazyLock};
@@ -15,29 +16,6 @@ impl std::fmt::Debug for Registry {
     fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
         f.debug_list().entries(self.iter().map(|theory| &theory.card().name)).finish()
     }
-}
-
-/// Why a theory cannot join a registry.
-#[derive(Debug, Clone, PartialEq, Eq, thiserror::Error)]
-#[non_exhaustive]
-pub enum NotRegistered {
-    /// Another theory has its name.
-    #[error("there is a model '{0}' already; give the new one another name")]
-    NameTaken(String),
-    /// Another theory has its label, so that figures could not tell them apart.
-    #[error("the model '{other}' has the label '{label}' already; give the new one another label")]
-    LabelTaken {
-        /// The label.
-        label: String,
-        /// Who has it.
-        other: String,
-    },
-    /// The name cannot be typed as an option or be a column of a table.
-    #[error(
-        "'{0}' cannot be the name of a model: use lower-case letters, digits and hyphens, for \
-         example 'my-model'"
-    )]
-    BadName(String),
 }
 
 static BUILT_IN: LazyLock<Registry> = LazyLock::new(|| Registry { theories: theories::all() });
@@ -56,19 +34,19 @@ impl Registry {
     /// The same with one more, after the others.
     ///
     /// # Errors
-    /// [`NotRegistered`].
-    pub fn with(&self, theory: impl Theory + 'static) -> Result<Self, NotRegistered> {
+    /// [`StudyError::BadName`], [`StudyError::NameTaken`] and [`StudyError::LabelTaken`].
+    pub fn with(&self, theory: impl Theory + 'static) -> Result<Self, StudyError> {
         let (name, label) = (theory.card().name.to_string(), theory.card().label.to_string());
         let may_be = |c: char| c.is_ascii_lowercase() || c.is_ascii_digit() || c == '-';
         if name.is_empty() || !name.chars().all(may_be) {
-            return Err(NotRegistered::BadName(name));
+            return Err(StudyError::BadName(name));
         }
         if self.find(&name).is_some() {
-            return Err(NotRegistered::NameTaken(name));
+            return Err(StudyError::NameTaken(name));
         }
         if let Some(other) = self.iter().find(|t| t.card().label == label) {
             let other = other.card().name.to_string();
-            return Err(NotRegistered::LabelTaken { label, other });
+            return Err(StudyError::LabelTaken { label, other });
         }
         let mut theories = self.theories.clone();
         theories.push(Arc::new(theory));
@@ -104,6 +82,7 @@ mod tests {
     #[test]
     fn every_built_in_theory_is_complete() {
         let registry = built_in();
+        let bare = Inputs::new(ContactModulus::from_pascals(1e11).unwrap());
         for (i, theory) in registry.iter().enumerate() {
             let card = theory.card();
             let model = Inputs::examples().iter().find_map(|i| theory.build(i).ok()).unwrap();
@@ -113,19 +92,12 @@ mod tests {
             let before = || registry.iter().take(i).map(Theory::card);
             assert!(before().all(|c| c.name != card.name && c.label != card.label));
             assert_eq!(registry.find(&card.name).unwrap().card(), card);
-            // It can be asked from numbers alone.
+            // It can be asked from numbers alone, and says what it lacks.
             assert!(!card.inputs.is_empty() && !card.needs.is_empty(), "{card:?}");
+            let made = theory.build(&bare);
+            assert!(matches!(made, Err(BuildError::Missing { .. })), "{card:?}");
         }
         assert!(registry.find("nothing").is_none());
-    }
-
-    #[test]
-    fn a_missing_input_is_named() {
-        let bare = Inputs::new(ContactModulus::from_pascals(1e11).unwrap());
-        for theory in built_in().iter() {
-            let made = theory.build(&bare);
-            assert!(matches!(made, Err(BuildError::Missing { .. })), "{:?}", theory.card().name);
-        }
     }
 
     #[test]
@@ -140,12 +112,12 @@ mod tests {
         let own = built_in().with(card("mine", "Mine")).unwrap();
         assert_eq!(own.iter().last().unwrap().card().label, "Mine");
         let taken = own.with(card("gw", "Other"));
-        assert!(matches!(taken, Err(NotRegistered::NameTaken { .. })));
+        assert!(matches!(taken, Err(StudyError::NameTaken { .. })));
         let taken = own.with(card("mine-2", "Persson"));
-        assert!(matches!(taken, Err(NotRegistered::LabelTaken { .. })));
+        assert!(matches!(taken, Err(StudyError::LabelTaken { .. })));
         for bad in ["", "My model", "a,b"] {
             let refused = own.with(card(bad, "Other"));
-            assert!(matches!(refused, Err(NotRegistered::BadName { .. })), "{bad}");
+            assert!(matches!(refused, Err(StudyError::BadName { .. })), "{bad}");
         }
     }
 }

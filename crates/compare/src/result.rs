@@ -7,12 +7,11 @@ use crate::first_contact::FirstContact;
 use crate::inputs::Inputs;
 use crate::pressure_maps::PressureMaps;
 use crate::reason::Verdict;
-use crate::sections::Sections;
 use crate::theory::{BuildError, Card};
-use crate::{EdgesName, Origin, Settings, Spikes, Spots};
+use crate::{EdgesName, Origin, Settings, Spikes};
 use contact_accuracy::{Budget, Leaks, Map, Numbers, Reached};
 use contact_types::{ContactModel, ContactState, HeightMap, ModelError, SpectralMoments};
-use fft_bem_solver::{Diagnostics, Solution};
+use fft_bem_solver::{Diagnostics, Section, Solution};
 use serde::Serialize;
 use surface_stats::SurfaceStatistics;
 
@@ -97,10 +96,8 @@ pub struct SurfaceComparison {
     pub first_contact: Option<FirstContact>,
     /// The pressure of every load; `None` unless every load has a solution.
     pub pressure_maps: Option<PressureMaps>,
-    /// One row of every load; `None` unless every load has a solution.
-    pub sections: Option<Sections>,
-    /// Contact spots at that load.
-    pub spots: Option<Spots>,
+    /// One row of the grid solved at each load; fewer than there are loads unless every load has a solution.
+    pub sections: Vec<Section>,
     /// How pressure, gap and spots are distributed at each load; `None` where nothing touches.
     pub distributions: Vec<Option<Distributions>>,
     /// Every model of the list.
@@ -200,6 +197,7 @@ pub struct Coarser {
     /// Real over nominal area: that less what the contact line cuts.
     pub area_fraction: f64,
     /// Signed relative error of the corrected area against that of the map as given.
+    #[serde(rename = "area_error")]
     pub error: f64,
     /// Wall-clock time of the solution (s), the shortest of up to five runs within 0.05 s.
     pub seconds: f64,
@@ -213,9 +211,6 @@ pub struct ModelComparison {
     pub card: Card,
     /// Its answers at the loads, or why it has none on this surface.
     pub outcome: Result<ModelCurve, BuildError>,
-    /// Of profiles, 95 % interval of the area fraction at each load over traces like these; `None` where the model does
-    /// not answer, is not made of moments, or the traces are too short to tell.
-    pub intervals: Vec<Option<[f64; 2]>>,
     /// Whether its theory covers this surface.
     pub verdict: Verdict,
 }
@@ -233,9 +228,10 @@ pub struct ModelCurve {
     /// Signed relative error of the area at each load, where both sides answer: against the solution for the
     /// bodies the theory is about, which are elastic or yield.
     pub errors: Vec<Option<f64>>,
-    /// Between which the area lies for 95 of 100 surfaces at each load it answers, of a theory that knows its own
-    /// error ([`contact_types::ContactModel::area_interval`]). Empty otherwise.
-    pub area_intervals: Vec<Option<[f64; 2]>>,
+    /// 95 % interval of the area at each load: over surfaces, of a theory that knows its own error
+    /// ([`contact_types::ContactModel::area_interval`]); of profiles over traces like these, where the model is made of
+    /// moments and the traces are long enough to tell.
+    pub intervals: Vec<Option<[f64; 2]>>,
 }
 
 impl ModelCurve {
@@ -248,12 +244,9 @@ impl ModelCurve {
         let of = |point: &Result<ContactState, ModelError>| {
             model.area_interval(point.as_ref().ok()?.area_fraction)
         };
-        let mut area_intervals: Vec<_> = points.iter().map(of).collect();
-        if area_intervals.iter().all(Option::is_none) {
-            area_intervals.clear();
-        }
+        let intervals = points.iter().map(of).collect();
         let errors = vec![None; points.len()];
-        Self { points, preparation: 0.0, seconds, errors, area_intervals }
+        Self { points, preparation: 0.0, seconds, errors, intervals }
     }
 
     /// Signed relative error of largest size, and mean size, over the loads.

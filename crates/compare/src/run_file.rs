@@ -51,38 +51,3 @@ impl RunFile {
         toml::to_string(self)
     }
 }
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-    use crate::{Cleaning, FileOrigin, built_in_recipes};
-
-    /// Heights that were handed over are refused in the tests of pairs.
-    #[test]
-    fn a_run_file_reads_back_as_it_was_written() {
-        let file = FileOrigin {
-            path: "a \"b\".x3p".into(),
-            fill: "refuse".into(),
-            cleaning: Cleaning {
-                align_rows: true,
-                outliers: Some(8.0),
-                form: "polynomial:3".parse().ok(),
-                s_filter: Some(0.1e-4 / 3.0),
-                l_filter: None,
-            },
-            ..FileOrigin::default()
-        };
-        let recipe = built_in_recipes().remove(0);
-        let run = RunFile {
-            program: "0.1.0".into(),
-            settings: Settings { pressures: Some(vec![1e6, 0.1e7 / 3.0]), ..Settings::default() },
-            surfaces: vec![
-                RunSurface { name: "a".into(), origin: Origin::File(file) },
-                RunSurface { name: "ground".into(), origin: Origin::Recipe(recipe) },
-            ],
-        };
-        let text = run.to_toml().unwrap();
-        assert_eq!(RunFile::parse(&text).unwrap(), run, "{text}");
-        assert!(RunFile::parse("program = 1").is_err());
-    }
-}

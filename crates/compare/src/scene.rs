@@ -144,16 +144,18 @@ mod tests {
     /// 17 GPa mean and 110 GPa highest on steel; hardened bearing steel has 8 GPa.
     #[test]
     fn steel_that_bears_17_gigapascals_is_said_to_be_fiction() {
-        assert_eq!(said(&steel(17e9, 110e9)), [(Weight::Check, "yield")]);
-        assert_eq!(said(&steel(5e9, 30e9)), [(Weight::Check, "yield")]);
-        assert_eq!(said(&steel(0.3e9, 30e9)), [(Weight::Note, "yield")]);
-        assert_eq!(said(&steel(0.3e9, 2e9)), []);
-        let hard = Scene { hardness: Some(8.6e9), ..steel(5e9, 8e9) };
-        assert_eq!(said(&hard), [], "bearing steel bears it");
-        let copper = Scene { hardness: Some(398e6), ..steel(0.5e9, 2e9) };
-        assert_eq!(said(&copper), [(Weight::Check, "yield")]);
-        let rubber = Scene { modulus: 2e6, ..steel(17e9, 110e9) };
-        assert_eq!(said(&rubber), []);
+        let (check, note) = (&[(Weight::Check, "yield")][..], &[(Weight::Note, "yield")][..]);
+        for (scene, expected) in [
+            (steel(17e9, 110e9), check),
+            (steel(5e9, 30e9), check),
+            (steel(0.3e9, 30e9), note),
+            (steel(0.3e9, 2e9), &[]),
+            (Scene { hardness: Some(8.6e9), ..steel(5e9, 8e9) }, &[]), // bearing steel
+            (Scene { hardness: Some(398e6), ..steel(0.5e9, 2e9) }, check), // copper
+            (Scene { modulus: 2e6, ..steel(17e9, 110e9) }, &[]),       // rubber
+        ] {
+            assert_eq!(said(&scene), expected, "{scene:?}");
+        }
     }
 
     /// The lightest load that presses too hard is named, in the graver of the two classes.
@@ -174,18 +176,19 @@ mod tests {
     /// Gradient 287 is a file in mm read as m: the unit is asked for, first of all.
     #[test]
     fn slopes_and_units() {
-        let of = |gradient: f64| {
-            said(&Scene { modulus: 1e9, gradient: Some(gradient), ..Scene::default() })
-        };
-        assert_eq!(of(0.2), []);
-        assert_eq!(of(0.4), [(Weight::Note, "steep")]);
-        assert_eq!(of(3.0), [(Weight::Check, "steep")]);
-        assert_eq!(of(287.0), [(Weight::Check, "unit")]);
-        assert_eq!(of(f64::INFINITY), [(Weight::Check, "unit")]);
-        assert_eq!(of(f64::NAN), [(Weight::Check, "unit")]);
-        let radius = Scene { radius: Some(2.3e3), gradient: Some(0.1), ..Scene::default() };
-        assert_eq!(said(&radius), [(Weight::Check, "unit")]);
-        let height = Scene { rms_height: Some(1e299), ..Scene::default() };
-        assert_eq!(said(&height), [(Weight::Check, "unit")]);
+        let of = |gradient| Scene { modulus: 1e9, gradient: Some(gradient), ..Scene::default() };
+        let unit = &[(Weight::Check, "unit")][..];
+        for (scene, expected) in [
+            (of(287.0), unit),
+            (of(0.2), &[]),
+            (of(0.4), &[(Weight::Note, "steep")]),
+            (of(3.0), &[(Weight::Check, "steep")]),
+            (of(f64::INFINITY), unit),
+            (of(f64::NAN), unit),
+            (Scene { radius: Some(2.3e3), ..of(0.1) }, unit),
+            (Scene { rms_height: Some(1e299), ..Scene::default() }, unit),
+        ] {
+            assert_eq!(said(&scene), expected, "{scene:?}");
+        }
     }
 }

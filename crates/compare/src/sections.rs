@@ -1,39 +1,11 @@
-//! One row of a map at every load of a curve: what a section through the contact shows.
+//! Which row of a map a section through the contact shows.
 
 use contact_types::HeightMap;
-use fft_bem_solver::Section;
-use serde::Serialize;
 
 /// Share of the points that counts as high: about what touches at a typical load.
 const HIGH: f64 = 0.02;
 /// Classes of height by which the high points are found.
 const CLASSES: usize = 4096;
-
-/// Pressure and gap along one row of the grid solved, at every load.
-#[derive(Debug, Clone, PartialEq, Serialize)]
-#[non_exhaustive]
-pub struct Sections {
-    /// The row, counted from 0.
-    pub row: usize,
-    /// Pressure (Pa) of each load along the row.
-    pub pressure: Vec<Vec<f64>>,
-    /// Gap (m) of each load along the row, as the solver has it: in contact what the iteration left.
-    pub gap: Vec<Vec<f64>>,
-}
-
-impl Sections {
-    /// With the load of index `load`, higher than those before; `None` if it or one before has none.
-    pub(crate) fn with(kept: Option<Self>, load: usize, section: Option<Section>) -> Option<Self> {
-        let Section { row, pressure, gap, .. } = section?;
-        let mut kept = match kept {
-            None if load == 0 => Self { row, pressure: Vec::new(), gap: Vec::new() },
-            kept => kept?,
-        };
-        kept.pressure.push(pressure);
-        kept.gap.push(gap);
-        Some(kept)
-    }
-}
 
 /// The row of the middle four fifths of a map that has the most high points, where contact is soonest and
 /// longest seen; the first of several.

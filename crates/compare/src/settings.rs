@@ -43,7 +43,7 @@ pub struct Settings {
     /// The elastic bodies it is made of, if they are known: one against a rigid flat, or two.
     #[serde(default, skip_serializing_if = "Vec::is_empty")]
     pub bodies: Vec<Body>,
-    /// Nominal pressures (Pa); absent: chosen per surface, see [`default_pressures`].
+    /// Nominal pressures (Pa); absent: chosen per surface, see [`loads_of_study`](crate::loads_of_study).
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub pressures: Option<Vec<f64>>,
     /// Nominal area that the pressures carry (m²), if they were given as forces on it.
@@ -275,7 +275,7 @@ impl Seal {
 /// (series R5), so that a reader meets 10 MPa and not 9.73 MPa: 15 loads, log-spaced within 1 %.
 ///
 /// A flat surface has no scale of its own; it is asked at one pressure, 1e-3 E*.
-pub fn default_pressures(modulus: f64, rms_gradient: f64) -> Vec<f64> {
+pub(crate) fn default_pressures(modulus: f64, rms_gradient: f64) -> Vec<f64> {
     const R5: [f64; 5] = [1.0, 1.6, 2.5, 4.0, 6.3];
     let scale = modulus * rms_gradient;
     if !(scale.is_finite() && scale > 0.0) {

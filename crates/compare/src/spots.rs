@@ -3,30 +3,6 @@
 use contact_types::Grid;
 use serde::Serialize;
 
-/// How many spots there are and how large they are.
-#[derive(Debug, Clone, Copy, PartialEq, Serialize)]
-#[non_exhaustive]
-pub struct Spots {
-    /// Sets of touching points connected over edges or corners, across the seam of the map too.
-    pub count: usize,
-    /// Median area (m²), by counted points.
-    pub median_area: f64,
-    /// Largest area (m²), by counted points.
-    pub largest_area: f64,
-}
-
-impl Spots {
-    /// Of a list, largest first; `None` if it is empty.
-    pub(crate) fn of(list: &[Spot]) -> Option<Self> {
-        Some(Self {
-            count: list.len(),
-            // Largest first: the upper one of two in the middle.
-            median_area: list.get(list.len().checked_sub(1)? - list.len() / 2)?.area,
-            largest_area: list.first()?.area,
-        })
-    }
-}
-
 /// One contact spot.
 #[derive(Debug, Clone, Copy, PartialEq, Serialize)]
 #[non_exhaustive]
@@ -131,11 +107,10 @@ mod tests {
         let pressure: Vec<f64> =
             map.concat().chars().map(|c| f64::from(u8::from(c == 'x'))).collect();
         let grid = Grid::new([6, 6], [2.0, 1.0]).unwrap();
-        let of = |pressure: &[f64]| Spots::of(&contact_spots(pressure, grid, true).0);
-        let spots = of(&pressure).unwrap();
-        assert_eq!(spots, Spots { count: 2, median_area: 6.0, largest_area: 6.0 });
-        let inside = Spots::of(&contact_spots(&pressure, grid, false).0).unwrap();
-        assert_eq!((inside.count, inside.largest_area), (4, 4.0));
+        let of = |pressure: &[f64], repeats| contact_spots(pressure, grid, repeats).0;
+        let points = |list: &[Spot]| list.iter().map(|s| s.points).collect::<Vec<_>>();
+        assert_eq!(points(&of(&pressure, true)), [3, 2]);
+        assert_eq!(points(&of(&pressure, false)), [2, 1, 1, 1]);
         let (list, labels) = contact_spots(&pressure, grid, true);
         assert_eq!([0, 1, 5, 14, 21, 35].map(|i| labels[i]), [1, 0, 1, 2, 2, 1]);
         let sorted = list.windows(2).all(|w| w[0].points >= w[1].points);
@@ -147,6 +122,6 @@ mod tests {
             (y - 2.0 * (6.0 - 1.0 / 3.0)).abs() < 1e-12 && (x - (6.0 - 2.0 / 3.0)).abs() < 1e-12,
             "{y} {x}"
         );
-        assert!(of(&[0.0; 36]).is_none() && of(&[1.0; 35]).is_none());
+        assert!(of(&[0.0; 36], true).is_empty() && of(&[1.0; 35], true).is_empty());
     }
 }

@@ -12,13 +12,11 @@ use crate::result::{
     Comparison, DeterministicPoint, ModelComparison, ModelCurve, Refused, SurfaceComparison,
 };
 use crate::sections::telling_row;
+use crate::settings::default_pressures;
 use crate::theory::Theory;
 use crate::verdict::{Judged, verdict};
 use crate::yielding::{excess, gradient_of_loads};
-use crate::{
-    Adhesion, EdgesName, OfMap, Registry, Settings, Spikes, Surface, WorkOfAdhesion,
-    default_pressures,
-};
+use crate::{Adhesion, EdgesName, OfMap, Registry, Settings, Spikes, Surface, WorkOfAdhesion};
 use contact_accuracy::{
     AccuracyRequest, Aim, Ladder, LadderError, Map, Setup, Task, climb, round_to_digits,
 };
@@ -111,14 +109,11 @@ pub(crate) fn check_pressures(settings: &Settings) -> Result<(), StudyError> {
 
 pub(crate) fn check_models(settings: &Settings, registry: &Registry) -> Result<(), StudyError> {
     let Some(names) = &settings.models else { return Ok(()) };
-    let known = || {
-        let names: Vec<&str> = registry.of_studies().map(|t| t.card().name.as_ref()).collect();
-        names.join(", ")
-    };
-    let is_known = |name: &str| registry.of_studies().any(|t| t.card().name == name);
-    match names.iter().find(|name| !is_known(name)) {
-        Some(name) => Err(StudyError::UnknownModel { name: name.clone(), known: known() }),
-        None if names.is_empty() => Err(StudyError::NoModel(known())),
+    let known: Vec<&str> = registry.of_studies().map(|t| t.card().name.as_ref()).collect();
+    let listed = known.join(", ");
+    match names.iter().find(|name| !known.contains(&name.as_str())) {
+        Some(name) => Err(StudyError::UnknownModel { name: name.clone(), known: listed }),
+        None if names.is_empty() => Err(StudyError::NoModel(listed)),
         None => Ok(()),
     }
 }
@@ -198,8 +193,7 @@ fn compare(
         pressure: Vec::new(),
         first_contact: None,
         pressure_maps: None,
-        sections: None,
-        spots: None,
+        sections: Vec::new(),
         distributions: Vec::new(),
         models: Vec::new(),
     };
@@ -283,7 +277,8 @@ fn refused_ladder(error: LadderError, name: &str) -> StudyError {
     }
 }
 
-/// The pressures of a study on one surface, rising and distinct.
+/// The pressures (Pa) of a study on one surface, rising and distinct. Where nobody chose them the real area runs from about
+/// 0.1 % to half of the surface, five loads to a decade, and stays below what bodies bear in their volume.
 pub fn loads(settings: &Settings, modulus: ContactModulus, rms_gradient: f64) -> Vec<f64> {
     let mut loads = settings.pressures.clone().unwrap_or_else(|| {
         let gradient = gradient_of_loads(rms_gradient, modulus, settings.hardness);
@@ -350,7 +345,7 @@ fn ask(
         ModelCurve { preparation, errors, ..curve }
     });
     let verdict = verdict(&card, inputs, &outcome, &pressures, judged);
-    ModelComparison { card, outcome, intervals: Vec::new(), verdict }
+    ModelComparison { card, outcome, verdict }
 }
 
 /// Signed relative error of an area.
@@ -358,19 +353,4 @@ fn error(model: &Result<ContactState, ModelError>, reference: &DeterministicPoin
     let area = model.as_ref().ok()?.area_fraction;
     let truth = reference.answer.as_ref()?.area_fraction;
     (truth > 0.0).then(|| area / truth - 1.0)
-}
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-
-    #[test]
-    fn a_load_answers_to_what_is_printed_of_it() {
-        let load = 10f64.powf(7.5);
-        for printed in [31.6e6, 31.62e6, load] {
-            assert!(named(load, printed), "{printed}");
-        }
-        assert!(!named(load, 31.7e6));
-        assert!(!named(10e6, 10.04e6));
-    }
 }

@@ -100,14 +100,6 @@ impl GivenOrigin {
     }
 }
 
-impl Surface {
-    /// Heights that a program made or read by itself, described by `note`.
-    pub fn given(name: impl Into<String>, heights: HeightMap, note: impl Into<String>) -> Self {
-        let origin = Origin::Given(GivenOrigin::of(&heights, note));
-        Self { name: name.into(), origin, heights }
-    }
-}
-
 /// How a file became a height map: every choice that changes a height.
 #[derive(Debug, Clone, PartialEq, Default, Serialize, Deserialize)]
 #[serde(deny_unknown_fields)]
@@ -162,6 +154,13 @@ pub struct FileOrigin {
     pub height_step: Option<f64>,
 }
 
+impl FileOrigin {
+    /// The name of the file, without the folders it lies in.
+    pub fn name(&self) -> &str {
+        self.path.rsplit(['/', '\\']).next().unwrap_or_default()
+    }
+}
+
 impl Origin {
     /// The same with the names of its files alone: what lists an origin and reads nothing from it.
     #[must_use]
@@ -176,22 +175,15 @@ impl Origin {
         }
         shown
     }
-}
 
-impl FileOrigin {
-    /// The name of the file, without the folders it lies in.
-    pub fn name(&self) -> &str {
-        self.path.rsplit(['/', '\\']).next().unwrap_or_default()
+    /// The file, if it is one.
+    pub(crate) fn file(&self) -> Option<&FileOrigin> {
+        if let Self::File(file) = self { Some(file) } else { None }
     }
-}
 
-impl Origin {
     /// What cleaning did, step by step; nothing where no file was read, or two were.
     pub fn cleaned(&self) -> &[Record] {
-        match self {
-            Self::File(file) => &file.cleaned,
-            Self::Recipe(_) | Self::Given(_) | Self::Pair(_) => &[],
-        }
+        self.file().map_or(&[], |file| &file.cleaned)
     }
 
     /// The pair, if it is one.
@@ -273,6 +265,12 @@ impl Origin {
 }
 
 impl Surface {
+    /// Heights that a program made or read by itself, described by `note`.
+    pub fn given(name: impl Into<String>, heights: HeightMap, note: impl Into<String>) -> Self {
+        let origin = Origin::Given(GivenOrigin::of(&heights, note));
+        Self { name: name.into(), origin, heights }
+    }
+
     /// This surface with another pressed on it, as one: the sum of their heights
     /// ([`Composite`]). `level` is the form that the study takes off, without which the moments
     /// of both are compared; taking a plane off the sum is taking one off each.

@@ -1,6 +1,7 @@
 //! A model computed elsewhere: its curve as data, with name and citation.
 
 use crate::inputs::Inputs;
+use crate::progress::StudyError;
 use crate::theory::{BuildError, Card, Theory};
 use contact_types::{Citation, ContactModel, ContactState, ModelError};
 use std::sync::Arc;
@@ -29,64 +30,31 @@ pub struct Tabulated {
     points: Arc<[CurvePoint]>,
 }
 
-/// Why a list of points is no curve.
-#[derive(Debug, Clone, PartialEq, thiserror::Error)]
-#[non_exhaustive]
-pub enum BadCurve {
-    /// There is none.
-    #[error("a curve needs at least one point")]
-    Empty,
-    /// Pressures must rise.
-    #[error(
-        "point {index} of the curve: nominal pressure {value:e} Pa must be finite, greater than 0 \
-         and greater than that of the point before"
-    )]
-    Pressure {
-        /// From 0.
-        index: usize,
-        /// The value (Pa).
-        value: f64,
-    },
-    /// No area fraction.
-    #[error("point {index} of the curve: area fraction {value:e} must be from 0 to 1")]
-    Area {
-        /// From 0.
-        index: usize,
-        /// The value.
-        value: f64,
-    },
-    /// No gap.
-    #[error("point {index} of the curve: mean gap {value:e} m must be finite and at least 0")]
-    Gap {
-        /// From 0.
-        index: usize,
-        /// The value (m).
-        value: f64,
-    },
-}
-
 impl Tabulated {
     /// The curve of the theory that `card` names, by rising pressure.
     ///
     /// # Errors
-    /// [`BadCurve`].
-    pub fn new(card: Card, points: Vec<CurvePoint>) -> Result<Self, BadCurve> {
+    /// [`StudyError::EmptyCurve`] and [`StudyError::BadPoint`].
+    pub fn new(card: Card, points: Vec<CurvePoint>) -> Result<Self, StudyError> {
         if points.is_empty() {
-            return Err(BadCurve::Empty);
+            return Err(StudyError::EmptyCurve);
         }
         let mut before = 0.0;
         for (index, point) in points.iter().enumerate() {
-            let CurvePoint { mean_pressure, area_fraction, mean_gap } = *point;
-            if !(mean_pressure.is_finite() && mean_pressure > before) {
-                return Err(BadCurve::Pressure { index, value: mean_pressure });
-            }
-            if !(0.0..=1.0).contains(&area_fraction) {
-                return Err(BadCurve::Area { index, value: area_fraction });
-            }
-            if let Some(value) = mean_gap.filter(|gap| !(gap.is_finite() && *gap >= 0.0)) {
-                return Err(BadCurve::Gap { index, value });
-            }
-            before = mean_pressure;
+            let CurvePoint { mean_pressure: p, area_fraction: area, mean_gap } = *point;
+            let why = if !(p.is_finite() && p > before) {
+                format!(
+                    "nominal pressure {p:e} Pa must be finite, greater than 0 and greater than that of the point before"
+                )
+            } else if !(0.0..=1.0).contains(&area) {
+                format!("area fraction {area:e} must be from 0 to 1")
+            } else if let Some(gap) = mean_gap.filter(|gap| !(gap.is_finite() && *gap >= 0.0)) {
+                format!("mean gap {gap:e} m must be finite and at least 0")
+            } else {
+                before = p;
+                continue;
+            };
+            return Err(StudyError::BadPoint { index, why });
         }
         Ok(Self { card, surface: None, points: points.into() })
     }
@@ -209,12 +177,15 @@ mod tests {
 
     #[test]
     fn what_is_no_curve_is_refused() {
-        let of = |points: &[CurvePoint]| Tabulated::new(card(), points.to_vec()).map(|_| ());
-        assert_eq!(of(&[]), Err(BadCurve::Empty));
-        let falling = of(&[point(2.0, 0.1), point(1.0, 0.2)]);
-        assert_eq!(falling, Err(BadCurve::Pressure { index: 1, value: 1.0 }));
-        assert!(matches!(of(&[point(1.0, 1.1)]), Err(BadCurve::Area { .. })));
         let gap = CurvePoint { mean_gap: Some(-1.0), ..point(1.0, 0.1) };
-        assert!(matches!(of(&[gap]), Err(BadCurve::Gap { .. })));
+        for (points, said) in [
+            (vec![], "a curve needs at least one point"),
+            (vec![point(2.0, 0.1), point(1.0, 0.2)], "point 1 of the curve: nominal pressure 1e0"),
+            (vec![point(1.0, 1.1)], "point 0 of the curve: area fraction 1.1e0"),
+            (vec![gap], "point 0 of the curve: mean gap -1e0 m"),
+        ] {
+            let refused = Tabulated::new(card(), points).unwrap_err().to_string();
+            assert!(refused.starts_with(said), "{refused}");
+        }
     }
 }

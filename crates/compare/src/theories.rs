@@ -284,7 +284,7 @@ fn joint(inputs: &Inputs, model: &'static str) -> Result<(f64, f64), BuildError>
 }
 
 fn persson(inputs: &Inputs) -> Result<Box<dyn ContactModel>, BuildError> {
-    let with_gamma = |model: Persson| model.with_gamma(inputs.gamma());
+    let with_gamma = |model: Persson| model.with_gamma(inputs.gamma.unwrap_or(Persson::GAMMA));
     if let Some(spectrum) = inputs.self_affine {
         let model = Persson::from_self_affine(spectrum, inputs.modulus);
         return Ok(Box::new(with_gamma(model)?));
@@ -369,7 +369,7 @@ impl ModelDescriptor {
         card.domain = self.domain.into();
         card.assumes = self.assumes;
         card.from_map = self.of_map.is_some();
-        card.yields = card.requires(Hardness);
+        card.yields = self.needs.iter().all(|(required, _)| required.contains(&Hardness));
         card.has_separation = matches!(self.build, Build::Separation(_));
         card.is_rigid = matches!(self.build, Build::Rigid(_));
         BuiltIn { card, build: self.build }

@@ -98,17 +98,10 @@ impl Card {
             is_rigid: false,
         }
     }
-}
 
-impl Card {
     /// Whether any of its sets of numbers holds `input`.
     pub fn takes(&self, input: Input) -> bool {
         self.inputs.iter().any(|set| set.takes(input))
-    }
-
-    /// Whether every one of its sets needs `input`.
-    pub fn requires(&self, input: Input) -> bool {
-        !self.inputs.is_empty() && self.inputs.iter().all(|set| set.required.contains(&input))
     }
 }
 

@@ -6,7 +6,7 @@ use crate::reason::{Applies, Reason, Verdict};
 use crate::result::ModelCurve;
 use crate::scene::{is_steep, steep};
 use crate::theory::{Assumes, BuildError, Card};
-use contact_types::Caveat;
+use contact_types::{Caveat, ContactState, ModelError};
 use surface_stats::Warning;
 
 /// What a verdict looks at of a surface.
@@ -110,7 +110,7 @@ fn strains(
         Assumes::Gaussian | Assumes::Unstated => {}
     }
     reasons.extend(statistics.excess.clone().filter(|_| !card.yields));
-    reasons.extend(caveat(curve, pressures));
+    reasons.extend(caveat(&curve.points, pressures));
     let failed = curve.points.iter().filter(|p| p.is_err()).count();
     if failed > 0 {
         reasons.push(Reason::NoAnswer { loads: failed, of: curve.points.len() });
@@ -120,8 +120,8 @@ fn strains(
 
 /// The model's own caveat that is not about area, which is judged above. An area too small for a
 /// double is no strain of the theory.
-fn caveat(curve: &ModelCurve, pressures: &[f64]) -> Option<Reason> {
-    curve.points.iter().zip(pressures).find_map(|(point, &from)| {
+fn caveat(points: &[Result<ContactState, ModelError>], pressures: &[f64]) -> Option<Reason> {
+    points.iter().zip(pressures).find_map(|(point, &from)| {
         let caveat = point.as_ref().ok()?.caveat.as_ref()?;
         let strains = match caveat {
             Caveat::BeyondModel { quantity, .. } => quantity != "area fraction",
@@ -135,7 +135,6 @@ fn caveat(curve: &ModelCurve, pressures: &[f64]) -> Option<Reason> {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use contact_types::ContactState;
 
     /// Full contact and a slope beyond the model are strains; an area that underflows is none, and one beyond the model is
     /// judged by the loads alone.
@@ -160,15 +159,8 @@ mod tests {
                 mean_gap: None,
                 caveat: Some(given.clone()),
             };
-            let curve = ModelCurve {
-                points: vec![Ok(state)],
-                preparation: 0.0,
-                seconds: 0.0,
-                errors: vec![None],
-                area_intervals: Vec::new(),
-            };
             let expected = is_strain.then_some(Reason::Strained { caveat: Some(given), from: 2e6 });
-            assert_eq!(caveat(&curve, &[2e6]), expected);
+            assert_eq!(caveat(&[Ok(state)], &[2e6]), expected);
         }
     }
 }

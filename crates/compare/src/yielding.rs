@@ -30,18 +30,13 @@ pub struct Hardness {
 }
 
 impl Hardness {
-    /// `E* g / H` \[-\]: up to 1 the area of elastic contact is right to 2 %.
-    pub fn over_elastic(&self) -> Option<f64> {
-        self.gradient.map(|g| self.modulus * g / self.pascals)
-    }
-
     /// The plasticity indices of the field, for a Gaussian surface; `asperities` are its summits, if it has any.
     pub fn indices(&self, asperities: Option<AsperityStatistics>) -> PlasticityIndices {
         let Self { pascals, modulus, gradient } = *self;
         // The mean absolute profile slope of a Gaussian surface is g/√π.
         let slope = gradient.map(|g| g / PI.sqrt());
         PlasticityIndices {
-            modulus_gradient_over_hardness: self.over_elastic(),
+            modulus_gradient_over_hardness: gradient.map(|g| modulus * g / pascals),
             greenwood_williamson: asperities.and_then(|a| {
                 summit_plasticity_index(modulus, pascals, a.height_std, a.radius).ok()
             }),

@@ -167,7 +167,7 @@ pub fn traces(
     let (mut traces, mut first) = (Vec::new(), None);
     for measurement in measurements {
         let (even, how) = measurement.evenly_spaced()?;
-        file.cleaning.check(even.grid())?;
+        file.cleaning.steps(even.grid())?; // the filters among them follow later
         // Points between two measured ones are in no step.
         let step = how.is_none().then(|| height_step(even.heights())).flatten();
         let (even, cleaned) = clean(even, before)?;
@@ -192,11 +192,10 @@ fn clean(
     measurement: Measurement,
     cleaning: Cleaning,
 ) -> Result<(Measurement, Vec<Record>), Incomplete> {
-    if cleaning.is_empty() {
+    let steps = cleaning.steps(measurement.grid())?;
+    if steps.is_empty() {
         return Ok((measurement, Vec::new()));
     }
-    cleaning.check(measurement.grid())?;
-    let steps = cleaning.steps();
     // A measured map ends at its edges, whatever is assumed beyond them later.
     let clean = |grid, heights: &mut Vec<f64>| clean::apply(grid, heights, &steps, Edges::Open);
     Ok(measurement.edit(clean)?)

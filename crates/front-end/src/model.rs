@@ -417,7 +417,6 @@ fn refusal(error: &ModelError) -> Value {
 }
 
 fn given(card: &Card, inputs: &Inputs) -> Value {
-    let has_gap = card.takes(Input::Gamma) && inputs.has_gap();
     let alone = || inputs.mean_square_slope.map(|m2| json!({ "m0": null, "m2": m2, "m4": null }));
     let moments = inputs.moments.map(|m| json!(m)).or_else(alone);
     let amplitudes = inputs.amplitudes.as_ref();
@@ -435,7 +434,7 @@ fn given(card: &Card, inputs: &Inputs) -> Value {
         "nominal_area": inputs.nominal_area,
         "critical_area": inputs.critical_area,
         "hardness": inputs.hardness,
-        "gamma": has_gap.then(|| inputs.gamma()),
+        "gamma": inputs.gamma().filter(|_| card.takes(Input::Gamma)),
     })
 }
 

@@ -3,7 +3,7 @@
 use crate::failure::variant;
 use contact_accuracy::{Answered, Leaks, Map, Numbers};
 use contact_compare::{Budget, Conducted, NoUncertainty};
-use fft_bem_solver::{End, Load, Solution, SolverError};
+use fft_bem_solver::{Load, Solution, SolverError};
 use serde_json::{Value, json};
 
 /// A load that was solved for.
@@ -84,38 +84,19 @@ fn object(load: Load, found: Option<(&Solution, &Budget)>, error: Option<&Solver
                 "transforms": null, "seconds": null,
                 "residuals": null, "duality_gap": null, "error": error_json,
         });
-        return with(json, contact_report::budget_keys(None));
+        return with(json, contact_report::solution_keys(None));
     };
     let (state, d) = (&solution.state, &solution.diagnostics);
     let json = json!({
         "mean_pressure": state.mean_pressure,
-        "touching_fraction": solution.touching_fraction(),
         "area_fraction": state.area_fraction,
         "mean_gap": state.mean_gap,
-        "approach": solution.approach,
-        "max_pressure": d.max_pressure,
         "converged": error.is_none(),
-        "stopped_at_rounding": d.end == End::Rounding,
-        "iterations": d.iterations,
-        "transforms": d.transforms,
-        "seconds": d.seconds,
-        "residuals": {
-            "preconditioned": d.residuals.preconditioned,
-            "complementarity": d.residuals.complementarity,
-            "penetration": d.residuals.penetration,
-        },
-        "duality_gap": d.duality_gap,
-        "energy_bound": d.energy_bound,
-        "contact_pixels": d.contact_pixels,
-        "contact_perimeter": d.contact_perimeter,
         "exact": d.exact,
         "error": error_json,
     });
-    let json = with(json, contact_report::budget_keys(Some(budget)));
-    match d.yielded {
-        None => json,
-        yielded => with(json, contact_report::yield_keys(yielded, solution.touching_fraction())),
-    }
+    let found = ([solution.touching_fraction(), solution.approach], d, budget);
+    with(json, contact_report::solution_keys(Some(found)))
 }
 
 /// An object with more keys.

@@ -226,9 +226,9 @@ impl SolveRequest {
                 object["load"] = json!(point.force);
             }
             // The keys of what has yielded, absent in a load that was refused.
-            for (key, null) in contact_report::yield_keys(None, 0.0) {
-                if hardness.is_some() && object.get(&key).is_none() {
-                    object[key] = null;
+            for key in ["saturated_fraction", "plastic_load_fraction", "elastic_area_fraction"] {
+                if hardness.is_some() && object.get(key).is_none() {
+                    object[key] = Value::Null;
                 }
             }
             objects.push(object);
@@ -256,7 +256,7 @@ impl SolveRequest {
         if let Some(hardness) = hardness {
             json["hardness"] = json!({
                 "pascals": hardness.pascals,
-                "modulus_gradient_over_hardness": hardness.over_elastic(),
+                "modulus_gradient_over_hardness": hardness.indices(None).modulus_gradient_over_hardness,
                 "warning": unusual_hardness(hardness),
             });
         }

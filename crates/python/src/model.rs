@@ -82,7 +82,7 @@ impl ModelArguments {
     /// What the model is made from, of numbers typed in.
     fn typed(&self, card: &Card) -> Result<Inputs, Failure> {
         let mut typed = self.roughness.clone().unwrap_or_default();
-        let used = self.hardness_is_given || card.requires(Input::Hardness);
+        let used = self.hardness_is_given || card.yields;
         if let Some(hardness) = self.hardness.filter(|_| used) {
             typed.entry(Input::Hardness).or_insert(vec![hardness]);
         }

@@ -4,9 +4,9 @@ use crate::failure::{bug, raise};
 use crate::surface::{LaidBody, Second, surface_of};
 use crate::watched::{News, WatchedOutcome, watched};
 use contact_compare::{
-    BuildError, Card, Citation, Comparison, ContactModel, ContactState, CurvePoint, Inputs,
-    ModelError, Origin, Progress, Registry, RunFile, RunSurface, Settings, StudyError, Surface,
-    Tabulated, Theory,
+    BuildError, Card, Citation, Comparison, ContactModel, ContactModulus, ContactState, CurvePoint,
+    Inputs, ModelError, Origin, Progress, Registry, RunFile, RunSurface, Settings, StudyError,
+    Surface, Tabulated, Theory, loads_of_study,
 };
 use contact_front_end::Failure;
 use contact_report::Provenance;
@@ -147,8 +147,10 @@ pub(crate) fn model_inputs() -> String {
 
 /// Nominal pressures (Pa) for a surface nobody chose loads for.
 #[pyfunction]
-pub(crate) fn default_pressures(modulus: f64, rms_gradient: f64) -> Vec<f64> {
-    contact_compare::default_pressures(modulus, rms_gradient)
+pub(crate) fn default_pressures(modulus: f64, rms_gradient: f64) -> PyResult<Vec<f64>> {
+    let settings = Settings { modulus, ..Settings::default() };
+    let modulus = ContactModulus::from_pascals(modulus).map_err(|e| raise(&Failure::from(&e)))?;
+    Ok(loads_of_study(&settings, modulus, rms_gradient))
 }
 
 /// Files by name; what went wrong, as kind and message; the exception that stopped it.
@@ -183,8 +185,8 @@ pub(crate) fn study(
     for own in own {
         times.insert(own.name.clone(), own.seconds.clone());
         let theory = GivenTheory::of(own).map_err(|e| raise(&e))?;
-        let refused = |e| raise(&Failure::refused("model", format!("{e}")));
-        registry = registry.with(theory).map_err(|e: contact_compare::NotRegistered| refused(e))?;
+        let refused = |e: StudyError| raise(&Failure::refused("model", e.to_string()));
+        registry = registry.with(theory).map_err(refused)?;
     }
     let threads = settings.threads;
     let WatchedOutcome { value, stopped_by } = watched(py, threads, progress, move |reporter| {

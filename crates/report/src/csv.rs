@@ -117,10 +117,12 @@ pub(crate) fn of_profiles(studies: &[ProfileComparison]) -> String {
     let mut out = format!("surface,mean_pressure [Pa]{heads}\n");
     for study in studies {
         for (i, p) in study.pressures.iter().enumerate() {
-            out += &format!("{},{p:e}", quoted(&study.name));
+            out += &format!("{},{p:e}", quoted(&study.surface.name));
             for model in &study.models {
-                let state = model.outcome.as_ref().ok().and_then(|c| c.points[i].as_ref().ok());
-                let [low, high] = [0, 1].map(|k| model.intervals[i].map(|ends| ends[k]));
+                let curve = model.outcome.as_ref().ok();
+                let state = curve.and_then(|c| c.points[i].as_ref().ok());
+                let ends = curve.and_then(|c| c.intervals[i]);
+                let [low, high] = [0, 1].map(|k| ends.map(|ends| ends[k]));
                 let area = state.map(|s| s.area_fraction);
                 for value in [area, low, high, state.and_then(ContactState::real_pressure)] {
                     out += &value.map_or(",".into(), |v| format!(",{v:e}"));

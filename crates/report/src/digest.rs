@@ -159,17 +159,19 @@ mod tests {
         assert_eq!(row["seconds"], 3.0);
         assert_eq!(row["to_check"], 1);
         assert_eq!(row["checks"], json!([{ "kind": "edge_jump", "claim": "It jumps." }]));
-        let unsolved = |at_rounding: bool| {
-            let why = json!({ "NotConverged": { "at_rounding": at_rounding } });
-            kind(&json!({ "fact": { "no_uncertainty": { "loads": 1, "why": why } } }))
-        };
-        assert_eq!([false, true].map(unsolved), ["NotConverged", "AtRounding"]);
-        let unit = |hardness| kind(&json!({ "fact": { "unit": { "hardness": hardness } } }));
-        assert_eq!([json!(null), json!([1, 2, 3])].map(unit), ["unit", "odd_hardness"]);
-        let flat = |rms| kind(&json!({ "fact": { "warned": { "Flat": { "rms_height": rms } } } }));
-        assert_eq!([0.0, 1e-12].map(flat), ["Flat", "Rounding"]);
-        let noisy = |step| kind(&json!({ "fact": { "warned": { "Noisy": { "step": step } } } }));
-        assert_eq!([json!(null), json!(1e-8)].map(noisy), ["Noisy", "Stepped"]);
+        let why = |at_rounding: bool| json!({ "NotConverged": { "at_rounding": at_rounding } });
+        for (fact, expected) in [
+            (json!({ "no_uncertainty": { "loads": 1, "why": why(false) } }), "NotConverged"),
+            (json!({ "no_uncertainty": { "loads": 1, "why": why(true) } }), "AtRounding"),
+            (json!({ "unit": { "hardness": null } }), "unit"),
+            (json!({ "unit": { "hardness": [1, 2, 3] } }), "odd_hardness"),
+            (json!({ "warned": { "Flat": { "rms_height": 0.0 } } }), "Flat"),
+            (json!({ "warned": { "Flat": { "rms_height": 1e-12 } } }), "Rounding"),
+            (json!({ "warned": { "Noisy": { "step": null } } }), "Noisy"),
+            (json!({ "warned": { "Noisy": { "step": 1e-8 } } }), "Stepped"),
+        ] {
+            assert_eq!(kind(&json!({ "fact": fact })), expected);
+        }
         assert_eq!(row["models"]["gw"]["area_error"], -0.2);
         assert_eq!(row["curve"], json!([[1e6, 0.01], [2e6, 0.02]]));
     }

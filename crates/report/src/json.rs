@@ -6,7 +6,7 @@ use crate::parts_json;
 use crate::provenance::Provenance;
 use contact_accuracy::{AccuracyRequest, Reached};
 use contact_compare::{
-    ChoiceKind, Comparison, DeterministicPoint, End, Finding, ModelComparison, ModelCurve,
+    ChoiceKind, Comparison, DeterministicPoint, Finding, ModelComparison, ModelCurve,
     SurfaceComparison,
 };
 use contact_types::{ContactState, ModelError, Named};
@@ -53,6 +53,7 @@ fn surface(s: &SurfaceComparison, comparison: &Comparison) -> Value {
         .map_or((settings.precision, settings.tolerance), |p| (p.precision, p.tolerance));
     let method =
         s.deterministic.iter().find_map(|p| Some(p.answer.as_ref()?.diagnostics.method.name()));
+    let spots = s.distributions.get(s.headline).and_then(|found| Some(&found.as_ref()?.spots));
     json!({
         "name": s.name,
         "origin": s.origin.without_folders(),
@@ -64,27 +65,27 @@ fn surface(s: &SurfaceComparison, comparison: &Comparison) -> Value {
         "inputs": {
             "moments": s.inputs.moments,
             "source": "finite-differences",
-            "gamma": s.inputs.has_gap().then(|| s.inputs.gamma()),
+            "gamma": s.inputs.gamma(),
         },
         "headline_pressure": s.headline_pressure(),
         "headline_load": s.load_area.map(|area| s.headline_pressure() * area),
         "resolved": s.spectral.resolved,
-        "contact_spots": s.spots,
+        "contact_spots": spots.map(|spots| json!({
+            "count": spots.count,
+            "median_area": spots.median_area,
+            "largest_area": spots.largest_area,
+        })),
         "distributions": s.distributions.get(s.headline),
         "finer": finer(s),
         "choices": s.choices.as_ref().map(|all| all.iter().map(|(kind, effect)| json!({
             "choice": choice(*kind),
             "area_effect": effect,
         })).collect::<Vec<_>>()),
-        "coarser": s.coarser.iter().map(|c| json!({
-            "mean_pressure": s.headline_pressure(),
-            "factor": c.factor,
-            "shape": c.shape,
-            "touching_fraction": c.touching_fraction,
-            "area_fraction": c.area_fraction,
-            "area_error": c.error,
-            "seconds": c.seconds,
-        })).collect::<Vec<_>>(),
+        "coarser": s.coarser.iter().map(|c| {
+            let mut coarser = json!(c);
+            coarser["mean_pressure"] = json!(s.headline_pressure());
+            coarser
+        }).collect::<Vec<_>>(),
         "setup_seconds": s.setup_seconds,
         "deterministic": {
             "shape": grid.shape(),
@@ -144,56 +145,43 @@ fn point(p: &DeterministicPoint) -> Value {
             "trouble": p.trouble,
         });
     };
-    let d = &a.diagnostics;
-    let mut point = json!({
+    let found = ([a.touching_fraction, a.approach], &a.diagnostics, &a.budget);
+    let mut point = parts_json::solution_keys(Some(found));
+    point.extend(parts_json::keys_of(json!({
         "mean_pressure": p.mean_pressure,
-        "touching_fraction": a.touching_fraction,
         "area_fraction": a.area_fraction,
         "area_interval_covers": "this map",
         "no_interval_because": a.budget.area.half_width().err().map(|r| r.to_string()),
         "mean_gap": a.mean_gap,
-        "approach": a.approach,
-        "max_pressure": d.max_pressure,
         "converged": a.converged,
-        "stopped_at_rounding": d.end == End::Rounding,
         "trouble": p.trouble,
-        "iterations": d.iterations,
-        "transforms": d.transforms,
-        "seconds": d.seconds,
-        "residuals": {
-            "preconditioned": d.residuals.preconditioned,
-            "complementarity": d.residuals.complementarity,
-            "penetration": d.residuals.penetration,
-        },
-        "duality_gap": d.duality_gap,
-        "energy_bound": d.energy_bound,
-        "contact_pixels": d.contact_pixels,
-        "contact_perimeter": d.contact_perimeter,
-    });
-    if let Value::Object(keys) = &mut point {
-        keys.extend(parts_json::budget_keys(Some(&a.budget)));
-        if d.yielded.is_some() {
-            keys.extend(parts_json::yield_keys(d.yielded, a.touching_fraction));
-        }
-    }
-    point
+    })));
+    Value::Object(point)
 }
 
 fn model(m: &ModelComparison, surface: &SurfaceComparison) -> Value {
     let curve = m.outcome.as_ref().ok();
+    let pressures: Vec<f64> = surface.deterministic.iter().map(|p| p.mean_pressure).collect();
+    let mut model = answers(m, &pressures);
+    model["preparation_seconds"] = json!(curve.map(|c| c.preparation));
+    model["seconds"] = json!(curve.map(|c| c.seconds));
+    model["area_error"] = json!(curve.map(|c| area_error(c, m, surface)));
+    model
+}
+
+/// A model, whether it covers the surface, and what it says at these pressures (Pa).
+pub(crate) fn answers(m: &ModelComparison, pressures: &[f64]) -> Value {
+    let of_curve = |curve: &ModelCurve| -> Vec<Value> {
+        let points = curve.points.iter().zip(&curve.intervals).zip(pressures);
+        points.map(|((point, interval), pressure)| answer(*pressure, point, *interval)).collect()
+    };
     json!({
         "model": m.card.name,
         "citation": m.card.citation,
         "applicable": m.outcome.is_ok(),
         "verdict": m.verdict.answer.name(),
         "reason": reason_of(&m.card, &m.verdict),
-        "preparation_seconds": curve.map(|c| c.preparation),
-        "seconds": curve.map(|c| c.seconds),
-        "area_error": curve.map(|c| area_error(c, m, surface)),
-        "points": curve.map_or(Vec::new(), |c| {
-            let points = c.points.iter().zip(&surface.deterministic).enumerate();
-            points.map(|(k, (r, p))| answer(p.mean_pressure, r, c.area_intervals.get(k).copied().flatten())).collect()
-        }),
+        "points": m.outcome.as_ref().map_or_else(|_| Vec::new(), of_curve),
     })
 }
 
@@ -210,7 +198,7 @@ fn area_error(curve: &ModelCurve, m: &ModelComparison, surface: &SurfaceComparis
 }
 
 /// What a model says at a load.
-pub(crate) fn answer(
+fn answer(
     mean_pressure: f64,
     result: &Result<ContactState, ModelError>,
     interval: Option<[f64; 2]>,

@@ -47,8 +47,7 @@ pub use page::html::style;
 pub use page::profile_tables::setting_words;
 pub use page::summary::{Summary, summary_html};
 pub use parts_json::{
-    bodies_json, budget_keys, conducted_keys, gas_json, leak_json, leak_point_json, pair_json,
-    yield_keys,
+    bodies_json, conducted_keys, gas_json, leak_json, leak_point_json, pair_json, solution_keys,
 };
 pub use profile_json::{
     profile_comparison as profile_comparison_json, profile_statistics as profile_statistics_json,

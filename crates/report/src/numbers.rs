@@ -206,11 +206,6 @@ pub fn quantity_within(value: f64, interval: Option<[f64; 2]>, units: &[Unit]) -
     format!("{text}{SPACE}{}", unit.name)
 }
 
-/// A pressure as the report writes it, "10 MPa".
-pub(crate) fn pressure(pascals: f64) -> String {
-    chosen(pascals, PASCALS)
-}
-
 /// A length as the report writes it, "28 µm".
 pub(crate) fn length(metres: f64) -> String {
     quantity(metres, METRES, 2)
@@ -304,7 +299,7 @@ mod tests {
     fn units_follow_the_value() {
         let durations = [5.8e-5, 0.9996e-3, 1.3].map(duration);
         assert_eq!(durations, ["58\u{202F}µs", "1.0\u{202F}ms", "1.3\u{202F}s"]);
-        let pressures = [1e7, 2.5e3, 115.384_615e9].map(pressure);
+        let pressures = [1e7, 2.5e3, 115.384_615e9].map(|p| chosen(p, PASCALS));
         assert_eq!(pressures, ["10\u{202F}MPa", "2.5\u{202F}kPa", "115.4\u{202F}GPa"]);
         let ticks = [1e-8, 1e-6, 1e-4, 1e-2, 1.0].map(time_tick);
         let texts = ["10 ns", "1 µs", "0.1 ms", "10 ms", "1 s"];

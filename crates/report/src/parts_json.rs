@@ -4,22 +4,36 @@
 use crate::messages::conduction::{conductance, kinds};
 use contact_accuracy::{Budget, Estimate, Leak, Leaks, NotSolved};
 use contact_compare::{
-    Body, Comparison, Conducted, DeterministicPoint, GapGas, LeakRequest, PairOrigin,
-    SurfaceComparison, Yielded,
+    Body, Comparison, Conducted, DeterministicPoint, Diagnostics, End, GapGas, LeakRequest,
+    PairOrigin, SurfaceComparison,
 };
 use contact_types::Named;
 use serde_json::{Map, Value, json};
 
+/// What is known of a solution: how it was found, from the fraction of points that touch, its approach (m) and its
+/// diagnostics; the errors of its numbers; and where bodies yield the area at the hardness, the share of the load that it
+/// carries, and the rest of what touches. The errors are `null` of a load without a solution.
+///
 /// Intervals `[low, high]` of every number: `NAME_interval` as the number of this map (of what was prescribed, a load
 /// or a gap, the number itself twice); `NAME_prediction_interval` as a number of the surface, with the sampling
 /// variability; `null` where there is none. Stiffness (Pa/m) and its intervals are `null` if it was not computed.
 /// An end that is not known is 0 or `null`. `budget` lists the half widths by source.
-pub fn budget_keys(budget: Option<&Budget>) -> Map<String, Value> {
-    let mut keys = Map::new();
+pub fn solution_keys(found: Option<([f64; 2], &Diagnostics, &Budget)>) -> Map<String, Value> {
+    let budget = found.map(|(.., budget)| budget);
     let area = budget.map(|b| b.area);
     let gap = budget.and_then(|b| b.mean_gap);
     let stiffness = budget.and_then(|b| b.stiffness);
     let load = budget.map(|b| b.mean_pressure);
+    let real = budget.and_then(Budget::real_pressure);
+    let mut keys = keys_of(json!({
+        "area_interval_reason": area.and_then(|a| Some(a.half_width().err()?.to_string())),
+        "real_pressure": real.map(|r| r.value),
+        "stiffness": stiffness.map(|s| s.value),
+        "interpolation_indicator": budget.and_then(|b| b.indicator),
+        "budget": {
+            "area": area.map(sources), "mean_gap": gap.map(sources), "stiffness": stiffness.map(sources),
+        },
+    }));
     for (name, e) in
         [("mean_pressure", load), ("area", area), ("mean_gap", gap), ("stiffness", stiffness)]
     {
@@ -27,23 +41,37 @@ pub fn budget_keys(budget: Option<&Budget>) -> Map<String, Value> {
         intervals(&mut keys, name, ends);
     }
     // An area that may be 0 leaves the pressure without an upper end, which JSON writes as null.
-    let real = budget.and_then(Budget::real_pressure);
     let ends = [real.and_then(|r| r.interval), real.and_then(|r| r.prediction)];
     intervals(&mut keys, "real_pressure", ends);
-    let others = [
-        ("area_interval_reason", json!(area.and_then(|a| Some(a.half_width().err()?.to_string())))),
-        ("real_pressure", json!(real.map(|r| r.value))),
-        ("stiffness", json!(stiffness.map(|s| s.value))),
-        ("interpolation_indicator", json!(budget.and_then(|b| b.indicator))),
-        (
-            "budget",
-            json!({
-                "area": area.map(sources), "mean_gap": gap.map(sources), "stiffness": stiffness.map(sources),
-            }),
-        ),
-    ];
-    keys.extend(others.map(|(name, value)| (name.to_owned(), value)));
+    let Some(([touching, approach], d, _)) = found else { return keys };
+    keys.extend(keys_of(json!({
+        "touching_fraction": touching,
+        "approach": approach,
+        "max_pressure": d.max_pressure,
+        "stopped_at_rounding": d.end == End::Rounding,
+        "iterations": d.iterations,
+        "transforms": d.transforms,
+        "seconds": d.seconds,
+        "residuals": d.residuals,
+        "duality_gap": d.duality_gap,
+        "energy_bound": d.energy_bound,
+        "contact_pixels": d.contact_pixels,
+        "contact_perimeter": d.contact_perimeter,
+    })));
+    if let Some(y) = d.yielded {
+        keys.extend(keys_of(json!({
+            "saturated_fraction": y.area_fraction,
+            "plastic_load_fraction": y.load_share,
+            // Rounded sums: no area is below 0.
+            "elastic_area_fraction": (touching - y.area_fraction).max(0.0),
+        })));
+    }
     keys
+}
+
+/// The keys of an object.
+pub(crate) fn keys_of(object: Value) -> Map<String, Value> {
+    if let Value::Object(keys) = object { keys } else { Map::new() }
 }
 
 fn sources(estimate: Estimate) -> Value {
@@ -57,18 +85,6 @@ fn sources(estimate: Estimate) -> Value {
         "sampling": estimate.sampling,
         "materials": estimate.materials,
     })
-}
-
-/// Area at the hardness, the share of the load that it carries, and the rest of `touching_fraction`; `null` for elastic
-/// bodies.
-pub fn yield_keys(yielded: Option<Yielded>, touching: f64) -> Map<String, Value> {
-    let keys = [
-        ("saturated_fraction", yielded.map(|y| y.area_fraction)),
-        ("plastic_load_fraction", yielded.map(|y| y.load_share)),
-        // Rounded sums: no area is below 0.
-        ("elastic_area_fraction", yielded.map(|y| (touching - y.area_fraction).max(0.0))),
-    ];
-    keys.into_iter().map(|(key, value)| (key.to_owned(), json!(value))).collect()
 }
 
 /// What a joint conducts, as keys of a point: `electrical_conductance` (S/m²),

@@ -1,10 +1,8 @@
 //! Profiles as JSON: SI units, absent numbers `null`.
 
-use crate::json::{answer, cleaning, findings, warned};
-use crate::messages::reason_of;
+use crate::json::{answers, cleaning, findings, warned};
 use crate::provenance::Provenance;
-use contact_compare::{ModelComparison, ProfileComparison, Unevenness};
-use contact_types::Named;
+use contact_compare::{ProfileComparison, Unevenness};
 use serde_json::{Value, json};
 use surface_stats::profile::{ParameterMean, ProfileStatistics, Setting, SettingSource};
 
@@ -89,39 +87,21 @@ pub fn profile_statistics(s: &ProfileStatistics) -> Value {
     })
 }
 
-fn model(m: &ModelComparison, pressures: &[f64]) -> Value {
-    let points: Vec<Value> = m.outcome.as_ref().map_or_else(
-        |_| Vec::new(),
-        |curve| {
-            let rows = pressures.iter().zip(&curve.points).zip(&m.intervals);
-            rows.map(|((p, point), interval)| answer(*p, point, *interval)).collect()
-        },
-    );
-    json!({
-        "model": m.card.name,
-        "citation": m.card.citation,
-        "applicable": m.outcome.is_ok(),
-        "verdict": m.verdict.answer.name(),
-        "reason": reason_of(&m.card, &m.verdict),
-        "points": points,
-    })
-}
-
 /// A study of profiles as one object.
 pub fn profile_comparison(studies: &[ProfileComparison], provenance: &Provenance) -> Value {
     let one = |s: &ProfileComparison| {
         json!({
-            "name": s.name,
-            "origin": s.origin.without_folders(),
-            "uneven": unevenness(s.uneven),
-            "cleaning": cleaning(s.origin.cleaned()),
+            "name": s.surface.name,
+            "origin": s.surface.origin.without_folders(),
+            "uneven": unevenness(s.surface.uneven),
+            "cleaning": cleaning(s.surface.origin.cleaned()),
             "findings": findings(&s.findings()),
             "statistics": profile_statistics(&s.statistics),
             "headline_pressure": s.pressures[s.headline],
             "span": s.span(s.headline).map(|(span, models)| {
                 json!({ "area_fraction": span, "models": models })
             }),
-            "models": s.models.iter().map(|m| model(m, &s.pressures)).collect::<Vec<_>>(),
+            "models": s.models.iter().map(|m| answers(m, &s.pressures)).collect::<Vec<_>>(),
         })
     };
     json!({

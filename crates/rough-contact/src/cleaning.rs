@@ -45,7 +45,7 @@ impl CleaningOptions {
 
     /// Refuses cleaning where there is no file to be cleaned.
     pub(crate) fn refuse_without_file(self) -> Result<(), Failure> {
-        if self.asked().is_empty() {
+        if self.asked() == Cleaning::default() {
             return Ok(());
         }
         let message = "--align-rows, --outliers, --form, --s-filter and --l-filter clean a surface FILE, and \

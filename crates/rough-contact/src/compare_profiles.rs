@@ -65,20 +65,21 @@ fn describe(studies: &[ProfileComparison], folder: &Path) -> String {
     }
     for study in studies {
         let headline = plain(&report::profile_headline(study));
-        let _ = writeln!(out, "{}: {headline}", study.name);
-        out.push_str(&text::cleaning(study.origin.cleaned()));
-        out.push_str(&uneven_line(study.uneven));
+        let _ = writeln!(out, "{}: {headline}", study.surface.name);
+        out.push_str(&text::cleaning(study.surface.origin.cleaned()));
+        out.push_str(&uneven_line(study.surface.uneven));
         out.push_str(&text::findings(&study.findings()));
         out.push('\n');
         let mut columns =
             Columns::new(&["model", "area", "95 % interval", "real pressure", "applies"]);
         for model in &study.models {
-            let state =
-                model.outcome.as_ref().ok().and_then(|c| c.points[study.headline].as_ref().ok());
+            let curve = model.outcome.as_ref().ok();
+            let state = curve.and_then(|c| c.points[study.headline].as_ref().ok());
+            let interval = curve.and_then(|c| c.intervals[study.headline]);
             columns.row([
                 model.card.title.to_string(),
                 text::or_dash(state, |s| text::percent(s.area_fraction)),
-                text::or_dash(model.intervals[study.headline], |[low, high]| {
+                text::or_dash(interval, |[low, high]| {
                     format!("{} to {}", text::percent(low), text::percent(high))
                 }),
                 text::or_dash(state.and_then(ContactState::real_pressure), text::pressure),

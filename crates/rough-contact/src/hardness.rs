@@ -12,7 +12,7 @@ pub(crate) const HEADINGS: [&str; 2] = ["area at H", "load at H"];
 /// What stands below the table; `highest` is the largest mean pressure that was solved for (Pa).
 pub(crate) fn lines(given: Hardness, highest: f64) -> String {
     let mut out = format!("hardness {}", text::pressure(given.pascals));
-    if let Some(ratio) = given.over_elastic() {
+    if let Some(ratio) = given.indices(None).modulus_gradient_over_hardness {
         let _ = write!(
             out,
             ": E* g/H = {}; the area of elastic contact holds while that is below about 1",

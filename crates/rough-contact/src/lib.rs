@@ -10,9 +10,9 @@ pub use {contact_types, fft_bem_solver, surface_io, surface_stats};
 
 pub use contact_accuracy::{Answered, Budget, Estimate, Ladder, LadderError, NoUncertainty, Setup};
 pub use contact_compare::{
-    BadCurve, BuildError, Card, Comparison, Conductance, CurvePoint, Inputs, Joint,
-    ModelComparison, NotRegistered, Progress, Registry, Settings, StudyError, Surface,
-    SurfaceComparison, Tabulated, Theory, built_in,
+    BuildError, Card, Comparison, Conductance, CurvePoint, Inputs, Joint, ModelComparison,
+    Progress, Registry, Settings, StudyError, Surface, SurfaceComparison, Tabulated, Theory,
+    built_in,
 };
 pub use contact_front_end::units::Dimension as Quantity;
 pub use contact_front_end::{Failure, quantity::parse as quantity};

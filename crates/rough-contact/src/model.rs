@@ -273,8 +273,7 @@ fn describe(
              at this load (within {load}), against the solver; a map tells more"
         );
     }
-    if card.takes(Input::Gamma) && inputs.has_gap() {
-        let gamma = inputs.gamma();
+    if let Some(gamma) = inputs.gamma().filter(|_| card.takes(Input::Gamma)) {
         let whose = [(1.0, " (Persson 2007)"), (Persson::GAMMA, " (Yang & Persson 2008)")];
         let whose = whose.iter().find(|(g, _)| (g - gamma).abs() < 1e-12).map_or("", |w| w.1);
         let _ = writeln!(text, "mean gap with γ = {}{whose}", text::number(gamma));

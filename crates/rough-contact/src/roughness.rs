@@ -116,7 +116,7 @@ impl Source {
         if area_has_use && !card.takes(Input::Area) {
             typed.remove(&Input::Area);
         }
-        if let Some(hardness) = hardness.filter(|_| card.requires(Input::Hardness)) {
+        if let Some(hardness) = hardness.filter(|_| card.yields) {
             typed.entry(Input::Hardness).or_insert(vec![hardness]);
         }
         let inputs = typed::inputs(&typed, card, modulus, named, Some(&ways(card)))?;

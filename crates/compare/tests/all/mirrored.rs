@@ -10,7 +10,6 @@ use contact_types::{ContactModulus, Grid, HeightMap};
 use fft_bem_solver::{Load, Solution, Solver};
 use std::f64::consts::PI;
 use surface_stats::clean::{mirrored, resample};
-use surface_stats::synthesis::{Scale, SelfAffine};
 use surface_stats::{Edges, Level, level};
 
 fn solve(map: &HeightMap, load: Load, tolerance: f64) -> Solution {
@@ -68,16 +67,9 @@ fn the_intervals_hold() {
     let (mut areas, mut gaps, mut answers) = (0, 0, 0);
     for seed in 1..=6 {
         let n = 96;
-        let recipe = SelfAffine {
-            grid: Grid::new([2 * n, 2 * n], [1e-6; 2]).unwrap(),
-            hurst: 0.5 + 0.05 * seed as f64,
-            rolloff: 48e-6 * seed as f64 / 2.0,
-            cutoff: 6e-6,
-            scale: Scale::RmsGradient(0.1),
-            seed,
-            quantise: None,
-        };
-        let whole = recipe.generate().unwrap();
+        let grid = Grid::new([2 * n, 2 * n], [1e-6; 2]).unwrap();
+        let waves = [48e-6 * seed as f64 / 2.0, 6e-6];
+        let whole = crate::rough(grid, 0.5 + 0.05 * seed as f64, waves, seed);
         let eighths = resample(&whole, [16 * n, 16 * n], Edges::Periodic).unwrap();
         // `factor` points to a pixel, their pixels together those of the crop.
         let crop = |factor: usize| {

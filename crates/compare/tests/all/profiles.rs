@@ -3,20 +3,11 @@ use contact_compare::{
     Fact, GivenOrigin, Grid, Origin, ProfileComparison, ProfileSurface, Settings, Weight, built_in,
 };
 use surface_stats::profile::Trace;
-use surface_stats::synthesis::{Scale, SelfAffine};
 
 /// Rows of an isotropic map, one trace or several.
 fn study(traces: usize) -> ProfileComparison {
-    let recipe = SelfAffine {
-        grid: Grid::new([64, 4096], [1e-6, 1e-6]).unwrap(),
-        hurst: 0.8,
-        rolloff: 64e-6,
-        cutoff: 8e-6,
-        scale: Scale::RmsGradient(0.1),
-        seed: 3,
-        quantise: None,
-    };
-    let map = recipe.generate().unwrap();
+    let grid = Grid::new([64, 4096], [1e-6, 1e-6]).unwrap();
+    let map = crate::rough(grid, 0.8, [64e-6, 8e-6], 3);
     let rows = map.heights().chunks_exact(4096).step_by(8).take(traces);
     let traces = rows.map(|row| Trace::new(1e-6, row.to_vec()).unwrap()).collect();
     let origin = Origin::Given(GivenOrigin::of(&map, "rows of a made surface"));
@@ -31,7 +22,7 @@ fn study(traces: usize) -> ProfileComparison {
 fn the_interval_of_an_area_is_that_of_its_moments() {
     let found = study(1);
     let persson = found.models.iter().find(|m| m.card.name == "persson").unwrap();
-    let [low, high] = persson.intervals[0].unwrap();
+    let [low, high] = persson.outcome.as_ref().unwrap().intervals[0].unwrap();
     let [m2_low, m2_high] = found.statistics.intervals[1].unwrap();
     let expected = (m2_high / m2_low).sqrt();
     assert!((high / low / expected - 1.0).abs() < 0.02, "{low} {high} {expected}");
@@ -48,7 +39,7 @@ fn more_traces_narrow_the_interval_and_isotropy_is_always_said() {
         let ([low, high], count) = s.span(s.headline).unwrap();
         assert!(count >= 4, "{count}");
         let gw = s.models.iter().find(|m| m.card.name == "gw").unwrap();
-        let [a, b] = gw.intervals[s.headline].unwrap();
+        let [a, b] = gw.outcome.as_ref().unwrap().intervals[s.headline].unwrap();
         assert!(low <= a && b <= high);
         (b / a).ln()
     };

@@ -67,12 +67,6 @@ fn the_elastic_study_stands_beside_that_of_bodies_that_yield() {
                 && answer.diagnostics.max_pressure <= 4e9
         );
     }
-    let names = |s: &SurfaceComparison| -> Vec<String> {
-        s.models.iter().map(|m| m.card.name.to_string()).collect()
-    };
-    let mut more = names(&elastic);
-    more.extend(["ceb".into(), "persson-yield".into()]);
-    assert_eq!(names(&yielding), more);
     for name in ["gw", "persson", "bgt"] {
         let (here, there) = (model(&yielding, name), model(&elastic, name));
         let [here_curve, there_curve] = [here, there].map(|m| m.outcome.as_ref().unwrap());

@@ -3,7 +3,7 @@
 use crate::draw::palette::{FLOW_RAMP, OkLab, ramp_table};
 use crate::draw::svg::{Figure, num};
 use crate::figures::maps::{
-    Reduce, colour_bar, map_canvas, map_figure, map_size, picture, reduced, upper_end, whole,
+    averaged, colour_bar, combined, map_canvas, map_figure, map_size, picture, upper_end,
 };
 use crate::numbers::{Unit, significant};
 use contact_accuracy::Flow;
@@ -16,9 +16,9 @@ const CONTACT: f64 = 0.72;
 /// The flux over its mean, dark where the bodies touch, a ring around the bottleneck.
 pub(crate) fn flux(flow: &Flow, pressure: &[f64], grid: Grid, limit: usize, key: &str) -> Figure {
     let ([ny, nx], size) = (grid.shape(), grid.size());
-    let (flux, shape) = reduced(&flow.flux, grid, whole(grid), limit, Reduce::Max);
     let touching: Vec<f64> = pressure.iter().map(|p| f64::from(u8::from(*p > 0.0))).collect();
-    let (touching, _) = reduced(&touching, grid, whole(grid), limit, Reduce::Mean);
+    let (touching, shape) = averaged(&touching, grid.shape(), limit);
+    let flux = combined(&flow.flux, grid.shape(), shape, f64::max);
     let (top, clipped) = pressure_top(&flow.flux);
     let ramp = ramp_table::<256>(&FLOW_RAMP);
     let address = picture(shape, |i| match flux[i] {

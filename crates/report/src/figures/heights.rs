@@ -1,8 +1,6 @@
 //! The height map: heights by colour with hill shading, and rings round single points.
 
-use super::maps::{
-    Reduce, colour_bar, map_canvas, map_figure, map_size, picture, reduced, shading, whole,
-};
+use super::maps::{averaged, colour_bar, map_canvas, map_figure, map_size, picture, shading};
 use crate::draw::palette::{HEIGHT_RAMP, OkLab, ramp_table};
 use crate::draw::svg::{Canvas, Figure, num};
 use crate::numbers::{METRES, chosen, significant, unit_for};
@@ -28,7 +26,7 @@ fn percentiles(values: &[f64]) -> [f64; 2] {
 
 /// A map as a picture of at most `limit` pixels along its longer side, and the heights (m) between which its colours run.
 pub(crate) fn height_picture(heights: &[f64], grid: Grid, limit: usize) -> (String, [f64; 2]) {
-    let (heights, shape) = reduced(heights, grid, whole(grid), limit, Reduce::Mean);
+    let (heights, shape) = averaged(heights, grid.shape(), limit);
     let ramp = ramp_table::<256>(&HEIGHT_RAMP);
     let [lo, hi] = percentiles(&heights);
     let shade = shading(&heights, shape);

@@ -7,7 +7,6 @@ use crate::draw::svg::{COLUMN, Canvas, Figure, Text, num, text_width};
 use crate::numbers::{METRES, PASCALS, Unit, chosen, significant, unit_for};
 use contact_compare::{PressureMaps, pressure_top};
 use contact_types::Grid;
-use grid_fft::parallel::join;
 
 /// Lightness of the relief where nothing touches, and its depth.
 const RELIEF: (f64, f64) = (0.965, 0.022);
@@ -17,31 +16,21 @@ const LEGEND: f64 = 34.0;
 /// Steps of a scale of pressures that the eye takes for none.
 pub(crate) const FEWEST_STEPS: u8 = 31;
 
-/// How several pixels become one.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub(crate) enum Reduce {
-    /// The mean over what the new pixel covers: heights.
-    Mean,
-    /// The largest value in it, so that no small contact is lost: pressures.
-    Max,
-}
-
 /// A rectangular part `[y0, x0, ny, nx]` of a grid.
 pub(crate) type MapPart = [usize; 4];
 
-pub(super) fn whole(grid: Grid) -> MapPart {
-    [0, 0, grid.shape()[0], grid.shape()[1]]
+/// That part of a field.
+pub(super) fn cut(field: &[f64], grid: Grid, [y0, x0, ny, nx]: MapPart) -> Vec<f64> {
+    let rows = field.chunks_exact(grid.shape()[1]).skip(y0).take(ny);
+    rows.flat_map(|row| &row[x0..x0 + nx]).copied().collect()
 }
 
-/// A field cut to a window and reduced to at most `limit` pixels along its longer side.
-pub(crate) fn reduced(
+/// Mean over what each of at most `limit` pixels along the longer side covers, the ends in part: heights.
+pub(crate) fn averaged(
     field: &[f64],
-    grid: Grid,
-    [y0, x0, ny, nx]: MapPart,
+    [ny, nx]: [usize; 2],
     limit: usize,
-    how: Reduce,
 ) -> (Vec<f64>, [usize; 2]) {
-    let stride = grid.shape()[1];
     let factor = (ny.max(nx) as f64 / limit.max(1) as f64).max(1.0);
     let shape = [ny, nx].map(|n| ((n as f64 / factor).round() as usize).max(1));
     let mut out = Vec::with_capacity(shape[0] * shape[1]);
@@ -57,19 +46,33 @@ pub(crate) fn reduced(
     for jy in 0..shape[0] {
         let rows = span(jy, ny, shape[0]);
         for columns in &columns {
-            let (mut sum, mut weight, mut top) = (0.0, 0.0, f64::NEG_INFINITY);
+            let (mut sum, mut weight) = (0.0, 0.0);
             for &(iy, wy) in &rows {
                 for &(ix, wx) in columns {
-                    let value = field[(y0 + iy) * stride + x0 + ix];
-                    sum += wy * wx * value;
+                    sum += wy * wx * field[iy * nx + ix];
                     weight += wy * wx;
-                    top = top.max(value);
                 }
             }
-            out.push(if how == Reduce::Max || weight <= 0.0 { top } else { sum / weight });
+            out.push(sum / weight);
         }
     }
     (out, shape)
+}
+
+/// One value for the points that each dot covers, such as the highest, so that no small contact is lost; where a dot is less
+/// than a point wide, two share it.
+pub(crate) fn combined<T: Copy>(
+    field: &[T],
+    [ny, nx]: [usize; 2],
+    small: [usize; 2],
+    both: impl Fn(T, T) -> T,
+) -> Vec<T> {
+    let span = |j: usize, n: usize, m: usize| j * n / m..((j + 1) * n).div_ceil(m);
+    let dot = |y: usize, x: usize| {
+        let rows = span(y, ny, small[0]).map(|iy| &field[iy * nx..][span(x, nx, small[1])]);
+        rows.flatten().copied().reduce(&both).expect("a dot covers a point")
+    };
+    (0..small[0] * small[1]).map(|i| dot(i / small[1], i % small[1])).collect()
 }
 
 /// Slope towards the light in the upper left, scaled so that two standard deviations are 1.
@@ -122,9 +125,10 @@ pub fn pressures(maps: &PressureMaps, load: usize) -> Option<String> {
     }))
 }
 
-/// The surface in faint grey, as [`contact`] shows it where nothing touches.
+/// A part of the surface in faint grey, as [`contact`] shows it where nothing touches.
 pub(crate) fn relief(heights: &[f64], grid: Grid, window: MapPart, limit: usize) -> String {
-    let (small, shape) = reduced(heights, grid, window, limit, Reduce::Mean);
+    let [_, _, ny, nx] = window;
+    let (small, shape) = averaged(&cut(heights, grid, window), [ny, nx], limit);
     let shade = shading(&small, shape);
     png::grey(shape, &shade.iter().map(|s| faint(*s).to_rgb()[0]).collect::<Vec<u8>>())
 }
@@ -145,10 +149,8 @@ pub(crate) fn contact(
     limit: usize,
     key: &str,
 ) -> Figure {
-    let ((p, shape), (h, _)) = join(
-        || reduced(pressure, grid, whole(grid), limit, Reduce::Max),
-        || reduced(heights, grid, whole(grid), limit, Reduce::Mean),
-    );
+    let (h, shape) = averaged(heights, grid.shape(), limit);
+    let p = combined(pressure, grid.shape(), shape, f64::max);
     let (top, clipped) = pressure_top(pressure);
     let unit = unit_for(top, PASCALS);
     let mut canvas = map_canvas(&contact_picture(&p, &h, shape, top), grid.size(), "");
@@ -181,14 +183,12 @@ pub(crate) fn enlarged(
     key: &str,
 ) -> Figure {
     let [y0, _, ny, nx] = window;
-    let limit = ny.max(nx);
-    let (p, shape) = reduced(pressure, grid, window, limit, Reduce::Max);
-    let (h, _) = reduced(heights, grid, window, limit, Reduce::Mean);
+    let [p, h] = [pressure, heights].map(|field| cut(field, grid, window));
     let (top, _) = pressure_top(pressure);
     let [dy, dx] = grid.pixel();
-    let size = [shape[0] as f64 * dy, shape[1] as f64 * dx];
+    let size = [ny as f64 * dy, nx as f64 * dx];
     let squares = " style=\"image-rendering:pixelated\"";
-    let mut canvas = map_canvas(&contact_picture(&p, &h, shape, top), size, squares);
+    let mut canvas = map_canvas(&contact_picture(&p, &h, [ny, nx], top), size, squares);
     let inside = row.filter(|row| (y0..y0 + ny).contains(row)).map(|row| row - y0);
     mark(&mut canvas, size, [ny, nx], None, inside);
     let [height, width] = size.map(|side| chosen(side, METRES));
@@ -335,24 +335,17 @@ mod tests {
 
     #[test]
     fn reduction_keeps_the_mean_and_the_highest_point() {
-        let grid = Grid::new([7, 10], [1.0, 1.0]).unwrap();
         let field: Vec<f64> = (0..70).map(|i| f64::from((i * 37) % 71)).collect();
         let mean = |v: &[f64]| v.iter().sum::<f64>() / v.len() as f64;
-        let (small, shape) = reduced(&field, grid, [0, 0, 7, 10], 5, Reduce::Mean);
+        let (small, shape) = averaged(&field, [7, 10], 5);
         assert_eq!(shape, [4, 5]);
         assert!((mean(&small) - mean(&field)).abs() < 1e-9);
-        let (peaks, _) = reduced(&field, grid, [0, 0, 7, 10], 5, Reduce::Max);
         let top = |v: &[f64]| v.iter().copied().fold(0.0, f64::max);
+        let peaks = combined(&field, [7, 10], shape, f64::max);
         assert!((top(&peaks) - top(&field)).abs() < 1e-12);
-    }
-
-    #[test]
-    fn a_window_is_a_plain_cut_when_it_is_small() {
-        let grid = Grid::new([6, 8], [1.0, 1.0]).unwrap();
-        let field: Vec<f64> = (0..48).map(f64::from).collect();
-        let (cut, shape) = reduced(&field, grid, [2, 3, 2, 3], 64, Reduce::Mean);
-        assert_eq!(shape, [2, 3]);
-        assert_eq!(cut, [19.0, 20.0, 21.0, 27.0, 28.0, 29.0]);
+        let grid = Grid::new([7, 10], [1.0, 1.0]).unwrap();
+        assert_eq!(cut(&field, grid, [2, 3, 2, 3]), [23, 24, 25, 33, 34, 35].map(|i| field[i]));
+        assert_eq!(averaged(&field, [7, 10], 64), (field, [7, 10]));
     }
 
     #[test]

@@ -35,7 +35,7 @@ pub(crate) fn area(study: &ProfileComparison, key: &str) -> Figure {
 
 /// The first trace, height over position, with its evaluation length and section lengths shaded; `None` of a flat one.
 pub(crate) fn first_trace(study: &ProfileComparison, key: &str) -> Option<Figure> {
-    let (trace, s) = (&study.traces[0], &study.statistics);
+    let (trace, s) = (&study.surface.traces[0], &study.statistics);
     let heights = trace.heights();
     let (low, high) = trace.range();
     let length = trace.length();

@@ -4,7 +4,7 @@ use crate::digest::Quantiles;
 use crate::draw::axes::{PlotAxis, PlotFrame};
 use crate::draw::palette::{BAND, DETERMINISTIC, INK, INK2, LINE, Stroke, Style};
 use crate::draw::svg::{COLUMN, Canvas, Figure, Text};
-use crate::numbers::{SPACE, Unit, power_of_ten, signed_percent, significant, unit_for};
+use crate::numbers::{SPACE, Unit, signed_percent, significant, unit_for};
 
 /// Area over load of many maps, `[load, area fraction]` each.
 pub(crate) struct Curves {
@@ -214,21 +214,11 @@ fn histogram(
         x_title: title.to_owned(),
         y_title: String::new(),
     };
-    let crowded: Vec<f64> = frame.x.major();
+    let crowded = frame.x.ticks();
     let keep = crowded.len().div_ceil(5).max(1);
-    let text = |v: f64| {
-        let exponent = v.abs().log10();
-        let is_power = (exponent - exponent.round()).abs() < 1e-9;
-        if wide && is_power && !(-3.5..3.5).contains(&exponent) {
-            power_of_ten(exponent.round() as i32)
-        } else {
-            frame.x.tick_text(v)
-        }
-    };
-    let x_ticks: Vec<_> = crowded.into_iter().step_by(keep).map(|v| (v, text(v))).collect();
-    let whole = |v: &f64| (v - v.round()).abs() < 1e-9;
-    let y_ticks: Vec<_> =
-        frame.y.major().into_iter().filter(whole).map(|v| (v, frame.y.tick_text(v))).collect();
+    let x_ticks: Vec<_> = crowded.into_iter().step_by(keep).collect();
+    let whole = |(v, _): &(f64, String)| (v - v.round()).abs() < 1e-9;
+    let y_ticks: Vec<_> = frame.y.ticks().into_iter().filter(whole).collect();
     frame.draw_with(canvas, &x_ticks, &y_ticks);
     let step = (right - left) / classes as f64;
     for (i, &count) in counts.iter().enumerate().filter(|(_, count)| **count > 0) {

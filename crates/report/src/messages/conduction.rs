@@ -21,23 +21,17 @@ pub(crate) struct ConductanceKind {
     pub(crate) factor: f64,
 }
 
+/// Names and units of both.
+const KINDS: [[&str; 4]; 2] =
+    [["electrical", "Ω", "Ω m²", "S/m^2"], ["thermal", "K/W", "K m²/W", "W/m^2/K"]];
+
 /// Those that were asked for.
 pub(crate) fn kinds(found: &Conduction) -> Vec<ConductanceKind> {
-    let electrical = found.electrical.map(|factor| ConductanceKind {
-        name: "electrical",
-        resistance: "Ω",
-        of_area: "Ω m²",
-        plain_unit: "S/m^2",
-        factor,
-    });
-    let thermal = found.thermal.map(|factor| ConductanceKind {
-        name: "thermal",
-        resistance: "K/W",
-        of_area: "K m²/W",
-        plain_unit: "W/m^2/K",
-        factor,
-    });
-    electrical.into_iter().chain(thermal).collect()
+    let kind =
+        |([name, resistance, of_area, plain_unit], factor): ([&'static str; 4], Option<f64>)| {
+            Some(ConductanceKind { name, resistance, of_area, plain_unit, factor: factor? })
+        };
+    KINDS.into_iter().zip(found.factors).filter_map(kind).collect()
 }
 
 /// A resistance of the part in words: what is resisted, "1.20 ± 0.05 mΩ", and that of one spot of the same load and

@@ -29,20 +29,3 @@ pub(crate) fn load(pressure: f64, area: Option<f64>) -> String {
 pub(crate) fn headline_load(surface: &SurfaceComparison) -> String {
     load(surface.headline_pressure(), surface.load_area)
 }
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-
-    #[test]
-    fn force_area_and_pressure_are_said_together() {
-        let settings = Settings {
-            pressures: Some(vec![5e6, 10e6]),
-            load_area: Some(2e-6),
-            ..Settings::default()
-        };
-        let line = loads_line(&settings).unwrap().replace(SPACE, " ");
-        assert_eq!(line, "on 2.000 mm²: 10.0 N is 5.00 MPa, 20.0 N is 10.0 MPa");
-        assert_eq!(loads_line(&Settings { load_area: None, ..settings }), None);
-    }
-}

@@ -1,7 +1,7 @@
 //! Whether a theory covers a surface, in words.
 
 use crate::messages::finding::of_fact;
-use crate::numbers::{SPACE, counted, length, pressure, significant};
+use crate::numbers::{PASCALS, SPACE, chosen, counted, length, significant};
 use contact_compare::{Assumes, BuildError, Card, Caveat, Fact, ModelError, Reason, Verdict};
 use surface_stats::Warning;
 
@@ -36,7 +36,7 @@ fn words(reason: &Reason) -> String {
             format!("needs {needs}")
         }
         Reason::Strained { caveat: None, from } => {
-            format!("asperities interact from {} (area 5{SPACE}%)", pressure(*from))
+            format!("asperities interact from {} (area 5{SPACE}%)", chosen(*from, PASCALS))
         }
         Reason::Band { dimension, short, long } => {
             let (short, long) = (short.map_or("–".into(), length), length(*long));
@@ -51,7 +51,7 @@ fn words(reason: &Reason) -> String {
         } => {
             format!("{quantity} {} beyond {}: {reason}", plain(*value), plain(*limit))
         }
-        Reason::Strained { from, .. } => format!("full contact from {}", pressure(*from)),
+        Reason::Strained { from, .. } => format!("full contact from {}", chosen(*from, PASCALS)),
         Reason::Elastic { .. } => "elastic bodies only".to_owned(),
         Reason::NoAnswer { loads, of } => {
             format!("no answer at {loads} of {}", counted(*of, "load"))

@@ -40,11 +40,9 @@ pub(crate) fn where_it_touches(
     let mut shown = figure(&(map + &hidden), &caption);
     if let Some(window) = window {
         let zoom = maps::enlarged(pressure, heights, grid, window, row, &format!("{key}b"));
-        let [ny, nx] = grid.shape();
-        let relief =
-            |moving: &Moving<'_>| moving.relief(window, [0, 0, ny, nx], window[2].max(window[3]));
+        let relief = |moving: &Moving<'_>| moving.relief(window, window[2].max(window[3]));
         let hidden = moving.as_ref().map_or_else(String::new, relief);
-        let times = significant(nx as f64 / window[3] as f64, 2);
+        let times = significant(grid.shape()[1] as f64 / window[3] as f64, 2);
         let caption = format!("<b>Boxed area</b>, enlarged {times}×.");
         shown += &figure(&(zoom.inline() + &hidden), &caption);
     }

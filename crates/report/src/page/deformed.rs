@@ -2,55 +2,50 @@
 
 use crate::draw::palette::{OkLab, PRESSURE_RAMP, ramp_table};
 use crate::figures::deformed::{PressedRow, SectionCut, section};
-use crate::figures::maps::FEWEST_STEPS;
+use crate::figures::maps::{FEWEST_STEPS, combined};
 use crate::lines::min_max;
 use crate::numbers::{METRES, fixed, quantity, significant};
 use crate::page::moving::LARGEST;
 use crate::page::shared::{ReportPage, attribute, figure, touching, wide};
 use base64::Engine as _;
 use base64::engine::general_purpose::STANDARD;
-use contact_compare::{DeterministicPoint, SurfaceComparison};
+use contact_compare::{DeterministicPoint, Section, SurfaceComparison};
 use serde_json::json;
 
 /// What lies along the row of a surface, and which row it is; `None` if not every load has an answer or nothing is rough.
 pub(crate) fn cut(surface: &SurfaceComparison) -> Option<(SectionCut, usize)> {
-    let sections = surface.sections.as_ref()?;
+    let Section { row, .. } = *surface.sections.first()?;
     let map = surface.solved_map();
     let [ny, nx] = map.grid().shape();
     let (low, high) = map.range();
-    if sections.row >= ny || nx < 2 || high <= low {
+    if row >= ny || nx < 2 || high <= low {
         return None;
     }
     let mean = map.mean();
     // Each load has a scale of its own, that of the map.
     let tops: Vec<f64> = surface.pressure_maps.as_ref()?.loads.iter().map(|l| l.top).collect();
-    let row = &map.heights()[sections.row * nx..(sections.row + 1) * nx];
-    let lines = sections.gap.iter().zip(&sections.pressure).zip(&tops);
-    let pressed = surface.deterministic.iter().zip(lines);
+    // One value for each point, or of longer rows for the points that one of so many parts covers.
+    let parts = |values: &[f64], both: fn(f64, f64) -> f64| {
+        combined(values, [1, nx], [1, nx.min(LARGEST)], both)
+    };
+    let along = map.heights()[row * nx..(row + 1) * nx].iter().map(|z| z - mean);
+    let pressed = surface.deterministic.iter().zip(surface.sections.iter().zip(&tops));
     let loads: Option<Vec<PressedRow>> = pressed
-        .map(|(point, ((gap, pressure), top))| {
-            let open = |i: usize| if pressure[i] > 0.0 { 0.0 } else { gap[i].max(0.0) };
-            let share = |i: usize| (pressure[i] / top).min(1.0);
+        .map(|(point, (Section { gap, pressure, .. }, top))| {
+            let open = |(p, g): (&f64, &f64)| if *p > 0.0 { 0.0 } else { g.max(0.0) };
+            let open: Vec<f64> = pressure.iter().zip(gap).map(open).collect();
+            let share: Vec<f64> = pressure.iter().map(|p| (p / top).min(1.0)).collect();
             Some(PressedRow {
                 flat: point.answer.as_ref()?.mean_gap?,
-                gap: parts(nx, |range| range.map(open).fold(f64::INFINITY, f64::min)),
-                pressure: parts(nx, |range| range.map(share).fold(0.0, f64::max)),
+                gap: parts(&open, f64::min),
+                pressure: parts(&share, f64::max),
             })
         })
         .collect();
     let loads = loads.filter(|loads| loads.len() == surface.deterministic.len())?;
-    let highest = |range: std::ops::Range<usize>| {
-        row[range].iter().fold(f64::NEG_INFINITY, |top, z| top.max(z - mean))
-    };
-    let cut = SectionCut { length: map.grid().size()[1], heights: parts(nx, highest), loads };
-    Some((cut, sections.row))
-}
-
-/// One value for each part of a row that is drawn: for each point, or of longer rows for the points that one of
-/// [`LARGEST`] parts covers, as the map has them.
-fn parts(n: usize, value: impl Fn(std::ops::Range<usize>) -> f64) -> Vec<f64> {
-    let m = n.min(LARGEST);
-    (0..m).map(|j| value(j * n / m..((j + 1) * n).div_ceil(m))).collect()
+    let heights = parts(&along.collect::<Vec<_>>(), f64::max);
+    let cut = SectionCut { length: map.grid().size()[1], heights, loads };
+    Some((cut, row))
 }
 
 /// The figure with its caption; with what the script moves, if the page `moves`.

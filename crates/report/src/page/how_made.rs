@@ -216,19 +216,3 @@ fn solver_words(page: &ReportPage<'_>) -> String {
         significant(PERIMETER_CORRECTION, 4)
     )
 }
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-
-    #[test]
-    fn two_elastic_bodies_are_not_called_rigid() {
-        let steel = Body { young: 210e9, poisson: 0.3 };
-        let rubber = Body { young: 5e6, poisson: 0.5 };
-        let of = |bodies| bodies_words(&Settings { bodies, ..Settings::default() });
-        assert!(of(vec![steel, rubber]).replace(SPACE, " ").ends_with(
-            "two elastic half spaces (<i>E</i> = 210 GPa, ν = 0.3; <i>E</i> = 5 MPa, ν = 0.5)"
-        ));
-        assert!(of(vec![steel]).ends_with("against a rigid flat"));
-    }
-}

@@ -10,7 +10,7 @@ use crate::messages::finding::capital;
 use crate::messages::leak::{known, leak_notes};
 use crate::numbers::{METRES, duration, quantity, signed_percent, signed_range};
 use crate::page::shared::{ReportPage, reduced_words, table};
-use crate::page::tables::swatch;
+use crate::page::tables::{cells, head};
 use crate::plot_styles::plot_style;
 use contact_accuracy::{Axis, Leak, Leaks};
 use contact_compare::SurfaceComparison;
@@ -51,7 +51,7 @@ impl<'a> LeakCurves<'a> {
         let (Some(leaks), Some(leak)) = (self.loads[at], self.found[at]) else {
             return String::new();
         };
-        let axis = self.axis.name();
+        let along = format!("along {}", self.axis.name());
         let channel = match leak.flow.bottleneck {
             None => leak.channel().to_owned(),
             Some(b) => format!(
@@ -61,26 +61,28 @@ impl<'a> LeakCurves<'a> {
                 b.width
             ),
         };
-        let row = |class: &str, swatch: String, name: &str, cells: [String; 4], dom: &str| {
-            let [k, error, range, seconds] = cells;
-            format!(
-                "<tr{class}><th scope=\"row\"><div>{swatch}<span>{name}<small>along {axis}</small></span></div></th>\
-                 <td data-l=\"Permeability\" class=\"n\">{k}</td><td data-l=\"Error at load\" class=\"n\">{error}</td>\
-                 <td data-l=\"Error, all loads\" class=\"n\">{range}</td><td data-l=\"Time per load\" class=\"n\">{seconds}</td>\
-                 <td data-l=\"Channel\" class=\"dom\">{dom}</td></tr>\n"
-            )
-        };
+        let row =
+            |class: &str, head: String, [k, error, range, seconds]: [String; 4], dom: &str| {
+                let cells = cells([
+                    ("Permeability", "", k),
+                    ("Error at load", "", error),
+                    ("Error, all loads", "", range),
+                    ("Time per load", "", seconds),
+                ]);
+                let channel = format!("<td data-l=\"Channel\" class=\"dom\">{dom}</td>");
+                format!("<tr{class}>{head}{cells}{channel}</tr>\n")
+            };
         let time = leaks.seconds[0] / leaks.along.len() as f64;
-        let cells = [known(leak, "m³", |k| k), "reference".into(), "–".into(), duration(time)];
-        let reference = swatch(DETERMINISTIC_STYLE);
-        let mut rows = row(" class=\"ref\"", reference, "Reynolds on the gap", cells, &channel);
+        let numbers = [known(leak, "m³", |k| k), "reference".into(), "–".into(), duration(time)];
+        let reference = head(DETERMINISTIC_STYLE, "Reynolds on the gap", &along);
+        let mut rows = row(" class=\"ref\"", reference, numbers, &channel);
         for (k, (name, permeability, seconds)) in leaks.closed_forms().into_iter().enumerate() {
             let errors = self.errors(k);
             let range = min_max(&errors.iter().flatten().copied().collect::<Vec<_>>());
             let range = range.map_or_else(|| "–".into(), |(low, high)| signed_range(low, high));
             let error = errors[at].map_or_else(|| "–".into(), signed_percent);
-            let cells = [scientific(permeability, "m³"), error, range, duration(seconds)];
-            rows.push_str(&row("", swatch(plot_style(name, k)), FORMS[k][0], cells, ""));
+            let numbers = [scientific(permeability, "m³"), error, range, duration(seconds)];
+            rows += &row("", head(plot_style(name, k), FORMS[k][0], &along), numbers, "");
         }
         rows
     }

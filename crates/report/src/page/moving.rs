@@ -6,7 +6,7 @@
 
 use crate::draw::palette::{OkLab, PRESSURE_RAMP, ramp_table};
 use crate::draw::png;
-use crate::figures::maps::{self, MapPart};
+use crate::figures::maps::{self, MapPart, combined};
 use crate::numbers::{METRES, PASCALS, quantity, unit_for};
 use crate::page::shared::attribute;
 use contact_compare::{
@@ -56,10 +56,9 @@ impl<'a> Moving<'a> {
         let step = 240 / loads.max(1); // FirstContact keeps at most so many loads
         let grey = |load: u8| if load == u8::MAX { 255 } else { load as usize * step };
         let first: Vec<u8> = first.iter().map(|&load| grey(load) as u8).collect();
-        let whole = [0, 0, ny, nx];
         let ((pressures, headline), (first, relief)) = join(
             || join(|| Pressures::of(surface, surfaces), || self.pressure(shape)),
-            || join(|| png::classes(shape, &first), || self.relief(whole, whole, relief_limit)),
+            || join(|| png::classes(shape, &first), || self.relief([0, 0, ny, nx], relief_limit)),
         );
         let lost: Vec<_> = if shape == [ny, nx] { contact.lost.clone() } else { Vec::new() };
         let points = grid.len();
@@ -101,10 +100,10 @@ impl<'a> Moving<'a> {
     }
 
     /// The relief of a window, and where it lies in the whole map.
-    pub(crate) fn relief(&self, window: MapPart, whole: MapPart, limit: usize) -> String {
+    pub(crate) fn relief(&self, window: MapPart, limit: usize) -> String {
         let map = self.surface.solved_map();
         let picture = maps::relief(map.heights(), map.grid(), window, limit);
-        let part = |i: usize| (window[i] as f64 / whole[2 + i % 2] as f64).to_string();
+        let part = |i: usize| (window[i] as f64 / map.grid().shape()[i % 2] as f64).to_string();
         let place = [0, 1, 2, 3].map(part).join(" ");
         format!(r#"<img class="relief" hidden alt="" src="{picture}" data-part="{place}">"#)
     }
@@ -199,21 +198,6 @@ fn reduced(first: &[u8], [ny, nx]: [usize; 2], limit: usize) -> (Vec<u8>, [usize
     }
     let small = [ny, nx].map(|n| (n * limit / ny.max(nx)).max(1));
     (combined(first, [ny, nx], small, u8::min), small)
-}
-
-/// One value for the points that each dot covers; where a dot is less than a point wide, two share it.
-fn combined<T: Copy>(
-    field: &[T],
-    [ny, nx]: [usize; 2],
-    small: [usize; 2],
-    both: impl Fn(T, T) -> T,
-) -> Vec<T> {
-    let span = |j: usize, n: usize, m: usize| j * n / m..((j + 1) * n).div_ceil(m);
-    let dot = |y: usize, x: usize| {
-        let rows = span(y, ny, small[0]).map(|iy| &field[iy * nx..][span(x, nx, small[1])]);
-        rows.flatten().copied().reduce(&both).expect("a dot covers a point")
-    };
-    (0..small[0] * small[1]).map(|i| dot(i / small[1], i % small[1])).collect()
 }
 
 #[cfg(test)]

@@ -11,8 +11,8 @@ use crate::page::how_made::{bodies_words, modulus_in_head, origin_words};
 use crate::page::html::{document, references};
 use crate::page::profile_tables::{key_numbers, roughness, sampling};
 use crate::page::sections::notes;
-use crate::page::shared::{Numbering, date, figure, table, terms};
-use crate::page::tables::{applies, cited, model_area, model_head, model_pressure};
+use crate::page::shared::{Numbering, date, table, terms};
+use crate::page::tables::{applies, cells, cited, model_area, model_head, model_pressure};
 use crate::provenance::Provenance;
 use contact_compare::{ModelComparison, ProfileComparison};
 
@@ -24,7 +24,7 @@ pub(crate) fn report(studies: &[ProfileComparison], provenance: &Provenance) -> 
         body += &format!("<h1>{} profiles of surfaces</h1>\n", studies.len());
     }
     for (index, study) in studies.iter().enumerate() {
-        let name = escape(&study.name);
+        let name = escape(&study.surface.name);
         let heading = if several { format!("<h2>{name}</h2>\n") } else { String::new() };
         let surface = surface(study, &mut numbers, index, several, provenance);
         body += &format!("<div class=\"surface\">\n{heading}{surface}</div>\n");
@@ -32,7 +32,7 @@ pub(crate) fn report(studies: &[ProfileComparison], provenance: &Provenance) -> 
     body += &how_made(studies, provenance);
     body += &references(&numbers.sources);
     let title = match studies {
-        [one] => format!("{} (rough-contact, profile)", one.name),
+        [one] => format!("{} (rough-contact, profile)", one.surface.name),
         many => format!("{} profiles (rough-contact)", many.len()),
     };
     document(&title, several, &body, "")
@@ -61,7 +61,7 @@ fn surface(
 fn opening(study: &ProfileComparison, several: bool, provenance: &Provenance) -> String {
     let s = &study.statistics;
     let traces = if s.traces == 1 { "one trace".into() } else { format!("{} traces", s.traces) };
-    let (name, date) = (escape(&study.name), date(provenance.unix_time));
+    let (name, date) = (escape(&study.surface.name), date(provenance.unix_time));
     let say = escape(&profile_headline(study));
     let [before, after, first] = if several {
         [String::new(), String::new(), format!("<p class=\"say\">{say}</p>")]
@@ -85,29 +85,22 @@ fn opening(study: &ProfileComparison, several: bool, provenance: &Provenance) ->
 fn pictures(study: &ProfileComparison, numbers: &mut Numbering, h: &str, id: &str) -> String {
     let s = &study.statistics;
     let mut out = format!("<{h}>The trace</{h}>\n");
-    let n = numbers.next_figure();
-    if let Some(drawn) = profiles::first_trace(study, &format!("{id}-f{n}")) {
-        let first = if s.traces > 1 { " The first of them." } else { "" };
-        let caption = format!(
-            "<b>Fig. {n}. The trace</b> without its form.{first} Shaded: every other section \
-             length of the roughness parameters."
-        );
-        let drawn = figure(&drawn.inline(), &caption);
+    let first = if s.traces > 1 { " The first of them." } else { "" };
+    let caption = format!(
+        "The trace</b> without its form.{first} Shaded: every other section length of the roughness \
+         parameters."
+    );
+    let drawn = numbers.figure(id, |key| profiles::first_trace(study, key), &caption);
+    if !drawn.is_empty() {
         out.push_str(&format!("<div class=\"wide\">{drawn}</div>\n"));
     }
-    let n = numbers.next_figure();
     let points = study.spectrum.smoothed();
     let points = thinned(&points.iter().map(|[f, psd]| [1.0 / f, *psd]).collect::<Vec<_>>());
     let fit = s.hurst.zip(s.fractal_range);
-    let mut two = String::new();
     let psd = Spectrum { points, fit, is_profile: true };
-    if let Some(drawn) = spectrum(&psd, &format!("{id}-f{n}")) {
-        let caption = format!(
-            "<b>Fig. {n}. Power spectral density</b> of the trace, one-sided, under a Hann window, \
-             running mean over a third of an octave."
-        );
-        two.push_str(&figure(&drawn.inline(), &caption));
-    }
+    let caption = "Power spectral density</b> of the trace, one-sided, under a Hann window, running mean over \
+                   a third of an octave.";
+    let mut two = numbers.figure(id, |key| spectrum(&psd, key), caption);
     let traces = if s.traces == 1 { "trace" } else { "traces" };
     let caption = format!(
         "Real contact area</b> by every model that answers, for an isotropic surface. Grey band: from the lowest to \
@@ -135,20 +128,19 @@ fn models(study: &ProfileComparison, numbers: &mut Numbering, h: &str, id: &str)
     let line = |(place, m): (usize, &ModelComparison)| {
         let card = &m.card;
         let source = cited(numbers, card.citation.clone());
-        let point = m.outcome.as_ref().ok().map(|c| &c.points[study.headline]);
+        let curve = m.outcome.as_ref().ok();
+        let point = curve.map(|c| &c.points[study.headline]);
         let dash = || "–".to_owned();
-        let (area, real) =
-            (point.map_or_else(dash, model_area), point.map_or_else(dash, model_pressure));
-        let interval = m.intervals[study.headline].map_or_else(dash, area_range);
+        let interval = curve.and_then(|c| c.intervals[study.headline]);
+        let cells = cells([
+            ("Area", "", point.map_or_else(dash, model_area)),
+            ("95 % interval", "", interval.map_or_else(dash, area_range)),
+            ("Real pressure", "", point.map_or_else(dash, model_pressure)),
+        ]);
         let class = if m.outcome.is_ok() { "" } else { " class=\"na\"" };
         let head = model_head(card, place);
         let applies = applies(m.verdict.answer, &messages::reason_of(card, &m.verdict));
-        format!(
-            "<tr{class}>{head}<td data-l=\"Area\" class=\"n\">{area}</td>\
-             <td data-l=\"95 % interval\" class=\"n\">{interval}</td>\
-             <td data-l=\"Real pressure\" class=\"n\">{real}</td>\
-             <td data-l=\"Applies\" class=\"dom\">{applies}</td>{source}</tr>\n"
-        )
+        format!("<tr{class}>{head}{cells}{applies}{source}</tr>\n")
     };
     let rows: String = study.models.iter().enumerate().map(line).collect();
     let columns = format!(
@@ -170,7 +162,7 @@ fn how_made(studies: &[ProfileComparison], made: &Provenance) -> String {
         format!("rough-contact {}, {}", escape(&made.version), escape(&made.platform)),
     )];
     for study in studies {
-        let name = if studies.len() > 1 { escape(&study.name) } else { "Input".to_owned() };
+        let name = if studies.len() > 1 { escape(&study.surface.name) } else { "Input".to_owned() };
         let s = &study.statistics;
         let form = match s.options.degree {
             0 => "mean taken off".to_owned(),
@@ -181,8 +173,8 @@ fn how_made(studies: &[ProfileComparison], made: &Provenance) -> String {
             value.map_or(String::new(), |v| format!("; {name} = {}", chosen(v, METRES)))
         };
         let filters = filter("λs", s.options.short) + &filter("λc", s.options.cutoff);
-        rows.push((name, format!("{}. {form}{filters}", origin_words(&study.origin))));
-        for step in study.origin.cleaned() {
+        rows.push((name, format!("{}. {form}{filters}", origin_words(&study.surface.origin))));
+        for step in study.surface.origin.cleaned() {
             rows.push(("Cleaning".into(), escape(&step.to_string())));
         }
         if let Some(step) = s.height_step {

@@ -12,7 +12,7 @@ use crate::messages::pair::{lying, moments};
 use crate::messages::{self, edge_words};
 use crate::numbers::{METRES, SPACE, fixed, quantity, signed_percent, significant};
 use crate::page::budget;
-use crate::page::shared::{AREA_CORRECTION, ReportPage, figure, row, table};
+use crate::page::shared::{AREA_CORRECTION, ReportPage, row, table};
 use crate::page::slider::dial;
 use crate::page::{statistics, tables};
 use crate::plot_styles::plot_style;
@@ -200,14 +200,12 @@ pub(crate) fn the_surface(
     let fit = surface.statistics.hurst.zip(surface.statistics.fractal_range);
     let spectrum =
         surface_figures::Spectrum { points: surface.spectral.psd.clone(), fit, is_profile: false };
-    let n = page.numbers.next_figure();
-    if let Some(svg) = surface_figures::spectrum(&spectrum, &format!("{id}-f{n}")) {
-        let band = " Dashed: power law fitted over the grey band, raised 2.2×.";
-        let fitted = if fit.is_some() { band } else { "" };
-        let window = if surface.spectral.windowed { "Hann window" } else { "periodic" };
-        let caption = format!("<b>Fig. {n}. Radial power spectrum</b>, {window}.{fitted}");
-        out.push_str(&figure(&svg.inline(), &caption));
-    }
+    let band = " Dashed: power law fitted over the grey band, raised 2.2×.";
+    let fitted = if fit.is_some() { band } else { "" };
+    let window = if surface.spectral.windowed { "Hann window" } else { "periodic" };
+    let caption = format!("Radial power spectrum</b>, {window}.{fitted}");
+    let draw = |key: &str| surface_figures::spectrum(&spectrum, key);
+    out.push_str(&page.numbers.figure(id, draw, &caption));
     out.push_str("</div>\n");
     out
 }

@@ -3,7 +3,7 @@
 use crate::draw::svg::Figure;
 use crate::numbers::{percent, power_of_ten, significant};
 use crate::provenance::Provenance;
-use contact_compare::{Comparison, Sections, SurfaceComparison};
+use contact_compare::{Comparison, Section, SurfaceComparison};
 use contact_types::Citation;
 use std::borrow::Cow;
 
@@ -64,16 +64,18 @@ impl Numbering {
         self.figures
     }
 
-    /// The next figure of the part `id`, with its key. Its caption is HTML and opens with the rest of a bold
-    /// subject.
-    pub(crate) fn figure(
+    /// The next figure of the part `id`, with its key; its number is taken also where nothing is drawn. Its caption is HTML
+    /// and opens with the rest of a bold subject.
+    pub(crate) fn figure<F: Into<Option<Figure>>>(
         &mut self,
         id: &str,
-        draw: impl FnOnce(&str) -> Figure,
+        draw: impl FnOnce(&str) -> F,
         caption: &str,
     ) -> String {
         let n = self.next_figure();
-        figure(&draw(&format!("{id}-f{n}")).inline(), &format!("<b>Fig. {n}. {caption}"))
+        let drawn = draw(&format!("{id}-f{n}")).into();
+        let shown = |drawn: Figure| figure(&drawn.inline(), &format!("<b>Fig. {n}. {caption}"));
+        drawn.map_or_else(String::new, shown)
     }
 
     /// Number of a source in the list of references.
@@ -138,10 +140,13 @@ pub(crate) fn tolerance_words(tolerance: f64) -> String {
 
 /// How much of the row touches at each load, as the caption says it.
 pub(crate) fn touching(surface: &SurfaceComparison) -> Vec<String> {
-    let Some(Sections { pressure, .. }) = &surface.sections else { return Vec::new() };
-    let share =
-        |row: &Vec<f64>| row.iter().filter(|p| **p > 0.0).count() as f64 / row.len().max(1) as f64;
-    pressure.iter().map(|row| percent(share(row))).collect()
+    if surface.sections.len() < surface.deterministic.len() {
+        return Vec::new();
+    }
+    let share = |Section { pressure, .. }: &Section| {
+        pressure.iter().filter(|p| **p > 0.0).count() as f64 / pressure.len().max(1) as f64
+    };
+    surface.sections.iter().map(|section| percent(share(section))).collect()
 }
 
 /// JSON inside an attribute in single quotes.

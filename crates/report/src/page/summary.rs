@@ -16,7 +16,7 @@ use crate::page::shared::{Numbering, date, row, table, why, wide};
 use crate::page::tables::swatch;
 use crate::plot_styles::plot_style;
 use crate::provenance::Provenance;
-use contact_compare::{Settings, find};
+use contact_compare::{Card, Settings, Theory, built_in};
 use contact_types::Named;
 use serde_json::Value;
 
@@ -47,11 +47,10 @@ impl Summary<'_> {
     }
 
     /// The models, in the order of the study.
-    fn models(&self) -> Vec<&'static str> {
-        let known = contact_compare::built_in().of_studies().map(|t| t.card().name.as_ref());
-        known
-            .filter(|name| self.maps.iter().any(|(_, map)| map["models"][*name].is_object()))
-            .collect()
+    fn models(&self) -> Vec<&'static Card> {
+        let is_there =
+            |card: &&Card| self.maps.iter().any(|(_, map)| map["models"][&*card.name].is_object());
+        built_in().of_studies().map(Theory::card).filter(is_there).collect()
     }
 
     /// Force over pressure (m²), if the loads are forces.
@@ -118,33 +117,26 @@ pub fn summary_html(summary: &Summary<'_>, provenance: &Provenance) -> String {
 
 /// The model whose errors are smallest in the median, and how they are spread.
 fn headline(summary: &Summary<'_>) -> String {
-    let sizes = |name: &&'static str| {
-        let errors: Vec<f64> = summary.errors(name).into_iter().flatten().collect();
+    let sizes = |card: &'static Card| {
+        let errors: Vec<f64> = summary.errors(&card.name).into_iter().flatten().collect();
         let full = errors.len() == summary.maps.len();
         let spread = Quantiles::of(errors.iter().map(|e| e.abs())).filter(|_| full)?;
-        Some((*name, spread.median(), Quantiles::of(errors.into_iter())?))
+        Some((card, spread.median(), Quantiles::of(errors.into_iter())?))
     };
     // Of bodies that yield a theory of elastic ones is right by accident at most.
-    let ranks = |name: &&&'static str| {
-        summary.settings.hardness.is_none() || find(name).is_some_and(|t| t.card().yields)
-    };
-    let best =
-        summary.models().iter().filter(ranks).filter_map(sizes).min_by(|a, b| a.1.total_cmp(&b.1));
+    let ranks = |card: &&'static Card| summary.settings.hardness.is_none() || card.yields;
+    let ranked = summary.models().into_iter().filter(ranks).filter_map(sizes);
     let maps = counted(summary.maps.len(), "map");
-    let Some((name, size, errors)) = best else {
+    let Some((card, size, errors)) = ranked.min_by(|a, b| a.1.total_cmp(&b.1)) else {
         return format!("{maps} solved; no closed form answers on all of them");
     };
     format!(
         "Nearest over {maps}: {}, <b>{}</b> off in the median, 10th–90th percentile {} to {}",
-        label(name),
+        escape(&card.title),
         percent(size),
         signed_percent(errors.quantile(0.1)),
         signed_percent(errors.quantile(0.9)),
     )
-}
-
-fn label(name: &str) -> String {
-    find(name).map_or_else(|| escape(name), |theory| escape(&theory.card().title))
 }
 
 /// What was answered, and how far that can be read.
@@ -178,12 +170,12 @@ fn standing(summary: &Summary<'_>) -> String {
 fn load_and_errors(summary: &Summary<'_>, numbers: &mut Numbering) -> String {
     let list: Vec<Strip> = summary
         .models()
-        .iter()
+        .into_iter()
         .enumerate()
-        .filter_map(|(place, name)| {
-            let errors = Quantiles::of(summary.errors(name).into_iter().flatten())?;
-            let label = find(name).map_or_else(|| (*name).into(), |t| t.card().label.to_string());
-            Some(Strip { label, look: plot_style(name, place), errors })
+        .filter_map(|(place, card)| {
+            let errors = Quantiles::of(summary.errors(&card.name).into_iter().flatten())?;
+            let (label, look) = (card.label.to_string(), plot_style(&card.name, place));
+            Some(Strip { label, look, errors })
         })
         .collect();
     let caption = "Real contact area</b> of every map by the deterministic solution. Thick: median; grey: 10th–90th percentile.";
@@ -196,7 +188,8 @@ fn load_and_errors(summary: &Summary<'_>, numbers: &mut Numbering) -> String {
 }
 
 fn models(summary: &Summary<'_>) -> String {
-    let line = |(place, name): (usize, &'static str)| {
+    let line = |(place, card): (usize, &'static Card)| {
+        let name = &*card.name;
         let errors = summary.errors(name);
         let verdicts = |word: &str| {
             let is = |map: &&(String, &Value)| map.1["models"][name]["verdict"] == word;
@@ -221,7 +214,7 @@ fn models(summary: &Summary<'_>) -> String {
             ["yes", "caution", "no"].map(verdicts).join(" / "),
         ];
         let swatch = swatch(plot_style(name, place));
-        let head = format!("<div>{swatch}<span>{}</span></div>", label(name));
+        let head = format!("<div>{swatch}<span>{}</span></div>", escape(&card.title));
         row(&head, numbers, &why(&worst))
     };
     let rows: String = summary.models().into_iter().enumerate().map(line).collect();

@@ -86,15 +86,28 @@ pub(crate) fn swatch(look: Style) -> String {
     format!(r#"<svg viewBox="0 0 34 12" width="34" height="12" aria-hidden="true">{line}</svg>"#)
 }
 
-/// The head of the row of a model: its line, its name, what it is made of.
-pub(crate) fn model_head(card: &Card, place: usize) -> String {
-    let (line, title) = (swatch(plot_style(&card.name, place)), escape(&card.title));
-    let inputs = inputs_html(card);
-    format!("<th scope=\"row\"><div>{line}<span>{title}<small>{inputs}</small></span></div></th>")
+/// The head of a row: a line as it is drawn, a name (HTML) and what stands below it.
+pub(crate) fn head(look: Style, name: &str, below: &str) -> String {
+    let line = swatch(look);
+    format!("<th scope=\"row\"><div>{line}<span>{name}<small>{below}</small></span></div></th>")
 }
 
+/// The head of the row of a model: its line, its name, what it is made of.
+pub(crate) fn model_head(card: &Card, place: usize) -> String {
+    head(plot_style(&card.name, place), &escape(&card.title), &inputs_html(card))
+}
+
+/// Cells of numbers (HTML), each with the name of its column, which a narrow screen shows, and further attributes.
+pub(crate) fn cells<const N: usize>(all: [(&str, &str, String); N]) -> String {
+    let cell =
+        |(column, more, text)| format!("<td data-l=\"{column}\" class=\"n\"{more}>{text}</td>");
+    all.map(cell).concat()
+}
+
+/// A cell: whether something holds on the surface, and why not.
 pub(crate) fn applies(answer: Applies, reason: &str) -> String {
-    format!("<b class=\"{0}\">{0}</b> {1}", answer.name(), escape(reason))
+    let (answer, reason) = (answer.name(), escape(reason));
+    format!("<td data-l=\"Applies\" class=\"dom\"><b class=\"{answer}\">{answer}</b> {reason}</td>")
 }
 
 pub(crate) fn models(page: &mut ReportPage<'_>, surface: &SurfaceComparison) -> String {
@@ -143,24 +156,24 @@ fn deterministic_row(
     };
     let yields = surface.inputs.hardness.is_some() && !of_elastic;
     let of = if reference.of.is_empty() { "" } else { &format!(", {}", reference.of) };
-    format!(
-        "<tr class=\"ref\"><th scope=\"row\"><div>{}<span>Deterministic, FFT-BEM<small>height map{of}</small></span></div></th><td data-l=\"Area\" class=\"n\"{k}>{}</td>\
-         <td data-l=\"Error at load\" class=\"n\">reference</td><td data-l=\"Error, all loads\" \
-         class=\"n\">–</td><td data-l=\"Time\" class=\"n\">{}</td><td data-l=\"Applies\" class=\"dom\">{}</td>{source}</tr>\n",
-        swatch(DETERMINISTIC_STYLE),
-        answer.map_or("–".into(), messages::area),
-        answer.map_or("–".into(), |a| duration(a.diagnostics.seconds)),
-        match (answer, answer.and_then(|a| a.budget.area.half_width().err())) {
-            (None, _) => applies(Applies::No, "no solution at this load"),
-            (Some(a), _) if !a.converged => applies(Applies::Caution, "not converged at this load"),
-            (_, Some(reason)) => applies(Applies::Caution, &reason.to_string()),
-            _ if is_steep(surface.statistics.rms_gradient) => {
-                applies(Applies::Caution, messages::SMALL_SLOPES)
-            }
-            _ if yields => applies(Applies::Yes, "yields at the hardness"),
-            _ => applies(Applies::Yes, "elastic"),
+    let head = head(DETERMINISTIC_STYLE, "Deterministic, FFT-BEM", &format!("height map{of}"));
+    let cells = cells([
+        ("Area", k, answer.map_or("–".into(), messages::area)),
+        ("Error at load", "", "reference".into()),
+        ("Error, all loads", "", "–".into()),
+        ("Time", "", answer.map_or("–".into(), |a| duration(a.diagnostics.seconds))),
+    ]);
+    let applies = match (answer, answer.and_then(|a| a.budget.area.half_width().err())) {
+        (None, _) => applies(Applies::No, "no solution at this load"),
+        (Some(a), _) if !a.converged => applies(Applies::Caution, "not converged at this load"),
+        (_, Some(reason)) => applies(Applies::Caution, &reason.to_string()),
+        _ if is_steep(surface.statistics.rms_gradient) => {
+            applies(Applies::Caution, messages::SMALL_SLOPES)
         }
-    )
+        _ if yields => applies(Applies::Yes, "yields at the hardness"),
+        _ => applies(Applies::Yes, "elastic"),
+    };
+    format!("<tr class=\"ref\">{head}{cells}{applies}{source}</tr>\n")
 }
 
 fn model_row(
@@ -172,32 +185,25 @@ fn model_row(
     let card = &model.card;
     let source = cited(&mut page.numbers, card.citation.clone());
     let several = surface.deterministic.len() > 1;
-    let series = escape(&card.name);
-    let name = model_head(card, place);
-    let reason = reason_of(card, &model.verdict);
-    let domain = format!(
-        "<td data-l=\"Applies\" class=\"dom\">{}</td>",
-        applies(model.verdict.answer, &reason)
-    );
+    let (series, name) = (escape(&card.name), model_head(card, place));
+    let applies = applies(model.verdict.answer, &reason_of(card, &model.verdict));
+    let dash = || "–".to_owned();
     let Ok(curve) = &model.outcome else {
-        let dash = |l: &str| format!("<td data-l=\"{l}\" class=\"n\">–</td>");
-        let dashes = ["Area", "Error at load", "Error, all loads", "Time"].map(dash).concat();
+        let dashes = ["Area", "Error at load", "Error, all loads", "Time"].map(|c| (c, "", dash()));
+        let dashes = cells(dashes);
         return format!(
-            "<tr class=\"na\" data-m=\"{series}\">{name}{dashes}{domain}{source}</tr>\n"
+            "<tr class=\"na\" data-m=\"{series}\">{name}{dashes}{applies}{source}</tr>\n"
         );
     };
     let key = |prefix: &str| {
         if several { format!(" data-k=\"{prefix}-{}\"", card.name) } else { String::new() }
     };
-    let error = curve.errors[surface.headline].map_or("–".into(), signed_percent);
-    let range = curve.range().map_or("–".into(), |(lo, hi)| signed_range(lo, hi));
-    format!(
-        "<tr data-m=\"{series}\">{name}<td data-l=\"Area\" class=\"n\"{}>{}</td><td data-l=\"Error at load\" \
-         class=\"n\"><span{}>{error}</span></td><td data-l=\"Error, all loads\" class=\"n\">{range}</td>\
-         <td data-l=\"Time\" class=\"n\">{}</td>{domain}{source}</tr>\n",
-        key("a"),
-        model_area(&curve.points[surface.headline]),
-        key("e"),
-        [curve.preparation, curve.seconds].map(duration).join(" + ")
-    )
+    let error = curve.errors[surface.headline].map_or_else(dash, signed_percent);
+    let cells = cells([
+        ("Area", &key("a"), model_area(&curve.points[surface.headline])),
+        ("Error at load", "", format!("<span{}>{error}</span>", key("e"))),
+        ("Error, all loads", "", curve.range().map_or_else(dash, |(lo, hi)| signed_range(lo, hi))),
+        ("Time", "", [curve.preparation, curve.seconds].map(duration).join(" + ")),
+    ]);
+    format!("<tr data-m=\"{series}\">{name}{cells}{applies}{source}</tr>\n")
 }
