@@ -99,11 +99,7 @@ fn object(load: Load, found: Option<(&Solution, &Budget)>, error: Option<&Solver
         "iterations": d.iterations,
         "transforms": d.transforms,
         "seconds": d.seconds,
-        "residuals": {
-            "preconditioned": d.residuals.preconditioned,
-            "complementarity": d.residuals.complementarity,
-            "penetration": d.residuals.penetration,
-        },
+        "residuals": d.residuals,
         "duality_gap": d.duality_gap,
         "energy_bound": d.energy_bound,
         "contact_pixels": d.contact_pixels,
