@@ -12,7 +12,7 @@ fn surface() -> TestFolder {
     at
 }
 
-/// Page, JSON, CSV and terminal say the same of the contact that yields; a run file repeats it.
+/// Page, JSON, CSV and terminal say the same of the contact that yields.
 #[test]
 fn a_study_of_bodies_that_yield_agrees_with_itself() {
     let at = &surface();
@@ -50,14 +50,6 @@ fn a_study_of_bodies_that_yield_agrees_with_itself() {
     for of in ["elastic–plastic contact", "elastic contact"] {
         has(&page, &[&format!("Error of each closed form, {of}")]);
         has(&said, &[&format!("against the solution of {of}:")]);
-    }
-
-    at.done("compare --from report/run.toml --out again");
-    let repeated = at.results("again");
-    assert_eq!(repeated["settings"]["hardness"], found["settings"]["hardness"]);
-    let points = &repeated["surfaces"][0]["deterministic"]["points"];
-    for i in 0..3 {
-        assert_eq!(points[i]["area_fraction"], yielding[i]["area_fraction"]);
     }
     // Without the option nothing of it is computed or said.
     at.done(&format!("{STUDY} --out plain"));
