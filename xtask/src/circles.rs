@@ -189,6 +189,7 @@ impl FileNames {
             }
             if let Some(child) = item.strip_prefix("mod ").and_then(|rest| rest.strip_suffix(';')) {
                 found.children.push(child.to_owned());
+                continue;
             }
             let mut words = item.split([' ', '<', '(', ':']);
             let kind = words.next().filter(|kind| line == bare && DEFINES.contains(kind));
