@@ -41,7 +41,7 @@ pub(crate) fn run(args: &[String]) -> TaskResult {
     for (_, line) in rows {
         text.push_str(&line);
     }
-    keep_section(PAGE, "benchmarks", &text, false)
+    keep_section(PAGE, "benchmarks", &text, None)
 }
 
 fn is_shown(id: &str) -> bool {

@@ -1,24 +1,20 @@
 //! Circles of files: inside a crate, files import each other downwards only.
 //!
 //! Each name that a file imports is followed through re-exports to the file that defines it; a
-//! re-export alone is a face and no arrow. What is not seen: a method of an `impl` that stands in
-//! another file than its type, and names that a macro makes.
+//! re-export alone is a face and no arrow. Sources are read line by line, as `cargo fmt` leaves them. What is not seen: a
+//! method of an `impl` that stands in another file than its type, and names that a macro makes.
 
-use proc_macro2::{Delimiter, Spacing, TokenStream, TokenTree};
 use std::collections::{BTreeMap, BTreeSet};
 use std::fmt::Write;
 use std::path::{Path, PathBuf};
 
-/// A path of names: where a file stands in its crate, the root being empty, or a path as written, so
-/// that `crate::a::B` has three.
-type ModulePath = Vec<String>;
-
-/// For each file the files it takes something from, and what.
-type Arrows = BTreeMap<ModulePath, BTreeMap<ModulePath, BTreeSet<String>>>;
+/// For each file the files it takes something from, and what. A file is named by its module, as `a::b`, the root by
+/// nothing.
+type Arrows = BTreeMap<String, BTreeMap<String, BTreeSet<String>>>;
 
 /// The files of one crate.
 #[derive(Default)]
-struct CrateFiles(BTreeMap<ModulePath, (PathBuf, FileNames)>);
+struct CrateFiles(BTreeMap<String, (PathBuf, FileNames)>);
 
 /// What one file declares, imports and names, tests aside.
 #[derive(Default)]
@@ -26,21 +22,21 @@ struct FileNames {
     /// Child modules that are files of their own.
     children: Vec<String>,
     /// The path of each imported name, and whether it is `pub`.
-    imported: BTreeMap<String, (bool, ModulePath)>,
-    /// Names that the code itself uses, outside `use`.
+    imported: BTreeMap<String, (bool, String)>,
+    /// Names and paths in the code itself, outside `use`.
     used: BTreeSet<String>,
-    /// Paths in the code itself, of two parts and more.
-    paths: BTreeSet<ModulePath>,
-    /// The first item that is defined here, as `fn f` or `impl`; none in a face.
+    /// The first item that is defined here, as `fn f`; none in a face.
     item: Option<String>,
 }
 
-const DEFINES: [&str; 8] = ["fn", "struct", "enum", "trait", "type", "const", "static", "union"];
+const DEFINES: [&str; 9] =
+    ["fn", "struct", "enum", "trait", "type", "const", "static", "union", "impl"];
 
 /// One sentence for each circle of files below the crate root `main` (`src/lib.rs`), and where it is that of a library for
 /// each `lib.rs` or `mod.rs` that defines something.
 pub(crate) fn circles_and_faces(main: &Path) -> Vec<String> {
-    let krate = CrateFiles::read(main);
+    let mut krate = CrateFiles::default();
+    krate.walk(main, "", main.parent().unwrap_or(Path::new(".")));
     let mut found = krate.circles();
     if main.ends_with("lib.rs") {
         found.extend(krate.faces());
@@ -49,16 +45,22 @@ pub(crate) fn circles_and_faces(main: &Path) -> Vec<String> {
 }
 
 impl CrateFiles {
-    fn read(main: &Path) -> Self {
-        let mut krate = Self::default();
-        krate.walk(main, &[], main.parent().unwrap_or(Path::new(".")));
-        krate
+    fn walk(&mut self, file: &Path, place: &str, folder: &Path) {
+        let names = FileNames::of(&std::fs::read_to_string(file).unwrap_or_default());
+        for child in &names.children {
+            let below = folder.join(child);
+            let candidates = [below.with_extension("rs"), below.join("mod.rs")];
+            if let Some(path) = candidates.iter().find(|path| path.is_file()) {
+                self.walk(path, &inside(place, child), &below);
+            }
+        }
+        self.0.insert(place.to_owned(), (file.to_path_buf(), names));
     }
 
     fn circles(&self) -> Vec<String> {
         let arrows = self.arrows();
-        let shown = |place: &ModulePath| self.0[place].0.display().to_string();
-        let describe = |circle: &BTreeSet<ModulePath>| {
+        let shown = |place: &String| self.0[place].0.display().to_string();
+        let describe = |circle: &BTreeSet<String>| {
             let mut text = String::new();
             for from in circle {
                 for (to, names) in arrows[from].iter().filter(|(to, _)| circle.contains(*to)) {
@@ -80,79 +82,17 @@ impl CrateFiles {
         })
     }
 
-    fn walk(&mut self, file: &Path, place: &[String], folder: &Path) {
-        let names = FileNames::of(&std::fs::read_to_string(file).unwrap_or_default());
-        for child in &names.children {
-            let below = folder.join(child);
-            let candidates = [below.with_extension("rs"), below.join("mod.rs")];
-            if let Some(path) = candidates.iter().find(|path| path.is_file()) {
-                self.walk(path, &inside(place, child), &below);
-            }
-        }
-        self.0.insert(place.to_vec(), (file.to_path_buf(), names));
-    }
-
-    fn has(&self, place: &[String], child: &str) -> bool {
-        self.0.contains_key(&inside(place, child))
-    }
-
-    /// The file that defines what `parts` names as seen from `from`, and the name; the name is
-    /// absent if it is the file itself. `None` for what lies outside the crate.
-    fn resolve(
-        &self,
-        from: &ModulePath,
-        parts: &[String],
-        depth: usize,
-    ) -> Option<(ModulePath, Option<String>)> {
-        let (first, mut rest) = parts.split_first()?;
-        let mut here = match first.as_str() {
-            _ if depth > 12 => return None,
-            "crate" => ModulePath::new(),
-            "self" => from.clone(),
-            "super" => {
-                let ups = parts.iter().take_while(|part| *part == "super").count();
-                rest = &parts[ups..];
-                from[..from.len().checked_sub(ups)?].to_vec()
-            }
-            _ => {
-                rest = parts;
-                let is_imported = self.0[from].1.imported.contains_key(first);
-                let is_named = depth > 0 || parts.len() > 1;
-                if !(self.has(from, first) || is_imported && is_named) {
-                    return None;
-                }
-                from.clone()
-            }
-        };
-        while let Some((name, tail)) = rest.split_first() {
-            let names = &self.0[&here].1;
-            if self.has(&here, name) {
-                here.push(name.clone());
-            } else if let Some((_, target)) = names.imported.get(name)
-                && *target != *parts
-            {
-                match self.resolve(&here, target, depth + 1)? {
-                    (place, None) if !tail.is_empty() => here = place,
-                    found => return Some(found),
-                }
-            } else {
-                return Some((here, Some(name.clone())));
-            }
-            rest = tail;
-        }
-        Some((here, None))
-    }
-
     fn arrows(&self) -> Arrows {
         let mut all = Arrows::new();
         for (place, (_, names)) in &self.0 {
             let arrows = all.entry(place.clone()).or_default();
-            let is_arrow = |(name, (is_public, _)): &(&String, &(bool, ModulePath))| {
+            let is_arrow = |(name, (is_public, _)): &(&String, &(bool, String))| {
                 !is_public || names.used.contains(*name)
             };
-            let imports = names.imported.iter().filter(is_arrow).map(|(_, (_, parts))| (parts, 1));
-            for (parts, depth) in imports.chain(names.paths.iter().map(|parts| (parts, 0))) {
-                if let Some((to, Some(name))) = self.resolve(place, parts, depth)
+            let imports = names.imported.iter().filter(is_arrow).map(|(_, (_, path))| path);
+            let paths = names.used.iter().filter(|name| name.contains("::"));
+            for path in imports.chain(paths) {
+                if let Some((to, name)) = self.resolve(place, path, 0)
                     && to != *place
                 {
                     arrows.entry(to).or_default().insert(name);
@@ -161,17 +101,55 @@ impl CrateFiles {
         }
         all
     }
+
+    /// The file that defines what `path` names as seen from `from`, and the name. `None` for a file itself, and for what
+    /// lies outside the crate.
+    fn resolve(&self, from: &str, path: &str, depth: usize) -> Option<(String, String)> {
+        let (first, behind) = path.split_once("::").unwrap_or((path, ""));
+        let own = &self.0[from].1;
+        let (mut here, mut rest) = match first {
+            _ if depth > 12 => return None,
+            "crate" => (String::new(), behind),
+            "self" => (from.to_owned(), behind),
+            "super" => (above(from), behind),
+            _ if self.0.contains_key(&inside(from, first)) || own.imported.contains_key(first) => {
+                (from.to_owned(), path)
+            }
+            _ => return None,
+        };
+        while let Some(behind) = rest.strip_prefix("super::") {
+            here = above(&here);
+            rest = behind;
+        }
+        while !rest.is_empty() {
+            let (name, behind) = rest.split_once("::").unwrap_or((rest, ""));
+            let below = inside(&here, name);
+            match self.0[&here].1.imported.get(name) {
+                _ if self.0.contains_key(&below) => here = below,
+                Some((_, target)) if target != path => {
+                    return self.resolve(&here, &inside(target, behind), depth + 1);
+                }
+                _ => return Some((here, name.to_owned())),
+            }
+            rest = behind;
+        }
+        None
+    }
 }
 
-fn inside(place: &[String], child: &str) -> ModulePath {
-    let mut path = place.to_vec();
-    path.push(child.to_owned());
-    path
+fn above(place: &str) -> String {
+    place.rsplit_once("::").map_or(String::new(), |(above, _)| above.to_owned())
+}
+
+/// Two paths as one; either may be empty.
+fn inside(place: &str, child: &str) -> String {
+    let between = if place.is_empty() || child.is_empty() { "" } else { "::" };
+    format!("{place}{between}{child}")
 }
 
 /// The sets of two and more nodes in which each reaches each: few nodes, so by reachability.
-fn strongly_connected(arrows: &Arrows) -> Vec<BTreeSet<ModulePath>> {
-    let reached: BTreeMap<&ModulePath, BTreeSet<&ModulePath>> = arrows
+fn strongly_connected(arrows: &Arrows) -> Vec<BTreeSet<String>> {
+    let reached: BTreeMap<&String, BTreeSet<&String>> = arrows
         .keys()
         .map(|start| {
             let (mut seen, mut open) = (BTreeSet::new(), vec![start]);
@@ -181,7 +159,7 @@ fn strongly_connected(arrows: &Arrows) -> Vec<BTreeSet<ModulePath>> {
             (start, seen)
         })
         .collect();
-    let mut found: Vec<BTreeSet<ModulePath>> = Vec::new();
+    let mut found: Vec<BTreeSet<String>> = Vec::new();
     for (start, seen) in &reached {
         if seen.contains(start) && !found.iter().any(|circle| circle.contains(*start)) {
             let back = seen.iter().filter(|other| reached[*other].contains(start));
@@ -193,196 +171,142 @@ fn strongly_connected(arrows: &Arrows) -> Vec<BTreeSet<ModulePath>> {
 
 impl FileNames {
     fn of(text: &str) -> Self {
-        let all = tokens(text.parse().expect("a source that compiles"));
-        let at = |i: usize| all.get(i).map_or("", String::as_str);
         let mut found = Self::default();
-        let (mut i, mut depth) = (0, 0_i32);
-        while i < all.len() {
-            let start = i;
-            i += 1;
-            match at(start) {
-                "{" => depth += 1,
-                "}" => depth -= 1,
-                "impl" if depth == 0 => found.item = found.item.or(Some("impl".to_owned())),
-                _ => {}
+        let code = without_tests(text);
+        let mut lines = code.lines();
+        while let Some(line) = lines.next() {
+            let bare = line.trim_start();
+            let is_public = bare.starts_with("pub");
+            let item =
+                if is_public { bare.split_once(' ').map_or("", |(_, item)| item) } else { bare };
+            if let Some(begin) = item.strip_prefix("use ") {
+                let mut tree = begin.to_owned();
+                while !tree.ends_with(';') {
+                    tree += lines.next().unwrap_or(";").trim();
+                }
+                found.import(tree.trim_end_matches(';'), is_public);
+                continue;
             }
-            if at(start) == "use" {
-                i += all[i..].iter().take_while(|token| *token != ";").count();
-                let before = if at(start.wrapping_sub(1)) == ")" { 4 } else { 1 }; // pub(crate)
-                found.import(&all[start + 1..i], at(start.wrapping_sub(before)) == "pub");
-            } else if at(start) == "mod" && at(start + 2) == ";" {
-                found.children.push(at(i).to_owned());
-                i += 2;
-            } else if at(start).starts_with(is_word) {
-                let defines = DEFINES.contains(&at(start)) && at(i).starts_with(is_word);
-                if defines && depth == 0 {
-                    found.item.get_or_insert_with(|| format!("{} {}", at(start), at(i)));
-                }
-                while at(i) == "::" && at(i + 1).starts_with(is_word) {
-                    i += 2;
-                }
-                found.used.insert(at(start).to_owned());
-                if i > start + 1 {
-                    let parts = all[start..i].iter().filter(|token| *token != "::");
-                    found.paths.insert(parts.cloned().collect());
-                }
+            if let Some(child) = item.strip_prefix("mod ").and_then(|rest| rest.strip_suffix(';')) {
+                found.children.push(child.to_owned());
+                continue;
+            }
+            let mut words = item.split([' ', '<', '(', ':']);
+            let kind = words.next().filter(|kind| line == bare && DEFINES.contains(kind));
+            if let (Some(kind), None) = (kind, &found.item) {
+                found.item = Some(format!("{kind} {}", words.next().unwrap_or_default()));
+            }
+            let is_between = |c: char| !(c.is_alphanumeric() || c == '_' || c == ':');
+            for path in line.split(is_between).map(|path| path.trim_matches(':')) {
+                let first = path.split("::").next().unwrap_or_default();
+                found.used.extend([path, first].map(str::to_owned));
             }
         }
         found
     }
 
-    /// Takes a `use` tree apart.
-    fn import(&mut self, tree: &[String], is_public: bool) {
-        let mut path = ModulePath::new();
-        // Length of the path before each open brace.
-        let mut stems = vec![0];
-        let mut alias = None;
-        for (i, token) in tree.iter().map(String::as_str).chain([";"]).enumerate() {
-            match token {
-                "{" => stems.push(path.len()),
-                "," | "}" | ";" => {
-                    if path.len() > stems[stems.len() - 1] {
-                        if path.len() > 1 && path.ends_with(&["self".to_owned()]) {
-                            path.pop(); // a::b::self is a::b
-                        }
-                        let name = alias.take().unwrap_or(path[path.len() - 1].clone());
-                        self.imported.insert(name, (is_public, path.clone()));
+    /// Takes a `use` tree apart: `a::{b, c as d}` is `a::b` and `a::c`.
+    fn import(&mut self, tree: &str, is_public: bool) {
+        let Some((stem, branches)) = tree.split_once('{') else {
+            let (path, alias) = tree.split_once(" as ").unwrap_or((tree, ""));
+            let path = path.strip_suffix("::self").unwrap_or(path);
+            let own = path.rsplit("::").next().unwrap_or(path);
+            let name = if alias.is_empty() { own } else { alias };
+            self.imported.insert(name.to_owned(), (is_public, path.to_owned()));
+            return;
+        };
+        let (mut depth, mut begin) = (0, 0);
+        for (at, c) in branches.char_indices() {
+            match c {
+                ',' | '}' if depth == 0 => {
+                    let branch = branches[begin..at].trim();
+                    if !branch.is_empty() {
+                        self.import(&format!("{stem}{branch}"), is_public);
                     }
-                    if token == "}" {
-                        stems.pop();
-                    }
-                    path.truncate(stems[stems.len() - 1]);
+                    begin = at + 1;
                 }
-                "::" | "as" => {}
-                word if i > 0 && tree[i - 1] == "as" => alias = Some(word.to_owned()),
-                word => path.push(word.to_owned()),
+                '{' => depth += 1,
+                '}' => depth -= 1,
+                _ => {}
             }
         }
     }
 }
 
-fn is_word(c: char) -> bool {
-    c.is_alphanumeric() || c == '_'
-}
-
-/// The names and signs of Rust source without items under `#[cfg(test)]` or `#[cfg(all(test, ..))]`; comments, strings,
-/// characters and lifetimes are gone. A documentation comment is the attribute `doc`.
-fn tokens(source: TokenStream) -> Vec<String> {
-    let is =
-        |tree: &TokenTree, sign: char| matches!(tree, TokenTree::Punct(p) if p.as_char() == sign);
-    let is_body =
-        |tree: &TokenTree| matches!(tree, TokenTree::Group(g) if g.delimiter() == Delimiter::Brace);
-    let (mut found, mut trees) = (Vec::new(), source.into_iter().peekable());
-    while let Some(tree) = trees.next() {
-        match tree {
-            TokenTree::Group(group) => {
-                let [open, close] = match group.delimiter() {
-                    Delimiter::Brace => ["{", "}"],
-                    Delimiter::Bracket => ["[", "]"],
-                    _ => ["(", ")"],
-                };
-                found.push(open.to_owned());
-                found.extend(tokens(group.stream()));
-                found.push(close.to_owned());
-            }
-            TokenTree::Ident(name) => found.push(name.to_string()),
-            TokenTree::Punct(sign) => match sign.as_char() {
-                // A lifetime.
-                '\'' => drop(trees.next()),
-                '#' if trees.peek().is_some_and(is_of_tests) => {
-                    trees.find(|tree| is_body(tree) || is(tree, ';'));
-                }
-                ':' if sign.spacing() == Spacing::Joint
-                    && trees.next_if(|tree| is(tree, ':')).is_some() =>
-                {
-                    found.push("::".to_owned());
-                }
-                sign => found.push(sign.to_string()),
-            },
-            TokenTree::Literal(_) => {}
+/// Source without comments and without items under `#[cfg(test)]`, which end where a line as far in as their first ends so.
+fn without_tests(text: &str) -> String {
+    let indent = |line: &str| line.len() - line.trim_start().len();
+    let (mut code, mut lines) = (String::new(), text.lines());
+    while let Some(line) = lines.next() {
+        let bare = line.trim_start();
+        if bare.starts_with("#[cfg(test)]") || bare.starts_with("#[cfg(all(test,") {
+            lines.find(|end| indent(end) == indent(line) && end.ends_with([';', '}']));
+        } else {
+            code += line.split("//").next().unwrap_or_default().trim_end();
+            code += "\n";
         }
     }
-    found
-}
-
-/// Whether an attribute keeps an item to tests.
-fn is_of_tests(attribute: &TokenTree) -> bool {
-    let text = attribute.to_string().replace(' ', "");
-    text.starts_with("[cfg(test)") || text.starts_with("[cfg(all(test,")
+    code
 }
 
 #[cfg(test)]
 mod tests {
     use super::*;
 
-    fn krate(name: &str, files: &[(&str, &str)]) -> PathBuf {
+    fn found(name: &str, files: &[(&str, &str)]) -> Vec<String> {
         let folder = std::env::temp_dir().join(format!("xtask-{name}-{}", std::process::id()));
         for (file, text) in files {
             let path = folder.join(file);
             std::fs::create_dir_all(path.parent().unwrap()).unwrap();
             std::fs::write(path, text).unwrap();
         }
-        folder.join("lib.rs")
+        let found = circles_and_faces(&folder.join("lib.rs"));
+        std::fs::remove_dir_all(folder).unwrap();
+        found
     }
 
     #[test]
     fn a_circle_through_a_face_is_found_and_a_tree_is_none() {
-        let circle = krate(
+        let circle = found(
             "circle",
             &[
                 ("lib.rs", "mod a;\nmod b;\npub use a::A;\npub use b::B;"),
                 ("a.rs", "use crate::B;\npub struct A(B);"),
                 ("b/mod.rs", "mod c;\npub use c::B;"),
-                ("b/c.rs", "pub struct B; fn f() { let _ = crate::a::A; }"),
+                ("b/c.rs", "pub struct B;\nfn f() {\n    let _ = crate::a::A;\n}"),
             ],
         );
-        let found = circles_and_faces(&circle);
-        assert_eq!(found.len(), 1, "{found:?}");
-        assert!(found[0].starts_with("a circle of 2 files"), "{found:?}");
-        assert!(found[0].contains("takes B from") && found[0].contains("takes A from"));
+        assert_eq!(circle.len(), 1, "{circle:?}");
+        assert!(circle[0].starts_with("a circle of 2 files"), "{circle:?}");
+        assert!(circle[0].contains("takes B from") && circle[0].contains("takes A from"));
 
-        let tree = krate(
+        let tree = found(
             "tree",
             &[
                 ("lib.rs", "mod a;\nmod b;\npub use a::A;\nfn defined() {}"),
-                ("a.rs", "use crate::b::{self, B};\npub struct A(B);\nfn f() { b::g(); }"),
-                ("b.rs", "pub struct B;\npub fn g() {}\n#[cfg(test)]\nmod tests { use crate::A; }"),
+                ("a.rs", "use crate::b::{self, B};\npub struct A(B);\nfn f() {\n    b::g();\n}"),
+                (
+                    "b.rs",
+                    "pub struct B;\npub fn g() {}\n#[cfg(test)]\nmod tests {\n    use crate::A;\n}",
+                ),
             ],
         );
-        let found = circles_and_faces(&tree);
-        assert!(found.len() == 1 && found[0].ends_with("has fn defined"), "{found:?}");
-        for main in [circle, tree] {
-            std::fs::remove_dir_all(main.parent().unwrap()).unwrap();
-        }
+        assert!(tree.len() == 1 && tree[0].ends_with("has fn defined"), "{tree:?}");
     }
 
     #[test]
-    fn text_comments_and_tests_are_no_names() {
-        let source = r##"
-            use a::b; // use c::d
-            /* e /* f */ g */ const X: &str = "https://h \" i"; let r = r#"j " k"#;
-            fn l<'m>(n: &'m u8) -> char { '\''; b'o'; 'p' }
-            #[cfg(test)] mod tests { use super::q; fn s() { {} } }
-            #[cfg(test)] use t::u;
-            fn after() {}
-        "##;
-        let mut names = tokens(source.parse().unwrap());
-        names.retain(|token| token.starts_with(is_word));
-        assert_eq!(names.join(" "), "use a b const X str let r fn l n u8 char fn after");
-    }
-
-    #[test]
-    fn a_use_tree_is_taken_apart() {
+    fn a_use_tree_is_taken_apart_and_tests_and_comments_are_no_names() {
         let names = FileNames::of(
-            "pub(crate) use a::{self, b::{C, D as E}, f};\nmod g;\nfn h() { g::i::<u8>(); }",
+            "pub(crate) use a::{\n    self,\n    b::{C, D as E},\n    f,\n};\n#[cfg(test)]\nuse t::u;\nmod g; // x::y\n\
+             fn h() {\n    g::i::<u8>();\n}\n#[cfg(test)]\nmod tests {\n    fn s() {\n    }\n    v::w();\n}\n",
         );
-        let shown = |(name, (is_public, parts)): (&String, &(bool, ModulePath))| {
-            format!("{name}={}:{is_public}", parts.join("::"))
+        let shown = |(name, (is_public, path)): (&String, &(bool, String))| {
+            format!("{name}={path}:{is_public}")
         };
         let imported: Vec<String> = names.imported.iter().map(shown).collect();
         assert_eq!(imported, ["C=a::b::C:true", "E=a::b::D:true", "a=a:true", "f=a::f:true"]);
-        assert_eq!(names.children, ["g"]);
-        assert_eq!(names.item.as_deref(), Some("fn h"));
-        assert!(names.paths.contains(&vec!["g".to_owned(), "i".to_owned()]));
+        assert_eq!((names.children, names.item.as_deref()), (vec!["g".to_owned()], Some("fn h")));
+        assert!(names.used.contains("g::i"));
+        assert!(!names.used.iter().any(|path| ["x::y", "t::u", "v::w"].contains(&path.as_str())));
     }
 }

@@ -3,7 +3,7 @@
 use crate::bench::machine;
 use crate::counters::public_names;
 use crate::dependencies::{LAYERS, brought_along};
-use crate::generated::{keep_section, keep_section_within};
+use crate::generated::{CHECK, keep_section};
 use crate::shell::{self, TaskResult, cargo, example, files, output, read, root};
 use std::collections::BTreeSet;
 use std::fmt::Write;
@@ -20,14 +20,14 @@ const PEAK: f64 = 0.05;
 /// measures the builds.
 pub(crate) fn run(args: &[String]) -> TaskResult {
     let check = match args {
-        [] => false,
-        [flag] if flag == "--check" => true,
-        [flag] if flag == "--build" => return keep_section(PAGE, "builds", &builds()?, false),
+        [] => None,
+        [flag] if flag == "--check" => CHECK,
+        [flag] if flag == "--build" => return keep_section(PAGE, "builds", &builds()?, None),
         other => return Err(format!("unknown arguments {other:?}; there are --check and --build")),
     };
     keep_section(PAGE, "dependencies", &dependencies()?, check)?;
     let allocations = output(&mut example("studies", "costs"))?;
-    keep_section_within(PEAK, PAGE, "allocations", &allocations, check)
+    keep_section(PAGE, "allocations", &allocations, check.map(|_| PEAK))
 }
 
 /// Our crates but the tasks.

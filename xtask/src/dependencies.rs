@@ -64,13 +64,17 @@ pub(crate) const LAYERS: &[(&str, u8, usize, &str)] = &[
     ("xtask", 8, 10, ""),
 ];
 
+/// A line for each crate that `cargo tree` finds below a package and itself: name, version, where it lies if it is ours.
+pub(crate) fn tree(package: &str, edges: &str, target: &str) -> Result<String, String> {
+    let mut tree = cargo();
+    tree.args(["tree", "--locked", "--package", package, "--edges", edges, "--prefix", "none"]);
+    output(tree.args(["--format", "{p}", "--target", target]))
+}
+
 /// What `package` brings along with default features, without tests: crates of ours, and of the registry. On Linux; the
 /// list differs a little between platforms.
 pub(crate) fn brought_along(package: &str) -> Result<[BTreeSet<String>; 2], String> {
-    let mut tree = cargo();
-    tree.args(["tree", "--locked", "--package", package, "--edges", "normal", "--prefix", "none"]);
-    tree.args(["--format", "{p}", "--target", "x86_64-unknown-linux-gnu"]);
-    let lines = output(&mut tree)?;
+    let lines = tree(package, "normal", "x86_64-unknown-linux-gnu")?;
     let names = lines.lines().filter_map(|line| line.split_whitespace().next());
     let is_own = |name: &str| LAYERS.iter().any(|row| row.0 == name);
     let names = names.filter(|name| *name != package).map(str::to_owned);

@@ -4,27 +4,26 @@
 
 use crate::shell::{TaskResult, read, root};
 
-/// Relative difference below which two numbers count as the same.
-const TOLERANCE: f64 = 1e-9;
+/// Whether a file is checked, and the relative difference up to which two numbers in it count as the same; it is written
+/// otherwise.
+pub(crate) type Check = Option<f64>;
+
+/// A check as strict as platforms allow.
+pub(crate) const CHECK: Check = Some(1e-9);
 
 /// `--check` among the arguments, and nothing that is not known.
-pub(crate) fn check_flag(args: &[String]) -> Result<bool, String> {
+pub(crate) fn check_flag(args: &[String]) -> Result<Check, String> {
     match args {
-        [] => Ok(false),
-        [flag] if flag == "--check" => Ok(true),
+        [] => Ok(None),
+        [flag] if flag == "--check" => Ok(CHECK),
         other => Err(format!("unknown arguments {other:?}; the only one is --check")),
     }
 }
 
 /// Writes `text` to `path` (below the repository root), or checks that it is there already.
-pub(crate) fn keep(path: &str, text: &str, check: bool) -> TaskResult {
-    keep_within(TOLERANCE, path, text, check)
-}
-
-/// Like [`keep`]; numbers count as the same within a relative difference of `tolerance`.
-fn keep_within(tolerance: f64, path: &str, text: &str, check: bool) -> TaskResult {
+pub(crate) fn keep(path: &str, text: &str, check: Check) -> TaskResult {
     let full = root().join(path);
-    if check {
+    if let Some(tolerance) = check {
         return match first_difference(&read(&full)?, text, tolerance) {
             None => Ok(()),
             Some(what) => {
@@ -42,18 +41,7 @@ fn keep_within(tolerance: f64, path: &str, text: &str, check: bool) -> TaskResul
 }
 
 /// Replaces what stands between `<!-- begin NAME -->` and `<!-- end NAME -->` in the page.
-pub(crate) fn keep_section(path: &str, name: &str, text: &str, check: bool) -> TaskResult {
-    keep_section_within(TOLERANCE, path, name, text, check)
-}
-
-/// Like [`keep_section`]; numbers count as the same within a relative difference of `tolerance`.
-pub(crate) fn keep_section_within(
-    tolerance: f64,
-    path: &str,
-    name: &str,
-    text: &str,
-    check: bool,
-) -> TaskResult {
+pub(crate) fn keep_section(path: &str, name: &str, text: &str, check: Check) -> TaskResult {
     let full = root().join(path);
     let page = read(&full)?;
     let (begin, end) = (format!("<!-- begin {name} -->"), format!("<!-- end {name} -->"));
@@ -61,7 +49,7 @@ pub(crate) fn keep_section_within(
     let stop = page.find(&end).ok_or_else(|| format!("{path} has no '{end}'"))?;
     let stop = page[..stop].rfind('\n').map_or(stop, |newline| newline + 1); // with what stands before the mark
     let replaced = format!("{}\n{}\n{}", &page[..start], text.trim_end(), &page[stop..]);
-    keep_within(tolerance, path, &replaced, check)
+    keep(path, &replaced, check)
 }
 
 /// Where two texts differ, numbers compared by value; `None` if nowhere.
@@ -106,7 +94,7 @@ mod tests {
 
     #[test]
     fn numbers_are_compared_by_value_and_words_by_letter() {
-        let difference = |old, new| first_difference(old, new, TOLERANCE);
+        let difference = |old, new| first_difference(old, new, 1e-9);
         assert_eq!(difference("<path d=\"M1.5,2\"/>", "<path d=\"M1.50,2.0\"/>"), None);
         assert_eq!(difference("x 0.123456789012", "x 0.123456789013"), None);
         assert!(difference("x 0.1234", "x 0.1235").is_some());

@@ -1,8 +1,9 @@
 //! The licences of what a program of ours is linked with: most ask that their text goes with it.
 
-use crate::shell::{TaskResult, cargo, output, packages, read};
+use crate::dependencies::tree;
+use crate::shell::{TaskResult, packages, read};
 use serde_json::Value;
-use std::collections::BTreeMap;
+use std::collections::{BTreeMap, BTreeSet};
 use std::fmt::Write;
 use std::path::{Path, PathBuf};
 
@@ -14,12 +15,12 @@ pub(crate) fn run(package: &str, target: &str) -> TaskResult {
 
 /// Each licence once, below the crates that come under it.
 fn text(package: &str, target: &str) -> Result<String, String> {
-    let folders = folders()?;
+    let known = known()?;
     let mut listed = String::new();
     let mut under: BTreeMap<String, Vec<String>> = BTreeMap::new();
-    for (name, version, licence) in linked(package, target)? {
-        let key = format!("{name} {version}");
-        let folder = folders.get(&key).ok_or_else(|| format!("cargo metadata has no {key}"))?;
+    for key in linked(package, target)? {
+        let found = known.get(&key).ok_or_else(|| format!("cargo metadata has no {key}"))?;
+        let (folder, licence) = found;
         let _ = writeln!(listed, "{key}: {licence}");
         let texts = texts(folder)?;
         if texts.is_empty() {
@@ -40,36 +41,24 @@ fn text(package: &str, target: &str) -> Result<String, String> {
     Ok(all)
 }
 
-/// Crates from the registry that are linked: name, version, licence.
-fn linked(package: &str, target: &str) -> Result<Vec<(String, String, String)>, String> {
-    let mut tree = cargo();
-    tree.args(["tree", "--locked", "--edges", "normal,no-proc-macro", "--prefix", "none"]);
-    tree.args(["--format", "{p}|{l}", "--package", package, "--target", target]);
-    let lines = output(&mut tree)?;
-    let mut found: Vec<_> = lines
-        .lines()
-        .filter_map(|line| {
-            let mut parts = line.split('|');
-            let (crate_, licence) = (parts.next()?, parts.next()?);
-            let mut words = crate_.split(' ');
-            let (name, version) = (words.next()?, words.next()?.strip_prefix('v')?);
-            // Ours have their folder behind the version.
-            let is_ours = words.any(|word| word.starts_with('('));
-            // A crate that was listed before is marked.
-            let licence = licence.trim_end_matches(" (*)");
-            (!is_ours).then(|| (name.to_owned(), version.to_owned(), licence.to_owned()))
-        })
-        .collect();
-    found.sort();
-    found.dedup();
-    Ok(found)
+/// Name and version of each crate from the registry that is linked.
+fn linked(package: &str, target: &str) -> Result<BTreeSet<String>, String> {
+    let lines = tree(package, "normal,no-proc-macro", target)?;
+    let crates = lines.lines().filter_map(|line| {
+        let (name, rest) = line.split_once(" v")?;
+        // A crate that was listed before is marked; ours have their folder behind the version.
+        let version = rest.strip_suffix(" (*)").unwrap_or(rest);
+        (!version.contains(' ')).then(|| format!("{name} {version}"))
+    });
+    Ok(crates.collect())
 }
 
-/// Where the source of each crate lies.
-fn folders() -> Result<BTreeMap<String, PathBuf>, String> {
+/// Where the source of each crate lies, and its licence.
+fn known() -> Result<BTreeMap<String, (PathBuf, String)>, String> {
     let of = |p: &Value| {
         let key = format!("{} {}", p["name"].as_str()?, p["version"].as_str()?);
-        Some((key, Path::new(p["manifest_path"].as_str()?).parent()?.to_owned()))
+        let folder = Path::new(p["manifest_path"].as_str()?).parent()?.to_owned();
+        Some((key, (folder, p["license"].as_str().unwrap_or_default().to_owned())))
     };
     Ok(packages(&[])?.iter().filter_map(of).collect())
 }

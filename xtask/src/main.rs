@@ -53,9 +53,10 @@ const USAGE: &str = "
 
 fn run(args: &[String]) -> TaskResult {
     match args.iter().map(String::as_str).collect::<Vec<_>>()[..] {
-        [] => help(""),
-        ["study"] => help("study"),
-        [ref task @ .., "help" | "--help" | "-h"] if task.len() < 3 => help(&task.join(" ")),
+        [] | [.., "help" | "--help" | "-h"] => {
+            println!("cargo xtask{USAGE}");
+            Ok(())
+        }
         ["compare", ..] => compare::run(&args[1..]),
         ["figures", ..] => figures::run(&args[1..]),
         ["bench", ..] => bench::run(&args[1..]),
@@ -82,24 +83,6 @@ fn run(args: &[String]) -> TaskResult {
         ["ci", ..] => ci::run(&args[1..]),
         _ => Err(format!("there is no task '{}'\n{USAGE}", args.join(" "))),
     }
-}
-
-/// Prints how to call the tasks whose name begins so.
-fn help(task: &str) -> TaskResult {
-    let begins = |line: &str| line.trim_start().starts_with(task);
-    // What is further in goes on with the line above it.
-    let paragraphs: Vec<&str> = USAGE.split("\n  ").collect();
-    let mut is_shown = false;
-    let shown = paragraphs.into_iter().filter(|text| {
-        is_shown = if text.starts_with(' ') { is_shown } else { begins(text) };
-        is_shown
-    });
-    let shown: Vec<&str> = shown.collect();
-    if shown.is_empty() {
-        return Err(format!("there is no task '{task}'\n{USAGE}"));
-    }
-    println!("cargo xtask\n  {}", shown.join("\n  ").trim());
-    Ok(())
 }
 
 fn main() -> ExitCode {

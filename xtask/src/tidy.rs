@@ -108,7 +108,7 @@ fn sources(all: &[SourceText], faults: &mut Vec<String>) {
                 faults.push(format!("{shown}:{number}: unfinished work belongs in an issue"));
             }
         }
-        if shown.starts_with("crates/") && shown.contains("/src/") && !is_test_module(shown, all) {
+        if shown.starts_with("crates/") && shown.contains("/src/") {
             let code = text.split("#[cfg(test)]").next().unwrap_or_default();
             included(shown, code, faults);
             if !TALKING.iter().any(|place| shown.starts_with(&format!("crates/{place}/"))) {
@@ -185,14 +185,6 @@ fn library_source(shown: &str, code: &str, faults: &mut Vec<String>) {
             faults.push(format!("{at}: only surface-io and the command touch files"));
         }
     }
-}
-
-/// True for a file that its folder declares under `#[cfg(test)]`.
-fn is_test_module(shown: &str, all: &[SourceText]) -> bool {
-    let (folder, file) = shown.rsplit_once('/').unwrap_or(("", shown));
-    let declaration = format!("#[cfg(test)]\nmod {};", file.trim_end_matches(".rs"));
-    let parents = ["mod.rs", "lib.rs"].map(|parent| format!("{folder}/{parent}"));
-    all.iter().any(|(path, text)| parents.contains(path) && text.contains(&declaration))
 }
 
 /// Every type that implements `ContactModel` has a DOI in its file and a page in the book that

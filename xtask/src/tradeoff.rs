@@ -2,7 +2,7 @@
 //! tolerances. Measures, then draws the figures and the page from the table.
 
 use crate::bench::machine;
-use crate::generated::{keep, keep_section};
+use crate::generated::{CHECK, Check, keep, keep_section};
 use crate::shell::{self, TaskResult, example, output, read, root};
 
 const TABLE: &str = "fixtures/tradeoff.csv";
@@ -13,11 +13,11 @@ const PAGE: &str = "docs/src/tradeoff.md";
 pub(crate) fn run(args: &[String]) -> TaskResult {
     match args.iter().map(String::as_str).collect::<Vec<_>>()[..] {
         [] => {
-            keep(TABLE, &measure()?, false)?;
-            redraw(false)
+            keep(TABLE, &measure()?, None)?;
+            redraw(None)
         }
-        ["--figures-only"] => redraw(false),
-        ["--check"] => redraw(true),
+        ["--figures-only"] => redraw(None),
+        ["--check"] => redraw(CHECK),
         ref other => {
             Err(format!("unknown arguments {other:?}; one of --figures-only, --check, or none"))
         }
@@ -25,7 +25,7 @@ pub(crate) fn run(args: &[String]) -> TaskResult {
 }
 
 /// Figures and page from the committed table, or whether they are what they would be.
-fn redraw(check: bool) -> TaskResult {
+fn redraw(check: Check) -> TaskResult {
     let folder = root().join("target/tradeoff-page");
     shell::run(example("studies", "tradeoff").args(["--page", TABLE]).arg(&folder))?;
     for name in ["tradeoff-area.svg", "tradeoff-pressure.svg"] {

@@ -4,13 +4,10 @@ use crate::failure::Failure;
 use contact_compare::{Comparison, ProfileComparison, RunFile};
 use contact_report::Provenance;
 
-/// Names of the documents, in the order in which they are written.
-pub const DOCUMENTS: [&str; 6] =
-    ["report.html", "results.json", "curves.csv", "area.svg", "pressure.svg", "run.toml"];
-
-/// Names of all documents of a study of so many profiles: figures are numbered where there are several.
-pub fn profile_documents_named(count: usize) -> Vec<String> {
-    let figures = ["area.svg", "trace.svg"].into_iter();
+/// Names of all documents of a study of maps, or of so many profiles: figures are numbered where there are several.
+pub fn document_names(profiles: Option<usize>) -> Vec<String> {
+    let (second, count) = profiles.map_or(("pressure.svg", 1), |count| ("trace.svg", count));
+    let figures = ["area.svg", second].into_iter();
     let figures = figures.flat_map(|name| (0..count).map(move |i| numbered(name, i, count)));
     let others = ["report.html", "results.json", "curves.csv", "run.toml"].map(str::to_owned);
     others.into_iter().chain(figures).collect()

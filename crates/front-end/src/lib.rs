@@ -23,7 +23,7 @@ mod watch;
 mod work;
 
 pub use complete::{Incomplete, Subject, complete, raw, reading, traces};
-pub use documents::{DOCUMENTS, documents, profile_documents, profile_documents_named};
+pub use documents::{document_names, documents, profile_documents};
 pub use failure::Failure;
 pub use info::info;
 pub use leak::leak_request;

@@ -43,14 +43,34 @@ pub struct Said {
     pub conducted: Option<[Conducted; 2]>,
 }
 
-/// That, or why it says nothing.
-pub type ModelResult = Result<Said, ModelError>;
+/// A question to a theory, answered.
+#[derive(Clone, Debug)]
+pub struct ModelPoint {
+    /// Nominal pressure (Pa): answered, or asked where there is no answer.
+    pub mean_pressure: Option<f64>,
+    /// Distance of the undeformed planes (m), likewise.
+    pub separation: Option<f64>,
+    /// What the theory says, or why it says nothing.
+    pub answer: Result<Said, ModelError>,
+    /// Between which the area lies for 95 of 100 traces like these, if that can be told.
+    pub interval: Option<[f64; 2]>,
+    /// The pressure asked as a force (N), if forces were asked for.
+    pub force: Option<f64>,
+}
 
-impl ModelLoad {
-    /// Pa or m.
-    pub fn value(&self) -> f64 {
-        match *self {
-            Self::Pressure(value) | Self::Separation(value) => value,
+impl ModelPoint {
+    fn of(asked: ModelLoad, answer: Result<Said, ModelError>, spread: Option<&Spread>) -> Self {
+        let (pressure, distance) = match asked {
+            ModelLoad::Pressure(p) => (Some(p), None),
+            ModelLoad::Separation(d) => (None, Some(d)),
+        };
+        let state = answer.as_ref().ok().map(|said| &said.state);
+        Self {
+            mean_pressure: state.map_or(pressure, |state| Some(state.mean_pressure)),
+            separation: state.map_or(distance, |state| state.separation),
+            force: spread.zip(pressure).map(|(spread, p)| p * spread.area),
+            answer,
+            interval: None,
         }
     }
 }
@@ -62,7 +82,7 @@ fn results(
     given: (&Inputs, &Joint),
     questions: &[ModelLoad],
     ways: [&str; 2],
-) -> Result<Vec<ModelResult>, Failure> {
+) -> Result<Vec<Result<Said, ModelError>>, Failure> {
     let (card, inputs) = (theory.card(), given.0);
     let title = card.title.as_ref();
     let typed = inputs.moments.filter(|_| !inputs.is_measured);
@@ -72,7 +92,7 @@ fn results(
         let message = format!("{} has no separation; {}, or one of {able}", card.name, ways[0]);
         Failure::refused("usage", message)
     };
-    let said = |model: &dyn ContactModel, state: Result<_, ModelError>| -> ModelResult {
+    let said = |model: &dyn ContactModel, state: Result<_, ModelError>| {
         let state = contact_compare::possible(title, state?)?;
         let survey = typed.and_then(|moments| {
             let load = state.mean_pressure / (inputs.modulus.pascals() * moments.rms_gradient());
@@ -85,7 +105,9 @@ fn results(
             survey,
         })
     };
-    let values = questions.iter().map(ModelLoad::value);
+    let values = questions.iter().map(|asked| match *asked {
+        ModelLoad::Pressure(value) | ModelLoad::Separation(value) => value,
+    });
     let answers = match questions.first() {
         Some(ModelLoad::Separation(_)) => {
             let built = theory.build_separation(inputs).ok_or_else(no_separation)?;
@@ -105,13 +127,13 @@ fn results(
 }
 
 /// What is asked of elasticity, with the results by rising load.
-fn scene(card: &Card, inputs: &Inputs, results: &[ModelResult], rows: Option<RowOffsets>) -> Scene {
-    let pressed = |state: &ContactState| {
+fn scene(card: &Card, inputs: &Inputs, points: &[ModelPoint], rows: Option<RowOffsets>) -> Scene {
+    let pressed = |point: &ModelPoint| {
+        let state = &point.answer.as_ref().ok()?.state;
         let mean = state.real_pressure()?;
         Some(Pressed { nominal: state.mean_pressure, mean, highest: None })
     };
-    let mut pressed: Vec<Pressed> =
-        results.iter().flatten().filter_map(|said| pressed(&said.state)).collect();
+    let mut pressed: Vec<Pressed> = points.iter().filter_map(pressed).collect();
     // Bodies that yield bear what presses them.
     pressed.retain(|_| !card.yields);
     pressed.sort_by(|a, b| a.nominal.total_cmp(&b.nominal));
@@ -148,9 +170,7 @@ pub struct ModelReply {
     /// What scripts see.
     pub json: Value,
     /// One for each load or separation.
-    pub results: Vec<ModelResult>,
-    /// Of each, between which the area lies for 95 of 100 traces like these, if that can be told.
-    pub intervals: Vec<Option<[f64; 2]>>,
+    pub points: Vec<ModelPoint>,
     /// What may change a conclusion.
     pub findings: Vec<Finding>,
     /// What the model was given.
@@ -254,20 +274,19 @@ impl ModelSubject {
     ) -> Result<ModelReply, Failure> {
         let Self { inputs, rows, spikes, cleaned, level, pair, profile } = self;
         let card = theory.card();
-        let results = results(theory, (&inputs, joint), questions, ways)?;
-        let scene = scene(card, &inputs, &results, rows);
-        let mut json = object(card, (&inputs, joint), questions, &results, spread);
+        let answers = results(theory, (&inputs, joint), questions, ways)?.into_iter();
+        let point = |(asked, answer): (&ModelLoad, _)| ModelPoint::of(*asked, answer, spread);
+        let mut points: Vec<ModelPoint> = questions.iter().zip(answers).map(point).collect();
+        let scene = scene(card, &inputs, &points, rows);
+        let mut json = object(card, (&inputs, joint), &points, spread);
         json["level"] = json!(level.map(Level::name));
         json["cleaning"] = contact_report::cleaning_json(&cleaned);
-        let mut intervals = vec![None; questions.len()];
         let findings = if let Some((statistics, origin, uneven)) = &profile {
-            for (i, question) in questions.iter().enumerate() {
-                if let ModelLoad::Pressure(p) = *question {
-                    let interval =
-                        |_| contact_compare::area_interval(theory, &inputs, statistics, p);
-                    intervals[i] = results[i].as_ref().ok().and_then(interval);
-                    json["points"][i]["area_interval"] = json!(intervals[i]);
-                }
+            for (i, (point, asked)) in points.iter_mut().zip(questions).enumerate() {
+                let ModelLoad::Pressure(p) = *asked else { continue };
+                let interval = || contact_compare::area_interval(theory, &inputs, statistics, p);
+                point.interval = point.answer.is_ok().then(interval).flatten();
+                json["points"][i]["area_interval"] = json!(point.interval);
             }
             json["profile"] = contact_report::profile_statistics_json(statistics);
             contact_compare::profile_findings(statistics, *uneven, origin, &scene)
@@ -276,7 +295,7 @@ impl ModelSubject {
             Solved { scene, spikes, pair: pair.as_ref(), ..Solved::default() }.findings()
         };
         json["findings"] = contact_report::findings_json(&findings);
-        Ok(ModelReply { json, results, intervals, findings, inputs, level, pair })
+        Ok(ModelReply { json, points, findings, inputs, level, pair })
     }
 }
 
@@ -295,19 +314,10 @@ pub fn described(card: &Card) -> Value {
 fn object(
     card: &Card,
     (inputs, joint): (&Inputs, &Joint),
-    questions: &[ModelLoad],
-    results: &[ModelResult],
+    points: &[ModelPoint],
     spread: Option<&Spread>,
 ) -> Value {
-    let point = |(q, a): (&ModelLoad, &ModelResult)| {
-        let mut point = point(*q, a);
-        conducts(&mut point, a);
-        if let Some(spread) = spread {
-            point["load"] = json!(q.value() * spread.area);
-        }
-        point
-    };
-    let points: Vec<Value> = questions.iter().zip(results).map(point).collect();
+    let points: Vec<Value> = points.iter().map(point_object).collect();
     let mut json = json!({
         "model": card.name,
         "citation": card.citation,
@@ -322,10 +332,9 @@ fn object(
     json
 }
 
-/// Adds what the joint conducts to a point, with a correlation what it is a fit of.
-fn conducts(point: &mut Value, answer: &ModelResult) {
-    let (Ok(said), Value::Object(keys)) = (answer, point) else { return };
-    let Some([found, exact]) = &said.conducted else { return };
+/// Adds what the joint conducts to a point, of a correlation also what it is a fit of.
+fn conducts(point: &mut Value, [found, exact]: &[Conducted; 2]) {
+    let Value::Object(keys) = point else { return };
     keys.extend(contact_report::conducted_keys(found));
     let both = [
         ("electrical", found.electrical, exact.electrical),
@@ -359,16 +368,11 @@ pub fn failure(error: &ModelError) -> Failure {
     }
 }
 
-fn point(question: ModelLoad, answer: &ModelResult) -> Value {
-    let said = answer.as_ref().ok();
+fn point_object(point: &ModelPoint) -> Value {
+    let said = point.answer.as_ref().ok();
     let state = said.map(|said| &said.state);
-    let (pressure, separation) = match (state, question) {
-        (Some(state), _) => (Some(state.mean_pressure), state.separation),
-        (None, ModelLoad::Pressure(p)) => (Some(p), None),
-        (None, ModelLoad::Separation(d)) => (None, Some(d)),
-    };
-    json!({
-        "mean_pressure": pressure,
+    let mut json = json!({
+        "mean_pressure": point.mean_pressure,
         "area_fraction": state.map(|state| state.area_fraction),
         "area_interval": said.and_then(|said| said.area_interval),
         "survey": said.and_then(|said| said.survey).map(|e| json!({
@@ -376,11 +380,18 @@ fn point(question: ModelLoad, answer: &ModelResult) -> Value {
             "surfaces": e.surfaces,
         })),
         "real_pressure": state.and_then(ContactState::real_pressure),
-        "separation": separation,
+        "separation": point.separation,
         "mean_gap": state.and_then(|state| state.mean_gap),
         "caveat": state.and_then(|state| state.caveat.as_ref()).map(caveat),
-        "error": answer.as_ref().err().map(refusal),
-    })
+        "error": point.answer.as_ref().err().map(refusal),
+    });
+    if let Some(conducted) = said.and_then(|said| said.conducted.as_ref()) {
+        conducts(&mut json, conducted);
+    }
+    if let Some(force) = point.force {
+        json["load"] = json!(force);
+    }
+    json
 }
 
 fn caveat(caveat: &Caveat) -> Value {

@@ -1,7 +1,7 @@
 //! Quantities as people read them on a terminal: three digits, the prefix that fits.
 
 use contact_compare::Hardness;
-use contact_report::numbers::{METRES, PASCALS, plain, quantity, relative_interval};
+use contact_report::numbers::{METRES, PASCALS, plain, quantity};
 
 /// A length in metres, such as `1.50 µm`.
 pub fn length(metres: f64) -> String {
@@ -49,18 +49,6 @@ pub fn unusual_hardness(given: Hardness) -> Option<String> {
     ))
 }
 
-/// The ends between which a number lies, as a share of it where they are even, such as `±2.1 %`; a dash where there
-/// are none, and what is known where one of them is not.
-pub fn relative(value: f64, ends: Option<[f64; 2]>, shown: impl Fn(f64) -> String) -> String {
-    let Some([low, high]) = ends.filter(|_| value > 0.0) else { return "–".to_owned() };
-    match (low > 0.0, high.is_finite()) {
-        (false, false) => "–".to_owned(),
-        (false, true) => format!("at most {}", shown(high)),
-        (true, false) => format!("at least {}", shown(low)),
-        (true, true) => plain(&relative_interval(value, [low, high])),
-    }
-}
-
 #[cfg(test)]
 mod tests {
     use super::*;
@@ -69,14 +57,5 @@ mod tests {
     fn heights_about_a_large_offset_show_their_range() {
         let shown = length_range(0.107, 0.107_003_2);
         assert_eq!(shown, "about 107 mm, 3.20 µm from lowest to highest");
-    }
-
-    #[test]
-    fn a_bar_that_reaches_zero_is_one_sided() {
-        assert_eq!(relative(0.012, Some([0.0, 0.028]), percent), "at most 2.80 %");
-        assert_eq!(relative(0.01, Some([0.009, 0.011]), percent), "±10 %");
-        assert_eq!(relative(0.01, None, percent), "–");
-        assert_eq!(relative(35e9, Some([20e9, 166e9]), pressure), "−43 to +374 %");
-        assert_eq!(relative(35e9, Some([20e9, f64::INFINITY]), pressure), "at least 20.0 GPa");
     }
 }

@@ -8,58 +8,71 @@ use std::collections::BTreeMap;
 use std::f64::consts::{PI, TAU};
 
 /// Numbers typed in, SI; of most inputs one.
-pub type Typed = BTreeMap<Input, Vec<f64>>;
+type Typed = BTreeMap<Input, Vec<f64>>;
 
 /// The number given, of a list the first.
 fn one(typed: &Typed, input: Input) -> Option<f64> {
     typed.get(&input).and_then(|values| values.first().copied())
 }
 
-#[derive(Debug)]
-enum Untyped {
-    Unused(Input),
-    Apart(Input, Vec<Input>),
-    /// Of the set that is nearest to what was given, these are missing.
-    Incomplete {
-        given: Vec<Input>,
-        missing: Vec<Input>,
-    },
-    Bodies(Input, usize),
-    Lengths {
-        radii: usize,
-        densities: usize,
-    },
-    Model(ModelError),
+/// What one height parameter does not say.
+const NO_SLOPE: &str = " (no slope follows from Ra or an rms height: measure a profile or a map, whose statistics have it)";
+
+/// An input that the model of `card` has no use for.
+pub fn unused(card: &Card, input: Input, name: impl Fn(Input) -> String) -> Failure {
+    let takes = sets(card, &name);
+    let message = format!("{} is no input of {}, which takes {takes}", name(input), card.name);
+    Failure::refused("usage", message)
 }
 
-/// The set of `card` that holds all that is given and lacks nothing.
-fn set<'a>(typed: &Typed, card: &'a Card) -> Result<&'a InputSet, Untyped> {
-    let given = || typed.keys().copied();
-    if let Some(unused) = given().find(|input| !card.takes(*input)) {
-        return Err(Untyped::Unused(unused));
+/// The sets of inputs that a model can be made from.
+fn sets(card: &Card, name: impl Fn(Input) -> String) -> String {
+    card.inputs.iter().map(|set| set.shown(&name, " ")).collect::<Vec<_>>().join(", or ")
+}
+
+/// Refuses numbers of which no set of `card` holds all, or that lack something of each.
+fn check(
+    typed: &Typed,
+    card: &Card,
+    name: impl Fn(Input) -> String,
+    ways: Option<&str>,
+) -> Result<(), Failure> {
+    let model = &card.name;
+    let list = |all: &[Input]| all.iter().map(|i| name(*i)).collect::<Vec<_>>().join(" ");
+    let given: Vec<Input> = typed.keys().copied().collect();
+    if let Some(input) = given.iter().find(|input| !card.takes(**input)) {
+        return Err(unused(card, *input, name));
     }
-    let has = |input: &Input| typed.contains_key(input);
-    let complete = |set: &&InputSet| set.required.iter().all(has);
-    let holds = |set: &&InputSet| given().all(|input| set.takes(input));
-    if let Some(set) = card.inputs.iter().find(|set| complete(set) && holds(set)) {
-        return Ok(set);
+    let lacks = |set: &InputSet| -> Vec<Input> {
+        set.required.iter().copied().filter(|input| !typed.contains_key(input)).collect()
+    };
+    let foreign = |set: &InputSet| given.iter().copied().find(|input| !set.takes(*input));
+    let complete = || card.inputs.iter().filter(|set| lacks(set).is_empty());
+    if complete().any(|set| foreign(set).is_none()) {
+        return Ok(());
     }
-    if let Some(set) = card.inputs.iter().find(complete) {
-        let foreign = given().find(|input| !set.takes(*input));
-        let foreign = foreign.expect("no set holds all that is given");
-        return Err(Untyped::Apart(foreign, set.required.clone()));
+    if let Some((set, input)) = complete().find_map(|set| Some((set, foreign(set)?))) {
+        let (own, input, sets) = (list(&set.required), name(input), sets(card, &name));
+        let message = format!("{own} and {input} do not go together; {model} takes {sets}");
+        return Err(Failure::refused("usage", message));
     }
     // The one that most was given of, then the one that lacks least; the first of equals.
     let rank = |set: &&InputSet| {
-        let of_set = given().filter(|input| set.takes(*input)).count();
-        let missing = set.required.iter().filter(|input| !has(input)).count();
-        (usize::MAX - of_set, missing)
+        let of_set = given.iter().filter(|input| set.takes(**input)).count();
+        (usize::MAX - of_set, lacks(set).len())
     };
-    let nearest = card.inputs.iter().min_by_key(rank);
-    let missing = nearest.map_or_else(Vec::new, |set| {
-        set.required.iter().copied().filter(|input| !has(input)).collect()
-    });
-    Err(Untyped::Incomplete { given: given().collect(), missing })
+    let missing = card.inputs.iter().min_by_key(rank).map_or_else(Vec::new, lacks);
+    let ways = match ways.filter(|_| given.is_empty()) {
+        Some(ways) => format!("give {ways}"),
+        None => format!("it takes {}", sets(card, &name)),
+    };
+    let beside = match given[..] {
+        [] => String::new(),
+        _ if missing.contains(&Input::MeanSlope) => format!(" beside {}{NO_SLOPE}", list(&given)),
+        _ => format!(" beside {}", list(&given)),
+    };
+    let message = format!("{model} needs {}{beside}; {ways}", list(&missing));
+    Err(Failure::refused("missing_input", message))
 }
 
 /// What the model of `card` is made from, each input called as `name` calls it; `ways` are those to make it where
@@ -68,23 +81,23 @@ fn set<'a>(typed: &Typed, card: &'a Card) -> Result<&'a InputSet, Untyped> {
 /// # Errors
 /// [`Failure`] of numbers that make no model.
 pub fn inputs(
-    typed: &Typed,
+    typed: &BTreeMap<Input, Vec<f64>>,
     card: &Card,
     modulus: ContactModulus,
     name: impl Fn(Input) -> String,
     ways: Option<&str>,
 ) -> Result<Inputs, Failure> {
-    made(typed, card, modulus).map_err(|untyped| untyped.failure(card, name, ways))
-}
-
-fn made(typed: &Typed, card: &Card, modulus: ContactModulus) -> Result<Inputs, Untyped> {
-    set(typed, card)?;
-    let too_many = |(input, values): (&Input, &Vec<f64>)| {
+    check(typed, card, &name, ways)?;
+    for (input, values) in typed {
         let is_of_bodies = matches!(input, Input::RmsHeight | Input::MeanSlope | Input::Ra);
-        (is_of_bodies && values.len() > 2).then_some(Untyped::Bodies(*input, values.len()))
-    };
-    if let Some(error) = typed.iter().find_map(too_many) {
-        return Err(error);
+        if is_of_bodies && values.len() > 2 {
+            let message = format!(
+                "{} has {} numbers; give one, or one for each of two surfaces",
+                name(*input),
+                values.len()
+            );
+            return Err(Failure::refused("usage", message));
+        }
     }
     let one = |input| one(typed, input);
     let all = |input| typed.get(&input).cloned().unwrap_or_default();
@@ -106,13 +119,13 @@ fn made(typed: &Typed, card: &Card, modulus: ContactModulus) -> Result<Inputs, U
     let of_ra = || Some((0.5 * PI).sqrt() * both(Input::Ra)?);
     inputs.rms_height = both(Input::RmsHeight).or_else(of_ra);
     if let Some(hurst) = one(Input::Hurst) {
-        let spectrum = self_affine(typed, hurst).map_err(Untyped::Model)?;
+        let spectrum = self_affine(typed, hurst).map_err(|e| Failure::from(&e))?;
         inputs.self_affine = Some(spectrum);
         inputs.moments = Some(spectrum.moments());
         if card.takes(Input::RecordLength) {
             let longest = one(Input::Longest).or(one(Input::Rolloff)).unwrap_or(f64::NAN);
             let record = one(Input::RecordLength).unwrap_or(longest);
-            let amplitudes = spectrum.profile_amplitudes(record).map_err(Untyped::Model)?;
+            let amplitudes = spectrum.profile_amplitudes(record).map_err(|e| Failure::from(&e))?;
             inputs.amplitudes = Some(amplitudes);
         }
     } else if let Some(m2) = one(Input::M2) {
@@ -133,8 +146,14 @@ fn made(typed: &Typed, card: &Card, modulus: ContactModulus) -> Result<Inputs, U
     }
     let (radii, densities) = (all(Input::SphereRadius), all(Input::SphereDensity));
     if radii.len() != densities.len() {
-        let (radii, densities) = (radii.len(), densities.len());
-        return Err(Untyped::Lengths { radii, densities });
+        let message = format!(
+            "{} has {} levels and {} {}; give both for each level, coarse to fine",
+            name(Input::SphereRadius),
+            radii.len(),
+            name(Input::SphereDensity),
+            densities.len()
+        );
+        return Err(Failure::refused("usage", message));
     }
     let level = |(radius, density)| SphereLevel { radius, density };
     inputs.spheres = radii.into_iter().zip(densities).map(level).collect();
@@ -153,69 +172,19 @@ fn self_affine(typed: &Typed, hurst: f64) -> Result<SelfAffineSpectrum, ModelErr
     }
 }
 
-/// What one height parameter does not say.
-const NO_SLOPE: &str = " (no slope follows from Ra or an rms height: measure a profile or a map, whose statistics have it)";
-
-/// An input that the model of `card` has no use for.
-pub fn unused(card: &Card, input: Input, name: impl Fn(Input) -> String) -> Failure {
-    Untyped::Unused(input).failure(card, name, None)
-}
-
-impl Untyped {
-    fn failure(&self, card: &Card, name: impl Fn(Input) -> String, ways: Option<&str>) -> Failure {
-        let model = &card.name;
-        let sets = || {
-            let each = card.inputs.iter().map(|set| set.shown(&name, " "));
-            each.collect::<Vec<_>>().join(", or ")
-        };
-        let list = |all: &[Input]| all.iter().map(|i| name(*i)).collect::<Vec<_>>().join(" ");
-        let mut kind = "usage";
-        let message = match self {
-            Self::Unused(input) => {
-                format!("{} is no input of {model}, which takes {}", name(*input), sets())
-            }
-            Self::Apart(input, own) => {
-                let (own, input) = (list(own), name(*input));
-                format!("{own} and {input} do not go together; {model} takes {}", sets())
-            }
-            Self::Incomplete { given, missing } => {
-                kind = "missing_input";
-                let ways = ways.filter(|_| given.is_empty());
-                let ways =
-                    ways.map_or_else(|| format!("it takes {}", sets()), |w| format!("give {w}"));
-                let beside = match given[..] {
-                    [] => String::new(),
-                    _ if missing.contains(&Input::MeanSlope) => {
-                        format!(" beside {}{NO_SLOPE}", list(given))
-                    }
-                    _ => format!(" beside {}", list(given)),
-                };
-                format!("{model} needs {}{beside}; {ways}", list(missing))
-            }
-            Self::Bodies(input, count) => {
-                let input = name(*input);
-                format!("{input} has {count} numbers; give one, or one for each of two surfaces")
-            }
-            Self::Lengths { radii, densities } => format!(
-                "{} has {radii} levels and {} {densities}; give both for each level, coarse to fine",
-                name(Input::SphereRadius),
-                name(Input::SphereDensity)
-            ),
-            Self::Model(error) => return Failure::from(error),
-        };
-        Failure::refused(kind, message)
-    }
-}
-
 #[cfg(test)]
 mod tests {
     use super::*;
 
-    fn made(model: &str, given: &[(Input, f64)]) -> Result<Inputs, Untyped> {
+    fn option(input: Input) -> String {
+        format!("--{}", input.name())
+    }
+
+    fn made(model: &str, given: &[(Input, f64)]) -> Result<Inputs, Failure> {
         let theory = contact_compare::find(model).expect("a model");
         let modulus = ContactModulus::from_pascals(1e11).expect("a modulus");
         let typed = given.iter().map(|(input, value)| (*input, vec![*value])).collect();
-        super::made(&typed, theory.card(), modulus)
+        inputs(&typed, theory.card(), modulus, option, None)
     }
 
     /// Every set of every model, with nothing but what it requires, makes the model; without any one of
@@ -256,10 +225,16 @@ mod tests {
                 for (i, (absent, _)) in least.iter().enumerate() {
                     let rest = [&least[..i], &least[i + 1..]].concat();
                     match made(model, &rest) {
-                        Err(Untyped::Incomplete { missing, .. }) => {
+                        Err(failure) if failure.kind == "missing_input" => {
+                            let (_, text) = failure.message.split_once(" needs ").expect("what");
+                            let missing = text.split([';', ' ']).take_while(|w| *w != "beside");
+                            let missing: Vec<&str> =
+                                missing.take_while(|w| !w.is_empty()).collect();
+                            assert!(!missing.is_empty(), "{failure}");
+                            let given = rest.iter().map(|r| option(r.0));
                             assert!(
-                                !missing.is_empty()
-                                    && !missing.iter().any(|m| rest.iter().any(|r| r.0 == *m))
+                                !given.into_iter().any(|g| missing.contains(&&*g)),
+                                "{failure}"
                             );
                         }
                         // What is left may be another set of the model, or the start of one.
@@ -276,10 +251,8 @@ mod tests {
         let hardness = (Input::Hardness, 2e9);
         let found = made("persson-yield", &[hardness, (Input::M2, 0.006)]).expect("all it needs");
         assert_eq!((found.m2(), found.moments), (Some(0.006), None));
-        let name = |input: Input| format!("--{}", input.name());
         let told = |model: &str, given: &[(Input, f64)]| {
-            let card = contact_compare::find(model).expect("a model").card();
-            made(model, given).expect_err("a refusal").failure(card, name, None).message
+            made(model, given).expect_err("a refusal").message
         };
         let lacks = told("gw", &[(Input::M0, 1e-12), (Input::M2, 0.01)]);
         assert!(lacks.starts_with("gw needs --m4 beside --m0 --m2; it takes"), "{lacks}");

@@ -9,10 +9,11 @@ use contact_compare::{
 };
 use contact_front_end::Failure;
 use contact_front_end::model::{ModelLoad, ModelSubject, failure};
-use contact_front_end::typed::{self, Typed};
+use contact_front_end::typed;
 use numpy::{PyArray1, PyReadonlyArray1, PyReadonlyArray2};
 use pyo3::prelude::*;
 use serde::Deserialize;
+use std::collections::BTreeMap;
 
 /// What Python asks. SI units; `roughness` is left out where a surface is given.
 #[derive(Deserialize)]
@@ -30,7 +31,7 @@ pub(crate) struct ModelArguments {
     pressures: Option<Vec<f64>>,
     separations: Option<Vec<f64>>,
     pub(crate) level: Level,
-    roughness: Option<Typed>,
+    roughness: Option<BTreeMap<Input, Vec<f64>>>,
 }
 
 /// What helps where a model lacks something.
@@ -126,7 +127,8 @@ impl ModelArguments {
         if !self.materials.is_empty() {
             found.json["materials"] = contact_report::materials_json(&self.materials);
         }
-        let refused = found.results.iter().find_map(|answer| answer.as_ref().err()).map(failure);
+        let mut answers = found.points.iter().map(|point| &point.answer);
+        let refused = answers.find_map(|answer| answer.as_ref().err()).map(failure);
         Ok((found.json.to_string(), refused.map(|first| (first.kind, first.message))))
     }
 }

@@ -60,22 +60,21 @@ fn traces(
 ) -> Result<(ProfileSurface, String), Unread> {
     let path = Path::new(&how.file.path);
     let measurements = given.map_or_else(|| how.measurements(path), Ok)?;
-    if measurements.first().is_some_and(|m| !m.is_profile()) {
-        let message = format!("{}: this is a map; read it with rc.read", path.display());
-        return Err(Unread::Other(Failure::refused("profile", message)));
-    }
-    let for_maps = match (how.file.cleaning.align_rows, how.file.cleaning.form) {
-        (true, _) => {
-            Some("align_rows puts the rows of a map in line, and this is a profile; leave it out")
-        }
-        (false, Some(Form::Sphere | Form::Cylinder)) => Some(
-            "sphere and cylinder are forms of maps, and this is a profile; give form='polynomial:2', or another degree",
-        ),
-        _ => None,
+    let refused = |why: &str| {
+        Err(Unread::Other(Failure::refused("profile", format!("{}: {why}", path.display()))))
     };
-    if let Some(message) = for_maps {
-        let message = format!("{}: {message}", path.display());
-        return Err(Unread::Other(Failure::refused("profile", message)));
+    if measurements.first().is_some_and(|m| !m.is_profile()) {
+        return refused("this is a map; read it with rc.read");
+    }
+    if how.file.cleaning.align_rows {
+        return refused(
+            "align_rows puts the rows of a map in line, and this is a profile; leave it out",
+        );
+    }
+    if let Some(Form::Sphere | Form::Cylinder) = how.file.cleaning.form {
+        return refused(
+            "sphere and cylinder are forms of maps, and this is a profile; give form='polynomial:2', or another degree",
+        );
     }
     let (_, fill) = contact_front_end::reading(&how.file)?;
     let traces = contact_front_end::traces(measurements, how.file.clone(), fill)

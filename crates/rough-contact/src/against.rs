@@ -2,7 +2,7 @@
 
 use crate::args;
 use crate::input::{FileOptions, One};
-use crate::outcome::Failure;
+use crate::outcome::{Failure, unfit};
 use clap::{Args, Parser};
 use rough_contact::compare::{Body, Flip, Level, PairOrigin, Placing, Settings, Surface};
 use rough_contact::{compare, front_end, report};
@@ -26,6 +26,9 @@ pub(crate) struct Against {
     #[arg(value_parser = own, allow_hyphen_values = true)]
     own: Option<Own>,
 }
+
+const FOR_MAPS: &str = "this is a profile, and --against presses two maps on each other; a line of one body says \
+                        nothing of where the other meets it";
 
 #[derive(Parser, Clone, Debug)]
 #[command(no_binary_name = true, disable_help_flag = true)]
@@ -102,7 +105,7 @@ impl Against {
         };
         let map = |path: &Path, how: &FileOptions| match how.measured(path, true)? {
             One::Map(map) => Ok(*map),
-            One::Profile(_) => Err(profile(path)),
+            One::Profile(_) => Err(unfit(path, "profile", FOR_MAPS)),
         };
         let own = self.own.as_ref().map_or(how, |own| &own.how);
         let (first, second): (Surface, Surface) = (map(path, how)?, map(second, own)?);
@@ -116,15 +119,6 @@ impl Against {
         let content = self.second.as_ref().and_then(|path| std::fs::read(path).ok());
         content.map_or_else(String::new, |content| compare::sha256_hex(&content))
     }
-}
-
-fn profile(path: &Path) -> Failure {
-    let message = format!(
-        "{}: this is a profile, and --against presses two maps on each other; a line of one body says \
-         nothing of where the other meets it",
-        path.display()
-    );
-    Failure::refused("profile", message)
 }
 
 /// The lines of a terminal on a pair; on the modulus its bodies make, which those of one body have too.

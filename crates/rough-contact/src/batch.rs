@@ -2,7 +2,7 @@
 
 use crate::args::CommonOptions;
 use crate::files::{Files, expand};
-use crate::outcome::{Failure, Reply};
+use crate::outcome::{Failure, Reply, unfit};
 use crate::output::Folder;
 use crate::progress::ProgressDisplay;
 use crate::rows::{self, FileOutcome, Shown};
@@ -11,10 +11,9 @@ use serde_json::{Value, json};
 use std::fmt::{Debug, Write as _};
 use std::io::Write as _;
 use std::path::{Path, PathBuf};
-use std::sync::atomic::{AtomicUsize, Ordering};
-use std::sync::{Mutex, PoisonError, RwLock};
+use std::sync::{Mutex, PoisonError};
 
-/// Files up to this size are answered side by side, one thread each; larger ones alone, with all threads.
+/// Files up to this size are answered side by side, one thread each; larger ones after them, with all threads.
 const SMALL: u64 = 4 << 20;
 
 /// A command that answers for one file at a time.
@@ -120,40 +119,38 @@ pub(crate) fn outcomes<C: PerFile>(
         command.on(Path::new("")),
         command.beside()
     );
-    let next = AtomicUsize::new(0);
-    let alone = RwLock::new(());
     let done: Vec<Mutex<Option<FileOutcome>>> = files.iter().map(|_| Mutex::new(None)).collect();
     let progress = Mutex::new(ProgressDisplay::new(common.quiet, files.len()));
-    let work = || {
-        while let (index, Some(file)) = {
-            let index = next.fetch_add(1, Ordering::Relaxed);
-            (index, files.get(index))
-        } {
-            let size = file.metadata().map_or(0, |facts| facts.len());
-            let (shared, whole) = if size <= SMALL || threads == 1 {
-                (Some(alone.read()), None)
-            } else {
-                (None, Some(alone.write()))
-            };
-            let common = CommonOptions {
-                json: common.json,
-                quiet: true,
-                threads: Some(if whole.is_some() { threads } else { 1 }),
-                // What an interrupted run has written of this file is replaced.
-                force: common.force || store.is_some_and(|s| s.resume),
-            };
-            let outcome = one(command, file, &settings, store, &common);
-            drop((shared, whole));
-            let said = said(&outcome);
-            *done[index].lock().unwrap_or_else(PoisonError::into_inner) = Some(outcome);
-            progress.lock().unwrap_or_else(PoisonError::into_inner).step(&said);
-        }
+    let answer = |index: usize, threads: usize| {
+        let common = CommonOptions {
+            json: common.json,
+            quiet: true,
+            threads: Some(threads),
+            // What an interrupted run has written of this file is replaced.
+            force: common.force || store.is_some_and(|s| s.resume),
+        };
+        let outcome = one(command, &files[index], &settings, store, &common);
+        let said = said(&outcome);
+        *done[index].lock().unwrap_or_else(PoisonError::into_inner) = Some(outcome);
+        progress.lock().unwrap_or_else(PoisonError::into_inner).step(&said);
     };
+    let is_small = |index: &usize| files[*index].metadata().map_or(0, |facts| facts.len()) <= SMALL;
+    let (small, large): (Vec<usize>, Vec<usize>) =
+        (0..files.len()).partition(|index| threads == 1 || is_small(index));
+    let small = Mutex::new(small.into_iter());
+    let next = || small.lock().unwrap_or_else(PoisonError::into_inner).next();
     std::thread::scope(|scope| {
         for _ in 0..threads.min(files.len()) {
-            scope.spawn(work);
+            scope.spawn(|| {
+                while let Some(index) = next() {
+                    answer(index, 1);
+                }
+            });
         }
     });
+    for index in large {
+        answer(index, threads);
+    }
     let all = done.into_iter().filter_map(|slot| slot.into_inner().ok().flatten());
     alike(all.collect())
 }
@@ -194,10 +191,7 @@ fn one<C: PerFile>(
     };
     let content = match std::fs::read(file) {
         Ok(content) => sha256_hex(&content),
-        Err(e) => {
-            let message = format!("{}: {e}", file.display());
-            return outcome(Err(Failure::refused("io", message)), None);
-        }
+        Err(e) => return outcome(Err(unfit(file, "io", e)), None),
     };
     let name = Store::name(file, &content, settings);
     if let Some((answer, trouble)) = store.kept(&name)

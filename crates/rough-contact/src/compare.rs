@@ -104,7 +104,7 @@ impl Compare {
             let out = &self.out;
             return compare_profiles::run(profiles, &settings, &run_file, out, &repeat, common);
         }
-        let names = front_end::DOCUMENTS.map(str::to_owned);
+        let names = front_end::document_names(None);
         let folder = Folder::prepare(&self.out, &names, common.force)?;
         on_threads(settings.threads, || {
             let mut comparison = study(surfaces, settings, common)?;

@@ -4,7 +4,7 @@ use crate::args::CommonOptions;
 use crate::batch::{self, PerFile, Store};
 use crate::compare::{Compare, quoted};
 use crate::input::One;
-use crate::outcome::{Failure, Reply};
+use crate::outcome::{Failure, Reply, unfit};
 use crate::rows::{self, FileOutcome, How, Shown};
 use rough_contact::compare::{Comparison, Settings, Surface, built_in};
 use rough_contact::report::{Provenance, Summary};
@@ -48,7 +48,7 @@ impl PerFile for Compare {
     fn answer(&self, common: &CommonOptions) -> Result<Reply, Failure> {
         let path = self.files.first().map_or(Path::new(""), PathBuf::as_path);
         let One::Map(map) = self.read(path)? else {
-            return Err(Failure::refused("profile", format!("{}: {PROFILE}", path.display())));
+            return Err(unfit(path, "profile", PROFILE));
         };
         let settings = Settings { threads: common.threads(), ..self.settings()? };
         let surface = vec![Surface { name: path.display().to_string(), ..*map }];

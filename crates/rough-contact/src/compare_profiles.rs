@@ -41,7 +41,7 @@ pub(crate) fn run(
     common: &CommonOptions,
 ) -> Result<Reply, Failure> {
     refuse_solver(settings)?;
-    let names = front_end::profile_documents_named(surfaces.len());
+    let names = front_end::document_names(Some(surfaces.len()));
     let folder = Folder::prepare(out, &names, common.force)?;
     let study = |surface| ProfileComparison::run(surface, settings.clone(), built_in());
     let studies = surfaces.into_iter().map(study).collect::<Result<Vec<_>, _>>();

@@ -3,7 +3,7 @@
 use crate::args::{self, CommonOptions};
 use crate::export::MapFormat;
 use crate::input::{FileOptions, One};
-use crate::outcome::{Failure, Reply};
+use crate::outcome::{Failure, Reply, unfit};
 use crate::output;
 use crate::text::{self, TwoColumns};
 use clap::Args;
@@ -35,8 +35,8 @@ impl Convert {
         output::check(&self.out, common.force)?;
         let shown = self.file.display().to_string();
         let One::Map(surface) = self.how.measured(&self.file, false)? else {
-            let message = format!("{shown}: a profile is no map, and maps are what is written");
-            return Err(Failure::refused("profile", message));
+            let why = "a profile is no map, and maps are what is written";
+            return Err(unfit(&self.file, "profile", why));
         };
         let (missing, cleaned) = (surface.origin.missing(), surface.origin.cleaned());
         let refused = |e| Failure::in_file(&self.file, &e);

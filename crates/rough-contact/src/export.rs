@@ -1,6 +1,6 @@
 //! Maps out, in the format that a file name asks for.
 
-use crate::outcome::Failure;
+use crate::outcome::{Failure, unfit};
 use rough_contact::contact_types::HeightMap;
 use rough_contact::surface_io::write;
 use std::io::{Seek, Write};
@@ -31,12 +31,8 @@ impl MapFormat {
         let found = ENDINGS.iter().find(|(_, endings)| endings.contains(&ending.as_str()));
         found.map(|(format, _)| *format).ok_or_else(|| {
             let all: Vec<&str> = ENDINGS.iter().flat_map(|(_, e)| *e).copied().collect();
-            let message = format!(
-                "{}: the ending '{ending}' is no format this command writes; use .{}",
-                path.display(),
-                all.join(", .")
-            );
-            Failure::refused("unknown_format", message)
+            let why = format!("the ending '{ending}' is no format this command writes; use .");
+            unfit(path, "unknown_format", why + &all.join(", ."))
         })
     }
 

@@ -1,6 +1,6 @@
 //! Several files and folders where one file could stand, and what is kept of a run over them.
 
-use crate::outcome::{Failure, tell};
+use crate::outcome::{Failure, tell, unfit};
 use clap::Args;
 use rough_contact::compare;
 use rough_contact::surface_io::FORMATS;
@@ -84,8 +84,7 @@ fn walk(
     found: &mut Vec<PathBuf>,
     left_out: &mut Vec<PathBuf>,
 ) -> Result<(), Failure> {
-    let unreadable =
-        |e: std::io::Error| Failure::refused("io", format!("{}: {e}", folder.display()));
+    let unreadable = |e: std::io::Error| unfit(folder, "io", e);
     let mut entries = Vec::new();
     for entry in std::fs::read_dir(folder).map_err(unreadable)? {
         entries.push(entry.map_err(unreadable)?);

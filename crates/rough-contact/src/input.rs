@@ -164,7 +164,7 @@ fn measurements(
     let (options, fill) = front_end::reading(file)?;
     let all = surface_io::read_traces(path, &options).map_err(|e| needs::unread(path, &e))?;
     let Some(measurement) = all.first() else {
-        return Err(Failure::refused("empty", format!("{}: nothing is there", path.display())));
+        return Err(outcome::unfit(path, "empty", "nothing is there"));
     };
     if let Some(unit) = measurement.kept_unit() {
         let kept = "which is kept; --override-height-unit U would overrule it";

@@ -19,7 +19,7 @@ use rough_contact::contact_types::{Citation, ContactModulus, ContactState, Named
 use rough_contact::front_end::Subject;
 use rough_contact::front_end::bodies::Bodies;
 use rough_contact::front_end::model::{
-    self, ModelLoad, ModelReply, ModelResult, ModelSubject, Said,
+    self, ModelLoad, ModelPoint, ModelReply, ModelSubject, Said,
 };
 use rough_contact::{compare, report};
 use serde_json::json;
@@ -131,16 +131,16 @@ impl Model {
             ["give --pressure", &inputs],
         )?;
         first += &text::findings(&found.findings);
-        let text = first + &describe(card, &found, &joint, &questions, spread.as_ref());
-        let told = found.results.iter().find_map(|answer| answer.as_ref().err());
+        let text = first + &describe(card, &found, &joint, spread.as_ref());
+        let told = found.points.iter().find_map(|point| point.answer.as_ref().err());
         let mut reply = Reply { text, trouble: told.map(model::failure), json: found.json };
-        for (question, interval) in questions.iter().zip(&found.intervals) {
-            if let Some([low, high]) = interval {
-                let [low, high] = [*low, *high].map(text::percent);
+        for point in &found.points {
+            if let Some(ends) = point.interval {
+                let [low, high] = ends.map(text::percent);
                 let _ = writeln!(
                     reply.text,
                     "{}: 95 % interval of the area {low} to {high}, by the length of the {}",
-                    text::pressure(question.value()),
+                    text::or_dash(point.mean_pressure, text::pressure),
                     if traces == 1 { "trace" } else { "traces" }
                 );
             }
@@ -184,17 +184,16 @@ impl Model {
 
     /// What is asked, of a surface of this area if it is known.
     fn questions(&self, area: Option<f64>) -> Result<(Vec<ModelLoad>, Option<Spread>), Failure> {
-        let of = |list: Option<&List>, question: fn(f64) -> ModelLoad| -> Vec<ModelLoad> {
-            list.into_iter().flat_map(|List(all)| all.iter().copied().map(question)).collect()
-        };
         if let Some(List(forces)) = &self.load {
             let spread = loads::spread(forces, self.source.one(Input::Area), area)?;
             let pressures = spread.pressures.iter().map(|&p| ModelLoad::Pressure(p));
             return Ok((pressures.collect(), Some(spread)));
         }
-        let mut all = of(self.pressure.as_ref(), ModelLoad::Pressure);
-        all.extend(of(self.separation.as_ref(), ModelLoad::Separation));
-        Ok((all, None))
+        let pressures = self.pressure.iter().flat_map(|List(all)| all);
+        let pressures = pressures.map(|&p| ModelLoad::Pressure(p));
+        let separations = self.separation.iter().flat_map(|List(all)| all);
+        let separations = separations.map(|&d| ModelLoad::Separation(d));
+        Ok((pressures.chain(separations).collect(), None))
     }
 }
 
@@ -209,37 +208,32 @@ fn add_bodies(reply: &mut Reply, made_of: Bodies, pair: Option<&PairOrigin>, is_
 }
 
 /// The table, and what must be known of it.
-fn describe(
-    card: &Card,
-    found: &ModelReply,
-    joint: &Joint,
-    questions: &[ModelLoad],
-    spread: Option<&Spread>,
-) -> String {
-    let (answers, inputs) = (&found.results, &found.inputs);
+fn describe(card: &Card, found: &ModelReply, joint: &Joint, spread: Option<&Spread>) -> String {
+    let (points, inputs) = (&found.points, &found.inputs);
+    let said = || points.iter().filter_map(|point| point.answer.as_ref().ok());
     let mut headings = if spread.is_some() { vec!["load"] } else { Vec::new() };
     headings.extend(conduction::first_headings(joint, joint.area.is_some()));
     // A theory that knows its own error says it.
-    let has_bar = answers.iter().flatten().any(|said| said.area_interval.is_some());
+    let has_bar = said().any(|said| said.area_interval.is_some());
     headings.extend(["mean pressure", "area"]);
     headings.extend(has_bar.then_some("for 95 of 100"));
     headings.extend(["real pressure", "separation", "mean gap"]);
-    let surveyed = answers.iter().flatten().any(|said| said.survey.is_some());
+    let surveyed = said().any(|said| said.survey.is_some());
     headings.extend(surveyed.then_some("error"));
     let per_area = conduction::headings(joint);
     headings.extend(&per_area);
     // Of correlations what they are fits of, too.
     let exact = |said: &Said| said.conducted.is_some_and(|[fit, exact]| fit != exact);
-    let is_fit = answers.iter().flatten().any(exact);
+    let is_fit = said().any(exact);
     headings.extend(if is_fit { &["exact"][..] } else { &[] });
     let mut columns = Columns::new(&headings);
     let mut notes: Vec<String> = Vec::new();
     // The first refusal is said on standard error.
-    let told = answers.iter().find_map(|answer| answer.as_ref().err());
-    for (question, answer) in questions.iter().zip(answers) {
-        let force = spread.map(|s| text::force(question.value() * s.area));
-        let error = surveyed.then(|| survey(answer));
-        let conducted = answer.as_ref().ok().and_then(|said| said.conducted);
+    let told = points.iter().find_map(|point| point.answer.as_ref().err());
+    for point in points {
+        let said = point.answer.as_ref().ok();
+        let error = surveyed.then(|| survey(said));
+        let conducted = said.and_then(|said| said.conducted);
         let absent = |n: usize| vec!["–".to_owned(); n];
         let firsts = conduction::first_headings(joint, joint.area.is_some()).len();
         let (first, last) = match conducted {
@@ -252,9 +246,10 @@ fn describe(
             }
             None => (absent(firsts), absent(per_area.len() + usize::from(is_fit))),
         };
-        let row = force.into_iter().chain(first).chain(cells(*question, answer, has_bar));
+        let force = point.force.map(text::force).into_iter();
+        let row = force.chain(first).chain(cells(point, has_bar));
         columns.row(row.chain(error).chain(last));
-        let note = match answer {
+        let note = match &point.answer {
             Ok(said) => said.state.caveat.as_ref().map(|caveat| format!("caution: {caveat}")),
             Err(error) if Some(error) == told => None,
             Err(error) => Some(format!("refused: {}", model::failure(error))),
@@ -278,10 +273,7 @@ fn describe(
         let whose = whose.iter().find(|(g, _)| (g - gamma).abs() < 1e-12).map_or("", |w| w.1);
         let _ = writeln!(text, "mean gap with γ = {}{whose}", text::number(gamma));
     }
-    let gap = |answer: &ModelResult| {
-        answer.as_ref().ok().and_then(|said| said.state.mean_gap.or(said.state.separation))
-    };
-    let gaps: Vec<f64> = answers.iter().filter_map(gap).collect();
+    let gaps: Vec<f64> = said().filter_map(|s| s.state.mean_gap.or(s.state.separation)).collect();
     text += &conduction::line(joint, &gaps);
     for note in notes {
         let _ = writeln!(text, "{note}");
@@ -290,29 +282,25 @@ fn describe(
 }
 
 /// The range of errors of the theory where there is no map.
-fn survey(answer: &ModelResult) -> String {
-    let range = answer.as_ref().ok().and_then(|said| said.survey);
+fn survey(said: Option<&Said>) -> String {
+    let range = said.and_then(|said| said.survey);
     text::or_dash(range, |e| report::numbers::signed_range(e.low, e.high))
 }
 
-fn cells(question: ModelLoad, answer: &ModelResult, has_bar: bool) -> Vec<String> {
+fn cells(point: &ModelPoint, has_bar: bool) -> Vec<String> {
     let (pressure, length) =
         (|x| text::or_dash(x, text::pressure), |x| text::or_dash(x, text::length));
-    let state = answer.as_ref().ok().map(|said| &said.state);
-    let (mean_pressure, separation) = match (state, question) {
-        (Some(state), _) => (Some(state.mean_pressure), state.separation),
-        (None, ModelLoad::Pressure(p)) => (Some(p), None),
-        (None, ModelLoad::Separation(d)) => (None, Some(d)),
-    };
+    let said = point.answer.as_ref().ok();
+    let state = said.map(|said| &said.state);
     let mut cells = vec![
-        pressure(mean_pressure),
+        pressure(point.mean_pressure),
         state.map_or_else(|| "refused".to_owned(), |s| text::percent(s.area_fraction)),
         pressure(state.and_then(ContactState::real_pressure)),
-        length(separation),
+        length(point.separation),
         length(state.and_then(|s| s.mean_gap)),
     ];
     if has_bar {
-        let bar = answer.as_ref().ok().and_then(|said| said.area_interval);
+        let bar = said.and_then(|said| said.area_interval);
         let ends = |[a, b]: [f64; 2]| format!("{} to {}", text::percent(a), text::percent(b));
         cells.insert(2, text::or_dash(bar, ends));
     }

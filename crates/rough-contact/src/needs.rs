@@ -1,6 +1,6 @@
 //! What a file leaves open, which `surface-io` says, as options of this command.
 
-use crate::outcome::Failure;
+use crate::outcome::{Failure, unfit};
 use rough_contact::front_end::Incomplete;
 use rough_contact::surface_io::{Ambiguity, FillError, Layout, Need, ReadError};
 use std::path::Path;
@@ -19,24 +19,19 @@ pub(crate) fn unread(path: &Path, error: &ReadError) -> Failure {
 
 /// The refusal of a measurement, with the options that would let it be answered.
 pub(crate) fn unmade(path: &Path, error: &Incomplete) -> Failure {
-    let refused = |kind: &str, message: String| {
-        Failure::refused(kind, format!("{}: {message}", path.display()))
-    };
     match error {
-        Incomplete::Line(_) => refused(
-            "profile",
-            format!(
-                "{error}, and no profile, which is one row (`rough-contact info` still reads it)"
-            ),
-        ),
-        Incomplete::Spikes(spikes) => refused(
-            "missing",
-            format!(
-                "--outliers made {spikes} {} missing points, and --fill refuse keeps none; add --fill \
-                 harmonic or --fill nearest, or raise the threshold",
-                if *spikes == 1 { "spike" } else { "spikes" }
-            ),
-        ),
+        Incomplete::Line(_) => {
+            let row = "and no profile, which is one row (`rough-contact info` still reads it)";
+            unfit(path, "profile", format!("{error}, {row}"))
+        }
+        Incomplete::Spikes(spikes) => {
+            let ending = if *spikes == 1 { "" } else { "s" };
+            let why = format!(
+                "--outliers made {spikes} spike{ending} missing points, and --fill refuse keeps none; add --fill \
+                 harmonic or --fill nearest, or raise the threshold"
+            );
+            unfit(path, "missing", why)
+        }
         Incomplete::Cleaning(e) => Failure::in_file(path, e),
         Incomplete::Clean(e) => Failure::in_file(path, e),
         Incomplete::Short(e) => Failure::in_file(path, e).adding("measure a longer trace"),

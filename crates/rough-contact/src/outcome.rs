@@ -27,6 +27,11 @@ pub(crate) fn usage(error: &clap::Error) -> Failure {
     Failure::refused("usage", text)
 }
 
+/// A refusal of what a file is or holds.
+pub(crate) fn unfit(path: &Path, kind: &str, why: impl std::fmt::Display) -> Failure {
+    Failure::refused(kind, format!("{}: {why}", path.display()))
+}
+
 pub(crate) fn exists(path: &Path) -> Failure {
     let message = format!(
         "{} exists and would be overwritten; give --force to replace it, or another name",

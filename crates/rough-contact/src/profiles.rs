@@ -1,6 +1,6 @@
 //! Profiles: what every command says of the traces of a stylus.
 
-use crate::outcome::Failure;
+use crate::outcome::{Failure, unfit};
 use crate::text;
 use rough_contact::HeightMap;
 use rough_contact::compare::{Cleaning, Origin, ProfileSurface, Surface, Unevenness};
@@ -20,17 +20,16 @@ pub(crate) fn add(
     if let (Some(a), Some(b)) = (all.traces.first(), other.traces.first()) {
         let same = (b.spacing() / a.spacing() - 1.0).abs() < 1e-6;
         if a.heights().len() != b.heights().len() || !same {
-            let message = format!(
-                "{}: {} points {} apart, and {} has {} points {} apart; traces of one sample are alike: \
+            let why = format!(
+                "{} points {} apart, and {} has {} points {} apart; traces of one sample are alike: \
                  cut them to one length with --crop 0,X0,1,NX, or leave --pool out",
-                file.display(),
                 b.heights().len(),
                 text::length(b.spacing()),
                 first.display(),
                 a.heights().len(),
                 text::length(a.spacing())
             );
-            return Err(Failure::refused("profile", message));
+            return Err(unfit(file, "profile", why));
         }
     }
     all.traces.extend(other.traces);
@@ -54,7 +53,7 @@ pub(crate) fn only(all: ProfileSurface, path: &Path) -> Result<Surface, Failure>
     } else {
         return Ok(Surface { name, origin, heights: HeightMap::clone(&traces[0]) });
     };
-    Err(Failure::refused("profile", format!("{}: {message}", path.display())))
+    Err(unfit(path, "profile", message))
 }
 
 /// Cleaning that is for maps only.
@@ -67,7 +66,7 @@ pub(crate) fn refuse(path: &Path, cleaning: Cleaning) -> Result<(), Failure> {
     } else {
         return Ok(());
     };
-    Err(Failure::refused("profile", format!("{}: {message}", path.display())))
+    Err(unfit(path, "profile", message))
 }
 
 /// A line for every trace that was put at equal distances.

@@ -9,14 +9,15 @@ use clap::{Arg, ArgMatches, Args, Command, FromArgMatches};
 use rough_contact::compare;
 use rough_contact::compare::{Card, INPUTS, Input, InputFact, InputUnit, Inputs, Level};
 use rough_contact::contact_types::ContactModulus;
-use rough_contact::front_end::typed::{self, Typed};
+use rough_contact::front_end::typed;
 use rough_contact::surface_stats::Edges;
+use std::collections::BTreeMap;
 use std::path::Path;
 
 /// Roughness typed in, each number by an option of its name, and how a FILE is read instead.
 #[derive(Clone)]
 pub(crate) struct Source {
-    typed: Typed,
+    typed: BTreeMap<Input, Vec<f64>>,
     pub(crate) file: OfFile,
 }
 

@@ -12,7 +12,7 @@ use crate::hardness;
 use crate::input::{InputFiles, One};
 use crate::leak;
 use crate::loads::{Loads, carried, shown};
-use crate::outcome::{Failure, Reply};
+use crate::outcome::{Failure, Reply, unfit};
 use crate::profiles;
 use crate::progress::ProgressDisplay;
 use crate::rows::{How, Shown};
@@ -207,8 +207,7 @@ impl Solve {
     /// The map, or the one trace that is to be solved in plane strain.
     fn section(&self, settings: &Settings) -> Result<Surface, Failure> {
         let path = &self.input.file;
-        let refused =
-            |message: &str| Failure::refused("profile", format!("{}: {message}", path.display()));
+        let refused = |why: &str| unfit(path, "profile", why);
         if !self.plane_strain {
             return match self.against.measured(path, &self.input.how, settings.level, false)? {
                 One::Map(map) => Ok(*map),

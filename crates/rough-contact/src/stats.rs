@@ -8,7 +8,7 @@ use crate::bodies::BodyOptions;
 use crate::files::expand;
 use crate::hardness;
 use crate::input::{InputFiles, One};
-use crate::outcome::{Failure, Reply};
+use crate::outcome::{Failure, Reply, unfit};
 use crate::rows::{How, Shown};
 use crate::text::{self, Columns, TwoColumns};
 use crate::{profile_stats, profiles};
@@ -62,11 +62,9 @@ impl Stats {
         let profile = |file: &Path| match self.input.on(file).measured()? {
             One::Profile(traces) => Ok(*traces),
             One::Map(_) => {
-                let message = format!(
-                    "{}: this is a map, and --pool is for the traces of profiles; leave --pool out",
-                    file.display()
-                );
-                Err(Failure::refused("profile", message))
+                let why =
+                    "this is a map, and --pool is for the traces of profiles; leave --pool out";
+                Err(unfit(file, "profile", why))
             }
         };
         let first = files.next().unwrap_or_default();

@@ -1,7 +1,7 @@
 //! What a study is given: files, read and named, or the surfaces of a run file.
 
 use crate::input::{One, from_file};
-use crate::outcome::Failure;
+use crate::outcome::{Failure, unfit};
 use rough_contact::compare;
 use rough_contact::compare::{
     FileOrigin, Level, Origin, PairOrigin, ProfileSurface, RunFile, RunSurface, Settings, Surface,
@@ -32,8 +32,7 @@ pub(crate) fn parted(all: Vec<One>) -> Result<(Vec<Surface>, Vec<ProfileSurface>
 
 /// Settings and surfaces of a run file. A file whose content has changed is refused.
 pub(crate) fn repeat(path: &Path) -> Result<(Settings, Vec<One>), Failure> {
-    let text = std::fs::read_to_string(path)
-        .map_err(|e| Failure::refused("io", format!("{}: {e}", path.display())))?;
+    let text = std::fs::read_to_string(path).map_err(|e| unfit(path, "io", e))?;
     let run = RunFile::parse(&text).map_err(|e| Failure::in_file(path, &e))?;
     let mut surfaces = Vec::new();
     for RunSurface { name, origin } in run.surfaces {
@@ -55,10 +54,7 @@ fn made_again(path: &Path, name: &str, origin: Origin, level: Level) -> Result<O
         Origin::Pair(PairOrigin { names, placing, bodies, .. }) => {
             let body = |name: String, origin| match made_again(path, &name, origin, level)? {
                 One::Map(map) => Ok(Surface { name, ..*map }),
-                One::Profile(_) => {
-                    let message = format!("{}: {name} is a profile", path.display());
-                    Err(Failure::refused("profile", message))
-                }
+                One::Profile(_) => Err(unfit(path, "profile", format!("{name} is a profile"))),
             };
             let ([first, second], [one, other]) = (names, *bodies);
             let (first, second) = (body(first, one)?, body(second, other)?);
@@ -68,9 +64,7 @@ fn made_again(path: &Path, name: &str, origin: Origin, level: Level) -> Result<O
 }
 
 fn again(run_file: &Path, file: &FileOrigin) -> Result<One, Failure> {
-    front_end::reading(file).map_err(|e| {
-        Failure::refused("syntax", format!("{}: {}", run_file.display(), e.message))
-    })?;
+    front_end::reading(file).map_err(|e| unfit(run_file, "syntax", e))?;
     // From the folder of the run file; as it is written, where nothing lies there.
     let beside = run_file.parent().unwrap_or(Path::new("")).join(&file.path);
     let path = if beside.exists() { beside.as_path() } else { Path::new(&file.path) };

@@ -5,7 +5,7 @@ use rough_contact::contact_types::{AsperityStatistics, Named};
 pub(crate) use rough_contact::front_end::shown::*;
 use rough_contact::report;
 pub(crate) use rough_contact::report::numbers::plain;
-use rough_contact::report::numbers::{AREAS, NEWTONS};
+use rough_contact::report::numbers::{AREAS, NEWTONS, relative_interval};
 use rough_contact::surface_stats::clean::Record;
 use std::fmt;
 
@@ -117,6 +117,22 @@ pub(crate) fn or_dash<T>(value: Option<T>, write: impl FnOnce(T) -> String) -> S
     value.map_or_else(|| "–".to_owned(), write)
 }
 
+/// The ends between which a number lies, as a share of it where they are even, such as `±2.1 %`; a dash where there
+/// are none, and what is known where one of them is not.
+pub(crate) fn relative(
+    value: f64,
+    ends: Option<[f64; 2]>,
+    shown: impl Fn(f64) -> String,
+) -> String {
+    let Some([low, high]) = ends.filter(|_| value > 0.0) else { return "–".to_owned() };
+    match (low > 0.0, high.is_finite()) {
+        (false, false) => "–".to_owned(),
+        (false, true) => format!("at most {}", shown(high)),
+        (true, false) => format!("at least {}", shown(low)),
+        (true, true) => plain(&relative_interval(value, [low, high])),
+    }
+}
+
 pub(crate) fn moments(m0: f64, m2: f64, m4: f64) -> String {
     format!("{m0:.4e} m², {m2:.4e}, {m4:.4e} m⁻²")
 }
@@ -188,5 +204,14 @@ mod tests {
         assert_eq!(highest(100e6, Some(190e6)), "above 190 MPa");
         assert_eq!(highest(300e6, Some(190e6)), "300 MPa");
         assert_eq!(highest(300e6, None), "300 MPa");
+    }
+
+    #[test]
+    fn a_bar_that_reaches_zero_is_one_sided() {
+        assert_eq!(relative(0.012, Some([0.0, 0.028]), percent), "at most 2.80 %");
+        assert_eq!(relative(0.01, Some([0.009, 0.011]), percent), "±10 %");
+        assert_eq!(relative(0.01, None, percent), "–");
+        assert_eq!(relative(35e9, Some([20e9, 166e9]), pressure), "−43 to +374 %");
+        assert_eq!(relative(35e9, Some([20e9, f64::INFINITY]), pressure), "at least 20.0 GPa");
     }
 }

@@ -35,6 +35,9 @@ fn a_study_conducts_as_its_solutions_do() {
             }
             let k = number(&here["stiffness"]);
             close(number(&here["electrical_conductance"]), 2.0 * k / (110e9 * 92e-9), 1e-12);
+            close(number(&here["thermal_conductance"]), 2.0 * k * 25.0 / 110e9, 1e-12);
+            assert!(number(&there["conduction"]["residual"]) < 1e-7, "{there}");
+            assert_eq!(there["contact_set"], "part");
             let resistance = number(&here["thermal_resistance"]);
             close(resistance * number(&here["thermal_conductance"]) * 16384e-12, 1.0, 1e-12);
             close(resistance, number(&there["thermal_resistance"]), 1e-3);

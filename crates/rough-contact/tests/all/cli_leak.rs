@@ -84,9 +84,6 @@ fn a_study_leaks_as_its_solutions_do() {
     }
     has(&page, &["Permeability of the gap", "Flow along y", "Bruggeman", "Leak rate along x"]);
     has(&out, &["permeability K", "sealed at this resolution"]);
-    let again = at.answer("compare --from report/run.toml --out again");
-    assert_eq!(again["surfaces"][0]["leak"]["seal_width"], found["seal_width"]);
-
     let (found, page, csv, out) = study("");
     assert!(found.is_null() && ![page, csv, out].iter().any(|text| text.contains("ermeability")));
 }

@@ -48,9 +48,9 @@ fn models_and_studies_take_forces() {
     let first = at.done(&format!("{study} {UNITS}"));
     has(&first.out, &["load: on 1024 µm²: 102 mN is 100 MPa"]);
     assert!(at.read("one/report.html").contains("is 100\u{202F}MPa"), "no pressure by the force");
-    let again = at.answer("compare --from one/run.toml --out two");
-    close(number(&again["settings"]["load_area"]), 1.024e-9, 1e-12);
-    let point = &again["surfaces"][0]["deterministic"]["points"][0];
+    let found = at.results("one");
+    close(number(&found["settings"]["load_area"]), 1.024e-9, 1e-12);
+    let point = &found["surfaces"][0]["deterministic"]["points"][0];
     close(number(&point["mean_pressure"]), 100e6, 1e-12);
 }
 

@@ -94,7 +94,7 @@ fn what_the_file_does_not_say_is_asked_for() {
 }
 
 /// Three numbers to a row may be x y z or three heights: which they were taken for is said, the
-/// other can be asked for, also by the run file.
+/// other can be asked for.
 #[test]
 fn what_three_columns_are() {
     let at = &folder();
@@ -135,11 +135,6 @@ fn what_three_columns_are() {
     has(known["ambiguity"].as_str().unwrap(), &["--layout matrix"]);
     let said = at.done(&format!("{stats} --layout list"));
     assert!(said.err.is_empty(), "{}", said.err);
-
-    let study = "compare heights.txt --modulus 1GPa --pressure 1MPa,2MPa --layout matrix --out one";
-    at.done(&format!("{study} {UNITS}"));
-    at.done("compare --from one/run.toml --quiet --out two");
-    has(&at.read("two/run.toml"), &["layout = \"matrix\""]);
 }
 
 #[test]

@@ -142,8 +142,6 @@ fn rows_that_jump_are_said_to_jump_and_put_in_line() {
             assert!(!said.contains("a lay"), "{said}");
         }
     }
-    let again = at.answer("compare --from out/run.toml --out again");
-    assert_eq!(again["surfaces"][0]["cleaning"][0]["step"], "rows");
 }
 
 /// A tolerance that single precision does not reach: table, findings, reason and error name the same

@@ -12,11 +12,7 @@ fn surface() -> TestFolder {
     at
 }
 
-fn models(surface: &Value) -> Vec<&str> {
-    list(&surface["models"]).iter().filter_map(|m| m["model"].as_str()).collect()
-}
-
-/// Page, JSON, CSV and terminal say the same of the contact that yields; a run file repeats it.
+/// Page, JSON, CSV and terminal say the same of the contact that yields.
 #[test]
 fn a_study_of_bodies_that_yield_agrees_with_itself() {
     let at = &surface();
@@ -40,16 +36,10 @@ fn a_study_of_bodies_that_yield_agrees_with_itself() {
         assert!(yielding[i]["saturated_fraction"].is_number());
         assert!(elastic[i].get("saturated_fraction").is_none());
     }
-    let names = models(surface);
-    assert!(names.contains(&"ceb") && names.contains(&"persson-yield"), "{names:?}");
     for model in list(&surface["models"]).iter().filter(|model| model["applicable"] == true) {
         let is_elastic = !matches!(model["model"].as_str(), Some("ceb" | "persson-yield"));
         let by = if is_elastic { "elastic" } else { "deterministic" };
         assert_eq!(model["area_error"]["against"], by, "{model}");
-        let error = number(&model["area_error"]["signed"][2]);
-        let area = |points: &Value| number(&points["points"][2]["area_fraction"]);
-        let off = area(model) / area(&surface[by]) - 1.0;
-        assert!((error - off).abs() < 1e-12, "{error} {off} {}", model["model"]);
     }
     let yielded = |f: &&Value| f["fact"].get("yielding").is_some() && f["claim"].is_string();
     let claim = list(&surface["findings"]).iter().find(yielded).expect("what has yielded");
@@ -61,26 +51,11 @@ fn a_study_of_bodies_that_yield_agrees_with_itself() {
         has(&page, &[&format!("Error of each closed form, {of}")]);
         has(&said, &[&format!("against the solution of {of}:")]);
     }
-
-    at.done("compare --from report/run.toml --out again");
-    let repeated = at.results("again");
-    assert_eq!(repeated["settings"]["hardness"], found["settings"]["hardness"]);
-    let points = &repeated["surfaces"][0]["deterministic"]["points"];
-    for i in 0..3 {
-        assert_eq!(points[i]["area_fraction"], yielding[i]["area_fraction"]);
-    }
-}
-
-/// Without the option nothing of it is computed or said.
-#[test]
-fn an_elastic_study_does_not_know_of_it() {
-    let at = &surface();
-    at.done(&format!("{STUDY} --out report"));
-    let surface = at.results("report")["surfaces"][0].clone();
-    assert!(surface["elastic"].is_null() && surface["deterministic"]["hardness"].is_null());
-    let names = models(&surface);
-    assert!(!names.contains(&"ceb") && !names.contains(&"persson-yield"), "{names:?}");
-    let csv = at.read("report/curves.csv");
+    // Without the option nothing of it is computed or said.
+    at.done(&format!("{STUDY} --out plain"));
+    let plain = at.results("plain")["surfaces"][0].clone();
+    assert!(plain["elastic"].is_null() && plain["deterministic"]["hardness"].is_null());
+    let csv = at.read("plain/curves.csv");
     assert!(!csv.contains("hardness") && !csv.contains("elastic"));
 }
 

@@ -102,7 +102,14 @@ fn surface(plan: &Plan, surface: Surface, take: &mut dyn FnMut(TradeoffRow)) -> 
     let modulus = ContactModulus::from_pascals(MODULUS)?;
     let (map, inputs) = as_compared(surface)?;
     let blank = TradeoffRow { surface: name.clone(), ..TradeoffRow::default() };
-    let seconds = statistics_seconds(&map)?;
+    let options =
+        StatsOptions { level: Level::None, edges: Edges::Periodic, ..StatsOptions::default() };
+    // Everything a model may need of a map.
+    let seconds = shortest(0.0, || {
+        let clock = Instant::now();
+        let _ = black_box((SurfaceStatistics::of(&map, &options), amplitudes(&map)));
+        clock.elapsed().as_secs_f64()
+    });
     take(TradeoffRow { method: STATISTICS.into(), seconds, ..blank.clone() });
 
     let finer =
@@ -151,20 +158,6 @@ fn as_compared(surface: Surface) -> RunResult<(HeightMap, Inputs)> {
         Comparison::run(vec![surface], settings, built_in(), &mut |_| ControlFlow::Continue(()))?;
     let found = study.surfaces.pop().ok_or("no surface came back")?;
     Ok((found.surface, found.inputs))
-}
-
-/// Seconds for everything a model may need of a map.
-fn statistics_seconds(map: &HeightMap) -> RunResult<f64> {
-    let options =
-        StatsOptions { level: Level::None, edges: Edges::Periodic, ..StatsOptions::default() };
-    let mut best = f64::INFINITY;
-    for _ in 0..REPEATS {
-        let clock = Instant::now();
-        black_box(SurfaceStatistics::of(map, &options)?);
-        black_box(amplitudes(map)?);
-        best = best.min(clock.elapsed().as_secs_f64());
-    }
-    Ok(best)
 }
 
 /// The true area and its half width, from two refined grids: 0.3 of the correction for the contact
@@ -282,14 +275,10 @@ impl Job<'_> {
         take: &mut dyn FnMut(TradeoffRow),
     ) -> RunResult<()> {
         for &tolerance in tolerances.iter().filter(|&&t| t >= Plan::lowest(precision)) {
-            let first = self.answer(method, precision, tolerance)?;
-            let mut seconds = first.seconds;
-            let begin = Instant::now();
-            let mut repeats = 1;
-            while repeats < REPEATS || begin.elapsed().as_secs_f64() < self.plan.seconds {
-                seconds = seconds.min(self.answer(method, precision, tolerance)?.seconds);
-                repeats += 1;
-            }
+            let answer = || self.answer(method, precision, tolerance);
+            let first = answer()?;
+            let again = || answer().map_or(f64::INFINITY, |again| again.seconds);
+            let seconds = shortest(self.plan.seconds, again).min(first.seconds);
             let touching = first.solution.touching_fraction();
             let Solution { state, pressure, diagnostics, .. } = first.solution;
             take(TradeoffRow {

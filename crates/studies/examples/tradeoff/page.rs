@@ -2,6 +2,7 @@
 //! error, and the numbers.
 
 use contact_compare::find;
+use contact_report::numbers::percent;
 use std::error::Error;
 use std::fmt::Write as _;
 use std::fs;
@@ -194,10 +195,6 @@ fn digits(value: f64) -> String {
     }
     let places = (1 - value.abs().max(1e-9).log10().floor() as i32).clamp(0, 6);
     format!("{value:.*}", places as usize)
-}
-
-fn percent(fraction: f64) -> String {
-    format!("{}\u{202F}%", digits(100.0 * fraction))
 }
 
 fn signed_percent(error: f64) -> String {

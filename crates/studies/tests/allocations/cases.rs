@@ -26,8 +26,9 @@ use surface_stats::{Edges, SpectralScales, StatsOptions, SurfaceStatistics, mome
 pub(crate) struct Case {
     pub(crate) package: &'static str,
     pub(crate) call: &'static str,
-    /// Bytes of the map of heights the call works on; `None` for a call without a map.
-    pub(crate) map: Option<usize>,
+    /// Bytes of the map of heights the call works on, and how many maps it may hold at once beyond what was there before;
+    /// `None` for a call without a map. Small tables and plans of transforms are the decimals.
+    pub(crate) map: Option<(usize, f64)>,
     pub(crate) found: AllocationInfo,
 }
 
@@ -36,14 +37,19 @@ impl Case {
         Self { package, call, map: None, found: measure(work) }
     }
 
-    fn on(package: &'static str, call: &'static str, map: &HeightMap, work: impl FnOnce()) -> Self {
-        let map = Some(8 * map.heights().len());
+    fn on(
+        package: &'static str,
+        call: &'static str,
+        (map, most): (&HeightMap, f64),
+        work: impl FnOnce(),
+    ) -> Self {
+        let map = Some((8 * map.heights().len(), most));
         Self { package, call, map, found: measure(work) }
     }
 
     /// Peak in arrays of the size of the map: what is held at once beyond what was there.
     pub(crate) fn arrays(&self) -> Option<f64> {
-        self.map.map(|bytes| self.found.bytes_max as f64 / bytes as f64)
+        self.map.map(|(bytes, _)| self.found.bytes_max as f64 / bytes as f64)
     }
 }
 
@@ -140,7 +146,7 @@ fn on_a_map(map: &HeightMap) -> Vec<Case> {
 fn transforms(map: &HeightMap) -> Case {
     let mut fft = GridFft::new(map.grid().shape());
     let (mut spectrum, mut field) = (fft.new_spectrum(), vec![0.0; map.heights().len()]);
-    Case::on("grid-fft", "transform and back, planned", map, || {
+    Case::on("grid-fft", "transform and back, planned", (map, 0.0), || {
         fft.forward(map.heights(), &mut spectrum);
         fft.inverse(&mut spectrum, &mut field);
     })
@@ -159,8 +165,10 @@ fn files(map: &HeightMap) -> [Case; 2] {
         black_box(measurement.fill(Fill::Refuse).expect("nothing is missing"));
     };
     [
-        Case::on("surface-io", "read NPY", map, || read(&npy, &options)),
-        Case::on("surface-io", "read X3P", map, || read(x3p.get_ref(), &ReadOptions::default())),
+        Case::on("surface-io", "read NPY", (map, 1.1), || read(&npy, &options)),
+        Case::on("surface-io", "read X3P", (map, 2.1), || {
+            read(x3p.get_ref(), &ReadOptions::default());
+        }),
     ]
 }
 
@@ -171,21 +179,21 @@ fn statistics(map: &HeightMap) -> Vec<Case> {
         black_box(SurfaceStatistics::of(map, &options).expect("a surface"));
     };
     vec![
-        Case::on(package, "m2 and m4 (for GW, BGT, elliptical)", map, || {
+        Case::on(package, "m2 and m4 (for GW, BGT, elliptical)", (map, 0.01), || {
             black_box(moments(map, Edges::Open).expect("a surface"));
         }),
-        Case::on(package, "radial spectrum (for Persson)", map, || {
+        Case::on(package, "radial spectrum (for Persson)", (map, 2.2), || {
             black_box(radial(map).expect("a surface"));
         }),
-        Case::on(package, "amplitudes of rows (for stacked)", map, || {
+        Case::on(package, "amplitudes of rows (for stacked)", (map, 0.1), || {
             black_box(amplitudes(map).expect("a surface"));
         }),
-        Case::on(package, "scales and power law (for Majumdar–Bhushan)", map, || {
+        Case::on(package, "scales and power law (for Majumdar–Bhushan)", (map, 2.2), || {
             let options = StatsOptions::default();
             black_box(SpectralScales::of(map, &options).expect("a surface"));
         }),
-        Case::on(package, "all statistics, periodic", map, || all(Edges::Periodic)),
-        Case::on(package, "all statistics, open", map, || all(Edges::Open)),
+        Case::on(package, "all statistics, periodic", (map, 2.2), || all(Edges::Periodic)),
+        Case::on(package, "all statistics, open", (map, 2.2), || all(Edges::Open)),
     ]
 }
 
@@ -201,16 +209,16 @@ fn solves(map: &HeightMap) -> Vec<Case> {
     }
     let [bare, full] = &mut warm;
     vec![
-        Case::on(package, "build and solve one load", map, || {
+        Case::on(package, "build and solve one load", (map, 11.0), || {
             black_box(with(Maps::None).solve(map, load).expect("converges"));
         }),
-        Case::on(package, "build and solve one load, with maps", map, || {
+        Case::on(package, "build and solve one load, with maps", (map, 13.0), || {
             black_box(with(Maps::PressureAndGap).solve(map, load).expect("converges"));
         }),
-        Case::on(package, "one more load", map, || {
+        Case::on(package, "one more load", (map, 0.1), || {
             black_box(bare.solve(map, heavier).expect("converges"));
         }),
-        Case::on(package, "one more load, with maps", map, || {
+        Case::on(package, "one more load, with maps", (map, 2.1), || {
             black_box(full.solve(map, heavier).expect("converges"));
         }),
     ]
@@ -232,5 +240,5 @@ fn studies() -> Vec<Case> {
             black_box(study.expect("a study"));
         };
     let call = "study of 128 × 128 points at three loads, with its solvers";
-    vec![Case::on("compare", call, &map, || run(surface.clone()))]
+    vec![Case::on("compare", call, (&map, 63.6), || run(surface.clone()))]
 }
