@@ -37,7 +37,7 @@ fn energy_bound_is_never_violated_and_tight() {
     let mut ratios = Vec::new();
     for boundary in [Boundary::Periodic, Boundary::Free] {
         for seed in 1..=2 {
-            for (name, map) in families(48, seed) {
+            for (name, map) in families(40, seed) {
                 for load in [0.005, 0.05, 0.3] {
                     let truth = exact(&map, boundary, load);
                     let size = energy_norm(map.grid(), boundary, &truth.pressure);

@@ -6,7 +6,7 @@ use common::{curve, difference, self_affine, solve, unit_grid, unit_modulus};
 use contact_types::{Grid, HeightMap};
 use fft_bem_solver::{Boundary, Load, Precision, Solution, Solver, SolverBuilder};
 
-const SHAPE: [usize; 2] = [160, 131];
+const SHAPE: [usize; 2] = [112, 91];
 
 /// Surfaces of rms gradient 1 on these pixels.
 fn surfaces(pixel: [f64; 2]) -> Vec<(&'static str, HeightMap)> {
