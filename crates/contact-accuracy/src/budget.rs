@@ -56,15 +56,16 @@ pub struct Budget {
 }
 
 impl Budget {
-    /// Of a solution, the set that was asked for its stiffness and a gas of this temperature jump (m), on a map of which
-    /// `map` tells.
+    /// Of a solution for `given`, the set that was asked for its stiffness and a gas of this temperature jump (m), on a
+    /// map of which `map` tells.
     pub(crate) fn of(
+        given: Load,
         solution: &Solution,
-        set: Option<&SetStiffness>,
-        jump: Option<f64>,
+        (set, jump): (Option<&SetStiffness>, Option<f64>),
         map: &Map,
-        uncertain: &Uncertain<'_>,
+        beside: Beside<'_>,
     ) -> Self {
+        let uncertain = &Uncertain::of(solution, map.rms_height, beside);
         let found = &solution.diagnostics;
         let load = solution.state.mean_pressure;
         let own = Numbers::of(solution, set, jump);
@@ -94,25 +95,14 @@ impl Budget {
                 }
             }
         }
-        Self {
-            gap_is_given: false,
-            mean_pressure: Estimate::exact(load),
-            area,
-            mean_gap,
-            stiffness,
-            gas,
-            indicator: None,
-        }
+        let mean_pressure = Estimate::exact(load);
+        let (gap_is_given, indicator) = (false, None);
+        Self { gap_is_given, mean_pressure, area, mean_gap, stiffness, gas, indicator }
+            .under(given, solution, uncertain)
     }
 
     /// The same where `load` prescribed a gap: the gap is exact, the pressure is not.
-    #[must_use]
-    pub(crate) fn under(
-        mut self,
-        load: Load,
-        solution: &Solution,
-        uncertain: &Uncertain<'_>,
-    ) -> Self {
+    fn under(mut self, load: Load, solution: &Solution, uncertain: &Uncertain<'_>) -> Self {
         let (Load::MeanGap(_), Some(gap)) = (load, self.mean_gap) else { return self };
         let mut pressure = uncertain.pressure(self.mean_pressure.value, &self.area);
         // By one sampling variability of the gap the load moves by as much as the gap falls per e-fold load: at
@@ -157,7 +147,8 @@ impl Budget {
         let at_rounding = solution.diagnostics.end == End::Rounding;
         let why = NoUncertainty::NotConverged { at_rounding };
         let beside = Beside { coarser: Err(why), finer: None };
-        Self::of(solution, None, None, map, &Uncertain::of(solution, map.rms_height, beside))
+        let load = Load::MeanPressure(solution.state.mean_pressure);
+        Self::of(load, solution, (None, None), map, beside)
     }
 
     /// Mean real pressure, load over area (Pa): its intervals are those of the area, inverted. `None` if nothing touches.

@@ -140,19 +140,19 @@ pub fn climb(task: &Task<'_>, sink: &mut dyn Sink) -> Result<Reached, LadderErro
     if task.aim != Aim::AsGiven && possible(0.5) {
         let low = attempt(task, 0.5, sink)?;
         if low.missed == 0 {
-            return Ok(low.reached(task, Some(1.0), start));
+            return Ok(low.reached(Some(1.0), start));
         }
     }
     let given = attempt(task, 1.0, sink)?;
-    let next = (possible(2.0) && !given.loads.iter().any(|l| l.between_points)).then_some(2.0);
+    let next = (possible(2.0) && !given.between_points).then_some(2.0);
     if given.missed == 0 || next.is_none() {
-        return Ok(given.reached(task, next, start));
+        return Ok(given.reached(next, start));
     }
     let high = attempt(task, 2.0, sink)?;
-    if high.missed == 0 || high.widest() < given.widest() {
-        return Ok(high.reached(task, None, start));
+    if high.missed == 0 || high.widest < given.widest {
+        return Ok(high.reached(None, start));
     }
-    Ok(attempt(task, 1.0, sink)?.reached(task, None, start))
+    Ok(attempt(task, 1.0, sink)?.reached(None, start))
 }
 
 /// The grid of every second point.
@@ -163,20 +163,13 @@ fn half(grid: Grid) -> Grid {
 
 /// The loads on one rung.
 struct Attempt {
-    grid: Grid,
-    precision: Precision,
-    tolerance: f64,
-    loads: Vec<RungLoad>,
-    /// How many of them miss the request.
+    /// The result of this rung alone, without the one above.
+    reached: Reached,
+    /// How many loads miss the request.
     missed: usize,
-    seconds: f64,
-}
-
-/// A load on one rung.
-struct RungLoad {
-    load: Load,
-    /// Relative half width of the area, or why there is none.
-    width: Result<f64, String>,
+    /// Widest relative half width; infinite if a load has none.
+    widest: f64,
+    /// Whether an answer depends on what lies between the points.
     between_points: bool,
 }
 
@@ -205,16 +198,23 @@ fn attempt(task: &Task<'_>, factor: f64, sink: &mut dyn Sink) -> Result<Attempt,
         Setup { builder, finer, section: setup.section.map(row), ..setup.clone() },
     )?;
     sink.begin(ladder.map(), &ladder.known);
-    let (mut rung, mut missed) = (Vec::new(), 0);
+    let (mut widest, mut missed, mut any_between, mut unmet) = (0.0_f64, 0, false, None);
     for (index, &load) in loads.iter().enumerate() {
         let result = ladder.solve(load, |now| sink.iterated(index, now));
         if matches!(result, Err(SolverError::Stopped(_))) {
             return Err(LadderError::Stopped);
         }
-        let found = RungLoad::of(load, &result);
-        let misses = !aim.is_met(&found.width);
-        rung.push(found);
-        missed += usize::from(misses);
+        let here = width(&result);
+        let indicator = result.as_ref().ok().and_then(|found| found.budget.indicator);
+        let between_points = indicator.is_some_and(|i| i > LIMIT);
+        any_between |= between_points;
+        widest = widest.max(*here.as_ref().unwrap_or(&f64::INFINITY));
+        let misses = !aim.is_met(&here);
+        if misses {
+            missed += 1;
+            let first = Unmet { first: load, missed, of: loads.len(), here, between_points };
+            unmet.get_or_insert(first).missed = missed;
+        }
         if factor < 1.0 && misses {
             break;
         }
@@ -222,59 +222,36 @@ fn attempt(task: &Task<'_>, factor: f64, sink: &mut dyn Sink) -> Result<Attempt,
             return Err(LadderError::Stopped);
         }
     }
-    let seconds = begun.elapsed().as_secs_f64();
-    Ok(Attempt { grid, precision, tolerance, loads: rung, missed, seconds })
+    let reached = Reached {
+        request: if let Aim::Within(request) = aim { Some(*request) } else { None },
+        given: given.grid(),
+        grid,
+        precision,
+        tolerance,
+        half_width: Some(widest).filter(|w| w.is_finite()),
+        seconds: begun.elapsed().as_secs_f64(),
+        next: None,
+        unmet,
+    };
+    Ok(Attempt { reached, missed, widest, between_points: any_between })
 }
 
-impl RungLoad {
-    fn of(load: Load, result: &Result<Answered, SolverError>) -> Self {
-        let area = result.as_ref().map_err(ToString::to_string).map(|found| found.budget.area);
-        let width = area.and_then(|area| {
-            let half = area.half_width().map_err(|why| why.to_string())?;
-            Ok(if half > 0.0 { half / area.value } else { 0.0 })
-        });
-        let indicator = result.as_ref().ok().and_then(|found| found.budget.indicator);
-        Self { load, width, between_points: indicator.is_some_and(|i| i > LIMIT) }
-    }
+/// Relative half width of the area, or why there is none.
+fn width(result: &Result<Answered, SolverError>) -> Result<f64, String> {
+    let area = result.as_ref().map_err(ToString::to_string)?.budget.area;
+    let half = area.half_width().map_err(|why| why.to_string())?;
+    Ok(if half > 0.0 { half / area.value } else { 0.0 })
 }
 
 impl Attempt {
-    /// Widest relative half width; infinite if a load has none.
-    fn widest(&self) -> f64 {
-        let width = |load: &RungLoad| load.width.as_ref().map_or(f64::INFINITY, |w| *w);
-        self.loads.iter().map(width).fold(0.0, f64::max)
-    }
-
-    /// As the result, with the rung above of so many points per side over those of the map.
-    fn reached(self, task: &Task<'_>, above: Option<f64>, start: Clock) -> Reached {
-        let request = match task.aim {
-            Aim::AsGiven | Aim::Fast => None,
-            Aim::Within(request) => Some(request),
-        };
-        let half_width = Some(self.widest()).filter(|w| w.is_finite());
+    /// The result, with the rung above of so many points per side over those of the map.
+    fn reached(self, above: Option<f64>, start: Clock) -> Reached {
+        let Reached { given, grid, half_width, seconds, .. } = self.reached;
         let next = above.map(|factor| {
-            let shape = task.map.grid().shape().map(|n| (factor * n as f64) as usize);
-            let points = (shape[0] * shape[1]) as f64 / self.grid.len() as f64;
-            Next { shape, half_width: half_width.map(|w| 0.5 * w), seconds: points * self.seconds }
+            let shape = given.shape().map(|n| (factor * n as f64) as usize);
+            let points = (shape[0] * shape[1]) as f64 / grid.len() as f64;
+            Next { shape, half_width: half_width.map(|w| 0.5 * w), seconds: points * seconds }
         });
-        let first = self.loads.into_iter().find(|load| !task.aim.is_met(&load.width));
-        let unmet = first.map(|RungLoad { load: first, width: here, between_points }| Unmet {
-            first,
-            missed: self.missed,
-            of: task.loads.len(),
-            here,
-            between_points,
-        });
-        Reached {
-            request,
-            given: task.map.grid(),
-            grid: self.grid,
-            precision: self.precision,
-            tolerance: self.tolerance,
-            half_width,
-            seconds: start.elapsed().as_secs_f64(),
-            next,
-            unmet,
-        }
+        Reached { next, seconds: start.elapsed().as_secs_f64(), ..self.reached }
     }
 }

@@ -139,7 +139,7 @@ impl RungMaps {
     ) -> Result<Vec<Numbers>, SolverError> {
         let (stiffness, jump, leak) = (self.stiffness, self.jump, &self.leak);
         let one = |solver: &mut Solver| {
-            let solution = solver.solve_again_observed(load, &mut observer)?;
+            let solution = solver.solve_again(load, &mut observer)?;
             let set = stiffness.then(|| solver.contact_stiffness()).transpose()?;
             let permeability = permeability(&solution, leak);
             Ok(Numbers { permeability, ..Numbers::of(&solution, set.as_ref(), jump) })

@@ -8,7 +8,7 @@ use crate::indicator::{LIMIT, indicator};
 use crate::leak::Leaks;
 use crate::regrid;
 use crate::setup::Setup;
-use crate::uncertainty::{Beside, Uncertain};
+use crate::uncertainty::Beside;
 use contact_types::{Clock, Grid, HeightMap};
 use fft_bem_solver::{
     Boundary, Iteration, Load, Maps, ObserverResult, SetStiffness, Solution, Solver, SolverError,
@@ -134,13 +134,10 @@ impl Ladder {
         let mut solution =
             on_given(self.solver.solve_observed(surface, load, &mut observer), grid)?;
         let set = self.setup.stiffness.then(|| self.solver.contact_stiffness()).transpose()?;
-        let (set, jump) = (set.as_ref(), self.setup.jump);
+        let asked = (set.as_ref(), self.setup.jump);
         let beside = Beside { coarser: coarser.as_deref().map_err(|why| *why), finer: None };
         let known = self.known;
-        let budget = |beside: Beside<'_>| {
-            let uncertain = Uncertain::of(&solution, known.rms_height, beside);
-            Budget::of(&solution, set, jump, &known, &uncertain).under(load, &solution, &uncertain)
-        };
+        let budget = |beside| Budget::of(load, &solution, asked, &known, beside);
         let mut found = budget(beside);
         let repeats = known.repeats && self.setup.boundary == Boundary::Periodic;
         found.indicator = indicator(&self.given, repeats, &solution.pressure, self.setup.modulus);
@@ -156,7 +153,7 @@ impl Ladder {
         let thinned: Vec<_> = coarser.iter().flatten().map(|n| n.permeability).collect();
         let leak = Leaks::of(&solution, axes, &thinned, mirrored);
         solution.diagnostics.seconds += seconds[0] + seconds[1];
-        let (set, coarser) = (set.cloned(), coarser.unwrap_or_default());
+        let coarser = coarser.unwrap_or_default();
         Ok(Answered { solution, set, budget: found, coarser, finer, leak, seconds })
     }
 

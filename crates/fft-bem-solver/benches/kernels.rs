@@ -4,7 +4,7 @@
 
 use contact_types::{ContactModulus, Grid};
 use criterion::{BenchmarkId, Criterion, Throughput, criterion_group, criterion_main};
-use fft_bem_solver::{FreeHalfSpace, HalfSpace, Real};
+use fft_bem_solver::{Boundary, HalfSpace, Real};
 use grid_fft::GridFft;
 use std::hint::black_box;
 
@@ -45,14 +45,12 @@ fn displace<T: Real>(c: &mut Criterion, precision: &str) {
     for n in SIZES {
         let mut values = field::<T>(n);
         group.throughput(Throughput::Elements((n * n) as u64));
-        let mut periodic = HalfSpace::<T>::new(grid(n), modulus());
-        group.bench_function(BenchmarkId::new("periodic", n), |b| {
-            b.iter(|| periodic.displace(black_box(&mut values)));
-        });
-        let mut free = FreeHalfSpace::<T>::new(grid(n), modulus());
-        group.bench_function(BenchmarkId::new("free", n), |b| {
-            b.iter(|| free.displace(black_box(&mut values)));
-        });
+        for boundary in [Boundary::Periodic, Boundary::Free] {
+            let mut half_space = HalfSpace::<T>::new(grid(n), modulus(), boundary);
+            group.bench_function(BenchmarkId::new(boundary.to_string(), n), |b| {
+                b.iter(|| half_space.displace(black_box(&mut values)));
+            });
+        }
     }
     group.finish();
 }

@@ -7,15 +7,14 @@ use fft_bem_solver::{Boundary, Load, Solver};
 
 fn main() -> Result<(), Box<dyn std::error::Error>> {
     let modulus = ContactModulus::from_pascals(115e9)?; // steel on steel
-    let ball = Hertz::sphere(10e-3, modulus)?; // radius 10 mm
-    let exact = ball.at_force(100.0)?; // 100 N
+    let exact = Hertz::at_force([10e-3; 2], modulus, 100.0)?; // radius 10 mm, 100 N
 
     println!("   grid convolutions    approach (um)    error   max pressure (MPa)    error");
     for n in [32, 64, 128, 256] {
         let side = 3.0 * exact.semi_axes[0];
         let grid = Grid::new([n, n], [side / n as f64; 2])?;
         let centre = 0.5 * side;
-        let map = HeightMap::from_fn(grid, |y, x| ball.height(y - centre, x - centre))?;
+        let map = HeightMap::from_fn(grid, |y, x| exact.height(y - centre, x - centre))?;
 
         let mut solver =
             Solver::builder().boundary(Boundary::Free).tolerance(1e-6).build(grid, modulus)?;

@@ -50,10 +50,10 @@ impl<T: Real> Engine<T> {
         let blocks = coarse(grid).shape();
         let mut coarse_gap = vec![0.0; blocks[0] * blocks[1]];
         let (shape, boundary) = (grid.shape(), settings.boundary);
-        let Tally { sums, extremes: [lowest, highest, largest] } = under!(ceiling, top => {
+        let Tally { sums, extremes: [lowest, largest] } = under!(ceiling, top => {
             tally(top, [p, u, h], level, boundary, shape, blocks, &mut coarse_gap)
         });
-        let [below, contact, full, work, complementarity, duality, open, depth] = sums;
+        let [below, contact, full, work, complementarity, duality, open] = sums;
         for gap in &mut coarse_gap {
             *gap *= units.height;
         }
@@ -65,12 +65,10 @@ impl<T: Real> Engine<T> {
             hardness,
             area_fraction: full / n,
             load_share: if load_sum > 0.0 { borne / load_sum } else { 0.0 },
-            mean_flattening: depth * units.height / n,
         });
         let touching = contact / n;
         // No pressure exceeds the hardness: whatever the line, it takes this area to carry the load.
         let least = (load_sum / n / hardness).min(touching);
-        let gap_rounding = problem.rounding + T::EPSILON * (highest + 1.0) * units.height;
         let residuals = Residuals {
             preconditioned: run.residual,
             complementarity: if load_sum > 0.0 {
@@ -96,8 +94,6 @@ impl<T: Real> Engine<T> {
             residuals,
             duality_gap,
             energy_bound,
-            height_rounding: problem.rounding,
-            gap_rounding,
             seconds: clock.elapsed().as_secs_f64(),
             contact_pixels: contact as usize,
             contact_perimeter,

@@ -11,7 +11,6 @@ pub struct SolverBuilder {
     pub precision: Precision,
     /// As set with [`tolerance`](Self::tolerance).
     pub tolerance: f64,
-    pub(crate) max_iterations: Option<usize>,
     pub(crate) threads: Option<usize>,
     pub(crate) certified: bool,
     pub(crate) maps: Maps,
@@ -27,7 +26,6 @@ impl Default for SolverBuilder {
             boundary: Boundary::Periodic,
             precision: Precision::Double,
             tolerance: 1e-4,
-            max_iterations: None,
             threads: None,
             certified: false,
             maps: Maps::default(),
@@ -66,13 +64,6 @@ impl SolverBuilder {
     #[must_use]
     pub fn tolerance(mut self, tolerance: f64) -> Self {
         self.tolerance = tolerance;
-        self
-    }
-
-    /// Iterations after which to give up, at least 1; the default depends on the method.
-    #[must_use]
-    pub fn max_iterations(mut self, max_iterations: usize) -> Self {
-        self.max_iterations = Some(max_iterations);
         self
     }
 

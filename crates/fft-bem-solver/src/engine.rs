@@ -137,22 +137,18 @@ impl<T: Real> Engine<T> {
         let (quantity, value, unit) = match load {
             Load::MeanPressure(p) => ("mean pressure", p, "Pa"),
             Load::MeanGap(g) => ("mean gap", g, "m"),
-            Load::Approach(d) => ("approach", d, "m"),
         };
         let bad = |limit| Err(SolverError::BadLoad { quantity, value, unit, limit });
         if !value.is_finite() || value < 0.0 {
             return bad("it must be a finite number, not negative");
         }
-        let is_periodic = self.settings.boundary == Boundary::Periodic;
         let most = -problem.mean_height; // the level at which every gap is closed
         let (hardness, yields) = (self.settings.hardness, ceiling.is_finite());
-        let level = match load {
+        match load {
             Load::MeanPressure(pressure) if pressure > hardness => {
-                return Err(SolverError::AboveHardness { mean_pressure: pressure, hardness });
+                Err(SolverError::AboveHardness { mean_pressure: pressure, hardness })
             }
-            Load::MeanPressure(pressure) if pressure >= hardness => {
-                return Ok(LoadMeaning::Yielded);
-            }
+            Load::MeanPressure(pressure) if pressure >= hardness => Ok(LoadMeaning::Yielded),
             Load::MeanPressure(pressure) => {
                 let scaled = pressure / problem.units.pressure;
                 if pressure > 0.0 && !(1e-30..1e30).contains(&scaled) {
@@ -163,44 +159,39 @@ impl<T: Real> Engine<T> {
                                   leave it out or scale it",
                     });
                 }
-                return Ok(match scaled {
+                Ok(match scaled {
                     s if s > 0.0 => LoadMeaning::Target(Target::Pressure(s)),
                     _ => LoadMeaning::Apart(0.0),
-                });
+                })
             }
-            Load::MeanGap(_) if !is_periodic => {
-                return Err(SolverError::Combination {
+            Load::MeanGap(_) if self.settings.boundary != Boundary::Periodic => {
+                Err(SolverError::Combination {
                     first: "control by mean gap",
                     second: "the free boundary",
-                    way_out: "prescribe the approach or the mean pressure",
-                });
+                    way_out: "prescribe the mean pressure",
+                })
             }
             Load::MeanGap(gap) if gap <= 0.0 && yields => {
-                return bad("with a hardness no least load that closes every gap is looked for; \
-                            prescribe a wider gap or the mean pressure");
+                bad("with a hardness no least load that closes every gap is looked for; \
+                     prescribe a wider gap or the mean pressure")
             }
-            Load::MeanGap(gap) if gap <= 0.0 => return Ok(LoadMeaning::Closed),
+            Load::MeanGap(gap) if gap <= 0.0 => Ok(LoadMeaning::Closed),
             Load::MeanGap(gap) => {
                 let gap = gap / problem.units.height;
-                if yields && gap < most {
-                    let guess = first_guess(problem, (most - gap).min(0.999 * most));
-                    return Ok(LoadMeaning::Target(Target::OpenGap(gap, guess)));
+                let level = most - gap;
+                if level <= 0.0 {
+                    Ok(LoadMeaning::Apart(level))
+                } else if yields {
+                    let guess = first_guess(problem, level.min(0.999 * most));
+                    Ok(LoadMeaning::Target(Target::OpenGap(gap, guess)))
+                } else if level >= most {
+                    bad("it would take the flat deeper than where every gap is closed; \
+                         prescribe the mean pressure instead")
+                } else {
+                    Ok(LoadMeaning::Target(Target::Level(level, first_guess(problem, level))))
                 }
-                most - gap
             }
-            Load::Approach(approach) => approach / problem.units.height,
-        };
-        if level <= 0.0 {
-            return Ok(LoadMeaning::Apart(level));
         }
-        if is_periodic && yields && level >= 1.0 {
-            return Ok(LoadMeaning::Yielded); // deeper than the lowest point
-        }
-        if is_periodic && !yields && level >= most {
-            return bad("it would take the flat deeper than where every gap is closed; \
-                        prescribe the mean pressure instead");
-        }
-        Ok(LoadMeaning::Target(Target::Level(level, first_guess(problem, level))))
     }
 
     /// Nothing carries load: the undeformed surface, its highest point at `-level` from the flat.
@@ -221,17 +212,10 @@ impl<T: Real> Engine<T> {
 
     /// Everything at the ceiling. The flat is where the lowest point still touches it.
     fn yielded(&mut self, problem: &Problem<T>, ceiling: f64) -> Outcome {
-        let State { pressure, displacement, level } = &mut self.state;
-        fields::fill(ceiling, pressure);
-        let mut spent = 0.0;
-        if self.settings.boundary == Boundary::Periodic {
-            displacement.fill(T::zero());
-        } else {
-            self.operator.apply(pressure, displacement);
-            spent += 1.0;
-        }
-        let rise = |i: usize| (displacement[i] - problem.heights[i]).wide();
-        *level = fields::largest_of(displacement.len(), rise);
+        let spent = self.state.fill(ceiling, self.operator.as_mut());
+        let u = &self.state.displacement;
+        let rise = |i: usize| (u[i] - problem.heights[i]).wide();
+        self.state.level = fields::largest_of(u.len(), rise);
         Outcome::exact("all of the surface yields", spent)
     }
 
@@ -255,37 +239,23 @@ impl<T: Real> Engine<T> {
             target,
             ceiling,
             tolerance: self.settings.tolerance,
-            max_iterations: self.settings.max_iterations.unwrap_or(match self.settings.method {
-                Method::Chord => 200,
-                _ => 20_000,
-            }),
+            max_iterations: if self.settings.method == Method::Chord { 200 } else { 20_000 },
         };
-        let is_patient = self.settings.max_iterations.is_none_or(|n| n >= 200);
-        let (units, n) = (problem.units, problem.heights.len() as f64);
+        let n = problem.heights.len() as f64;
         let mut watch = |step: &IterateView<'_, T>| {
-            let state = step.state;
             observer(&Iteration {
                 number: step.iteration,
                 transforms: spent + step.transforms,
                 residual: step.residual,
                 tolerance: task.tolerance,
-                area: &|| fields::contact_count(&state.pressure) as f64 / n,
-                fields: &|| {
-                    let (p, u, h) = (&state.pressure, &state.displacement, &problem.heights);
-                    let level = crate::certificate::level(state, h, ceiling);
-                    let gap = |i: usize| u[i].wide() - h[i].wide() - level;
-                    [
-                        fields::filled(p.len(), |i| p[i].wide() * units.pressure),
-                        fields::filled(p.len(), |i| gap(i) * units.height),
-                    ]
-                },
+                area: &|| fields::contact_count(&step.state.pressure) as f64 / n,
             })
         };
         let (operator, state) = (self.operator.as_mut(), &mut self.state);
         let method = self.method.as_mut();
         let mut outcome = control::solve(method, &task, operator, start, state, &mut watch);
         outcome.transforms += spent;
-        if outcome.end == End::Exhausted && outcome.residual <= T::ATTAINABLE && is_patient {
+        if outcome.end == End::Exhausted && outcome.residual <= T::ATTAINABLE {
             outcome.end = End::Rounding;
         }
         outcome

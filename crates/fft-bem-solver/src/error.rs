@@ -1,36 +1,23 @@
 //! Why there is no solution, or not the one asked for.
 
-use crate::{Precision, Residuals, Solution};
+use crate::{Precision, Solution};
+use contact_types::Grid;
 
 /// Why a solve did not end with an answer to the tolerance asked for.
 #[derive(Debug, Clone, thiserror::Error)]
 #[non_exhaustive]
 pub enum SolverError {
-    /// A field or surface does not have the shape the solver was built for.
+    /// The surface stands on another grid than the solver.
     #[error(
-        "the solver was built for {expected} pixels but was given {found}; \
-         build a solver for this grid"
-    )]
-    Shape {
-        /// Pixels of the solver's grid.
-        expected: usize,
-        /// Pixels found.
-        found: usize,
-    },
-    /// The surface stands on another grid than the solver, though with as many pixels.
-    #[error(
-        "the solver was built for pixels of {expected:?} m ([ny, nx] = {expected_shape:?}) but the \
-         surface has pixels of {found:?} m ({found_shape:?}); build a solver for this grid"
+        "the solver was built for pixels of {:?} m ([ny, nx] = {:?}) but the \
+         surface has pixels of {:?} m ({:?}); build a solver for this grid",
+        .expected.pixel(), .expected.shape(), .found.pixel(), .found.shape()
     )]
     Grid {
-        /// `[ny, nx]` of the solver.
-        expected_shape: [usize; 2],
-        /// `[dy, dx]` of the solver (m).
-        expected: [f64; 2],
-        /// `[ny, nx]` of the surface.
-        found_shape: [usize; 2],
-        /// `[dy, dx]` of the surface (m).
-        found: [f64; 2],
+        /// Of the solver.
+        expected: Grid,
+        /// Of the surface.
+        found: Grid,
     },
     /// A setting cannot be used.
     #[error("{setting} = {value} cannot be used: {limit}")]
@@ -118,7 +105,7 @@ pub enum SolverError {
     /// take memory for two more fields.
     #[error(
         "not converged after {} iterations: estimated relative pressure error {:.2e}; \
-         allow more iterations or a larger tolerance",
+         allow a larger tolerance",
         .0.diagnostics.iterations, residual(.0)
     )]
     NotConverged(Box<Solution>),
@@ -151,8 +138,7 @@ fn binary(bytes: u128) -> String {
 }
 
 fn residual(solution: &Solution) -> f64 {
-    let Residuals { preconditioned, .. } = solution.diagnostics.residuals;
-    preconditioned
+    solution.diagnostics.residuals.preconditioned
 }
 
 impl SolverError {

@@ -69,11 +69,7 @@ pub(crate) fn largest_of(n: usize, term: impl Fn(usize) -> f64 + Sync) -> f64 {
 /// `value(i)` for every pixel.
 pub(crate) fn filled<T: Real>(n: usize, value: impl Fn(usize) -> T + Sync) -> Vec<T> {
     let mut field = vec![T::zero(); n];
-    field.par_chunks_mut(BLOCK).enumerate().for_each(|(k, block)| {
-        for (i, x) in block.iter_mut().enumerate() {
-            *x = value(k * BLOCK + i);
-        }
-    });
+    write(&mut field, |i, _| value(i));
     field
 }
 
@@ -97,31 +93,11 @@ pub(crate) fn scale<T: Real>(factor: f64, field: &mut [T]) {
     write(field, |_, x| x * factor);
 }
 
-/// Replaces the values of two fields at a time.
-pub(crate) fn write_both<T: Real>(
-    [a, b]: [&mut [T]; 2],
-    new: impl Fn(usize, [T; 2]) -> [T; 2] + Sync + Send,
-) {
-    let blocks = a.par_chunks_mut(BLOCK).zip(b.par_chunks_mut(BLOCK));
-    blocks.enumerate().for_each(|(k, (a, b))| {
-        for (i, (a, b)) in a.iter_mut().zip(b).enumerate() {
-            [*a, *b] = new(k * BLOCK + i, [*a, *b]);
-        }
-    });
-}
-
 /// Values for the pixels `on` alone, written to their places in a field that is zero elsewhere.
 pub(crate) fn scatter(values: &[f64], on: &[usize], field: &mut [f64]) {
     fill(0.0, field);
     for (i, value) in on.iter().zip(values) {
         field[*i] = *value;
-    }
-}
-
-/// The values of a field at the pixels `on`.
-pub(crate) fn gather(field: &[f64], on: &[usize], values: &mut [f64]) {
-    for (value, i) in values.iter_mut().zip(on) {
-        *value = field[*i];
     }
 }
 

@@ -1,7 +1,7 @@
 //! Pressure to displacement on a half space that is loaded nowhere but on the map.
 
 use crate::methods::Compliance;
-use crate::{Boundary, Real, SolverError};
+use crate::{Boundary, Real};
 use contact_types::{ContactModulus, Grid};
 use grid_fft::{Convolution, GridFft};
 use std::f64::consts::PI;
@@ -11,8 +11,11 @@ use std::f64::consts::PI;
 ///
 /// The sum over all pixels is a convolution with Love's coefficients, evaluated without error
 /// on a grid padded with zeros to twice the size.
-pub struct FreeHalfSpace<T: Real> {
-    grid: Grid,
+///
+/// # Source
+/// Love (1929), *Phil. Trans. R. Soc. A* 228, 377; zero-padding: Liu, Wang & Liu (2000), *Wear*
+/// 243, 101–111, doi:10.1016/S0043-1648(00)00427-0.
+pub(crate) struct FreeHalfSpace<T: Real> {
     convolution: Convolution<T>,
     /// Transform of the coefficients over E*, `ky` in `0..=py/2` running fastest.
     compliance: Vec<T>,
@@ -20,15 +23,9 @@ pub struct FreeHalfSpace<T: Real> {
     is_definite: bool,
 }
 
-impl<T: Real> std::fmt::Debug for FreeHalfSpace<T> {
-    fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
-        f.debug_struct("FreeHalfSpace").field("grid", &self.grid).finish_non_exhaustive()
-    }
-}
-
 impl<T: Real> FreeHalfSpace<T> {
     /// Plans the transforms for `grid` and transforms the influence coefficients.
-    pub fn new(grid: Grid, modulus: ContactModulus) -> Self {
+    pub(crate) fn new(grid: Grid, modulus: ContactModulus) -> Self {
         let [ny, nx] = grid.shape();
         let [dy, dx] = grid.pixel();
         let padded = [padded_length(ny), padded_length(nx)];
@@ -58,25 +55,7 @@ impl<T: Real> FreeHalfSpace<T> {
             }
         }
         let convolution = Convolution::padded([ny, nx], padded);
-        Self { grid, convolution, compliance, rows, is_definite }
-    }
-
-    /// Replaces a pressure field (Pa, row-major `ny * nx`) by the displacement (m) of the pixel
-    /// centres, positive into the body.
-    ///
-    /// # Errors
-    /// [`SolverError::Shape`] if `field` does not have `ny * nx` pixels; it is then untouched.
-    ///
-    /// # Source
-    /// Love (1929), *Phil. Trans. R. Soc. A* 228, 377; zero-padding: Liu, Wang & Liu (2000), *Wear*
-    /// 243, 101–111, doi:10.1016/S0043-1648(00)00427-0.
-    pub fn displace(&mut self, field: &mut [T]) -> Result<(), SolverError> {
-        let (expected, found) = (self.grid.len(), field.len());
-        if found != expected {
-            return Err(SolverError::Shape { expected, found });
-        }
-        self.convolution.apply_in_place(field, |kx, column| self.symbol(kx, column));
-        Ok(())
+        Self { convolution, compliance, rows, is_definite }
     }
 
     /// Transform of the coefficients for the waves `(0..=py/2, kx)`.
@@ -90,7 +69,7 @@ impl<T: Real> Compliance<T> for FreeHalfSpace<T> {
         self.convolution.apply(pressure, |kx, column| self.symbol(kx, column), displacement);
     }
     fn apply_in_place(&mut self, field: &mut [T]) {
-        self.displace(field).expect("it has the pixels of the grid");
+        self.convolution.apply_in_place(field, |kx, column| self.symbol(kx, column));
     }
     /// `B w` is the part on the map of `C^-1 w`, with `C` the periodic operator on the padded grid of which
     /// this half space is a part: among all fields on the padded grid that equal `w` on the map the one with
@@ -213,7 +192,7 @@ mod tests {
             let modulus = ContactModulus::from_pascals(e_star).unwrap();
             let p: Vec<f64> = (0..grid.len()).map(|i| 1.0 + (i as f64 * 1.7).sin()).collect();
             let mut u = p.clone();
-            FreeHalfSpace::new(grid, modulus).displace(&mut u).unwrap();
+            FreeHalfSpace::new(grid, modulus).apply_in_place(&mut u);
             let nx = shape[1];
             for (i, u) in u.iter().enumerate() {
                 let sum: f64 = p

@@ -30,6 +30,7 @@ mod error;
 mod fields;
 mod half_space;
 mod half_space_free;
+mod half_space_periodic;
 mod memory;
 mod methods;
 mod mixed_problem;
@@ -48,7 +49,6 @@ mod solver;
 mod special_cases;
 mod tally;
 pub mod validation;
-mod yield_control;
 
 pub use builder::SolverBuilder;
 pub use contact_types::{
@@ -56,15 +56,14 @@ pub use contact_types::{
 };
 pub use error::SolverError;
 pub use half_space::HalfSpace;
-pub use half_space_free::FreeHalfSpace;
 use half_space_free::love;
 pub use mixed_problem::SetStiffness;
 pub use observer::{Iteration, ObserverResult};
 pub use perimeter_correction::PERIMETER_CORRECTION;
 pub use real::Real;
 pub use settings::{Boundary, Load, Maps, Method, Precision};
-pub use solution::{Diagnostics, End, Fallbacks, Residuals, Section, Solution, Yielded};
-pub use solver::{Solver, set_stiffness};
+pub use solution::{Diagnostics, End, Residuals, Section, Solution, Yielded};
+pub use solver::Solver;
 
 #[cfg(test)]
 #[track_caller]

@@ -39,16 +39,16 @@ pub struct SetStiffness {
     pub iterations: usize,
 }
 
-/// Solves the mixed problem for the pixels where `is_in` holds. `operator` has the symbol `2/|q|` on the
+/// Solves the mixed problem for the pixels of `contact`. `operator` has the symbol `2/|q|` on the
 /// `scaled` grid; `unit` is what a stiffness of 1 is there (Pa/m).
 pub(crate) fn solve(
     scaled: Grid,
     operator: &mut dyn Compliance<f64>,
-    is_in: impl Fn(usize) -> bool,
+    contact: &[bool],
     unit: f64,
 ) -> SetStiffness {
     let n = scaled.len();
-    let nodes: Vec<NodeState> = (0..n).map(|i| NodeState::of(is_in(i))).collect();
+    let nodes: Vec<NodeState> = contact.iter().map(|is_in| NodeState::of(*is_in)).collect();
     let size = nodes.iter().filter(|m| m.is_in()).count();
     let (residual, transforms, iterations) = (0.0, 0.0, 0);
     let exact = SetStiffness { per_area: 0.0, density: vec![], residual, transforms, iterations };
@@ -68,7 +68,7 @@ pub(crate) fn solve(
     let mut answer = |of: &[f64], to: &mut [f64]| {
         fields::scatter(of, &on, &mut field);
         operator.apply_in_place(&mut field);
-        fields::gather(&field, &on, to);
+        to.iter_mut().zip(&on).for_each(|(to, i)| *to = field[*i]);
     };
 
     inverse.sweep_uniform(&on, &mut p);

@@ -16,18 +16,12 @@ pub struct Iteration<'a> {
     /// The residual at which the iteration ends.
     pub tolerance: f64,
     pub(crate) area: &'a dyn Fn() -> f64,
-    pub(crate) fields: &'a dyn Fn() -> [Vec<f64>; 2],
 }
 
 impl Iteration<'_> {
     /// Fraction of the pixels that carry pressure at present. Counted only when asked for.
     pub fn touching_fraction(&self) -> f64 {
         (self.area)()
-    }
-
-    /// Pressure (Pa) and gap (m) of the present iterate, row-major. Made only when asked for.
-    pub fn pressure_and_gap(&self) -> [Vec<f64>; 2] {
-        (self.fields)()
     }
 }
 
@@ -43,7 +37,7 @@ impl std::fmt::Debug for Iteration<'_> {
 }
 
 /// What an observer may answer: nothing, or whether to go on.
-pub trait ObserverResult: sealed::Sealed {
+pub trait ObserverResult {
     /// Whether to go on.
     fn flow(self) -> ControlFlow<()>;
 }
@@ -58,12 +52,6 @@ impl ObserverResult for ControlFlow<()> {
     fn flow(self) -> ControlFlow<()> {
         self
     }
-}
-
-mod sealed {
-    pub trait Sealed {}
-    impl Sealed for () {}
-    impl Sealed for std::ops::ControlFlow<()> {}
 }
 
 /// Any observer, once its answers are alike.

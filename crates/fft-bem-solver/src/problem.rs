@@ -36,8 +36,6 @@ pub(crate) struct Problem<T> {
     pub(crate) heights: Vec<T>,
     /// Mean of the heights.
     pub(crate) mean_height: f64,
-    /// Distance between neighbouring numbers at the largest of the heights as they were given (m).
-    pub(crate) rounding: f64,
     pub(crate) units: Units,
 }
 
@@ -81,15 +79,14 @@ impl<T: Real> Problem<T> {
         }
         let heights: Vec<T> = crate::fields::filled(raw.len(), |i| units.scaled(raw[i]));
         let mean_height = crate::fields::mean(&heights);
-        let rounding = f64::EPSILON * lowest.abs().max(highest.abs());
-        Ok(Self { given: surface.grid(), grid: scaled, heights, mean_height, rounding, units })
+        Ok(Self { given: surface.grid(), grid: scaled, heights, mean_height, units })
     }
 
     /// Heights that are scaled already.
     pub(crate) fn unscaled(grid: Grid, heights: Vec<T>) -> Self {
         let mean_height = crate::fields::mean(&heights);
         let units = Units { origin: 0.0, height: 1.0, pressure: 1.0 };
-        Self { given: grid, grid, heights, mean_height, rounding: 0.0, units }
+        Self { given: grid, grid, heights, mean_height, units }
     }
 
     /// Whether `surface` is the one this problem was made from.

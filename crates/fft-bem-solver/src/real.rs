@@ -1,18 +1,24 @@
 //! The two floating-point types a solve can run in.
 
-use crate::simd::Lane;
+#![allow(clippy::inline_always, reason = "inner loops belong to each version of `vectorised!`")]
+
+use fearless_simd::{Simd, SimdBase, SimdFloat, f32x4, f64x4};
 use grid_fft::Float;
 use std::ops::{AddAssign, DivAssign, MulAssign, SubAssign};
 
 /// `f64` or `f32`: the type in which the fields of a solve are stored. Sums are always `f64`.
 pub trait Real:
-    Float + Lane + PartialOrd + AddAssign + SubAssign + MulAssign + DivAssign + Default
+    Float + PartialOrd + AddAssign + SubAssign + MulAssign + DivAssign + Default
 {
     /// Distance from 1 to the next number.
     const EPSILON: f64;
     /// Relative pressure error below which rounding may keep a method from going: the worst of the surfaces of
     /// `tests/certificate.rs`, with the free boundary.
     const ATTAINABLE: f64;
+    /// A vector of four of them.
+    type Four<S: Simd>: SimdFloat<S, Element = Self>;
+    /// The same four numbers as `f64`, exactly.
+    fn widened<S: Simd>(four: Self::Four<S>) -> f64x4<S>;
     /// The nearest number of this type.
     fn of(value: f64) -> Self;
     /// The same number as `f64`, exactly.
@@ -34,6 +40,11 @@ pub trait Real:
 impl Real for f64 {
     const EPSILON: f64 = f64::EPSILON;
     const ATTAINABLE: f64 = 1e-11;
+    type Four<S: Simd> = f64x4<S>;
+    #[inline(always)]
+    fn widened<S: Simd>(four: f64x4<S>) -> f64x4<S> {
+        four
+    }
     fn of(value: f64) -> Self {
         value
     }
@@ -54,6 +65,11 @@ impl Real for f64 {
 impl Real for f32 {
     const EPSILON: f64 = f32::EPSILON as f64;
     const ATTAINABLE: f64 = 3e-5;
+    type Four<S: Simd> = f32x4<S>;
+    #[inline(always)]
+    fn widened<S: Simd>(four: f32x4<S>) -> f64x4<S> {
+        f64x4::from_slice(four.witness(), &four.map(f64::from))
+    }
     fn of(value: f64) -> Self {
         value as Self
     }

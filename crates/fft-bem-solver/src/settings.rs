@@ -113,7 +113,4 @@ pub enum Load {
     /// Mean gap after deformation (m), at least 0; periodic boundary only. A gap wider than that
     /// at first touch leaves the surfaces apart.
     MeanGap(f64),
-    /// How far the flat has moved since it touched the highest point (m): periodic towards the mean plane of the
-    /// deformed surface, free towards points far away.
-    Approach(f64),
 }

@@ -1,8 +1,7 @@
 //! Inner loops in versions for several sets of vector instructions, chosen while the program runs.
 
-#![allow(clippy::inline_always, reason = "inner loops belong to each version of `vectorised!`")]
-
-use fearless_simd::{Level, Simd, SimdBase, SimdFloat, f32x4, f64x4};
+use crate::Real;
+use fearless_simd::{Level, Simd, SimdBase};
 
 /// Evaluates an expression in the version for the widest vectors that this processor has.
 ///
@@ -23,33 +22,10 @@ pub(crate) use vectorised;
 /// Numbers in a vector.
 pub(crate) const LANES: usize = 4;
 
-/// A number of which four make a vector.
-pub trait Lane: Sized {
-    /// Four of them.
-    type Four<S: Simd>: SimdFloat<S, Element = Self>;
-    /// The same numbers as `f64`, exactly.
-    fn widened<S: Simd>(four: Self::Four<S>) -> f64x4<S>;
-}
-
-impl Lane for f64 {
-    type Four<S: Simd> = f64x4<S>;
-    #[inline(always)]
-    fn widened<S: Simd>(four: f64x4<S>) -> f64x4<S> {
-        four
-    }
-}
-
-impl Lane for f32 {
-    type Four<S: Simd> = f32x4<S>;
-    #[inline(always)]
-    fn widened<S: Simd>(four: f32x4<S>) -> f64x4<S> {
-        f64x4::from_slice(four.witness(), &four.map(f64::from))
-    }
-}
-
 /// Four numbers of a field, from `i` on.
 #[inline(always)]
-pub(crate) fn four<S: Simd, T: Lane>(vectors: S, field: &[T], i: usize) -> T::Four<S> {
+#[allow(clippy::inline_always, reason = "inner loops belong to each version of `vectorised!`")]
+pub(crate) fn four<S: Simd, T: Real>(vectors: S, field: &[T], i: usize) -> T::Four<S> {
     <T::Four<S> as SimdBase<S>>::from_slice(vectors, &field[i..i + LANES])
 }
 

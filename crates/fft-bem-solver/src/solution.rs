@@ -15,7 +15,8 @@ pub struct Solution {
     /// hardness; edges of pixels at the hardness do not count. The gap is 0 in contact with a free boundary, and at the
     /// hardness with any.
     pub state: ContactState,
-    /// How far the flat has moved since first touch (m); see [`Load::Approach`](crate::Load).
+    /// How far the flat has moved since it touched the highest point (m): periodic towards the mean plane of the
+    /// deformed surface, free towards points far away.
     pub approach: f64,
     /// Pressure (Pa), row-major, `ny * nx`; 0 outside the contact. Empty if [`Maps`](crate::Maps) says so.
     pub pressure: Vec<f64>,
@@ -101,8 +102,6 @@ pub struct Yielded {
     pub area_fraction: f64,
     /// Part of the load that they carry.
     pub load_share: f64,
-    /// By how much the surface is flattened there, averaged over the whole map (m): permanent.
-    pub mean_flattening: f64,
 }
 
 /// How an iteration ended.
@@ -117,17 +116,6 @@ pub enum End {
     Exhausted,
     /// The observer stopped it.
     Stopped,
-}
-
-/// Steps that the chord iteration took because its own did not help: they cost time, not accuracy.
-#[derive(Debug, Clone, Copy, Default, PartialEq, Eq)]
-#[cfg_attr(feature = "serde", derive(serde::Serialize))]
-#[non_exhaustive]
-pub struct Fallbacks {
-    /// Projected gradients, in place of a chord that does not descend or where the estimate stalls.
-    pub gradient_steps: usize,
-    /// Conjugate gradients on the nodes in contact, where gradients do not help either.
-    pub face_cg_steps: usize,
 }
 
 /// How an answer was found and how accurate it is.
@@ -149,8 +137,8 @@ pub struct Diagnostics {
     pub iterations: usize,
     /// FFT convolutions (a forward and an inverse transform) of the whole map, coarser ones in proportion.
     pub transforms: f64,
-    /// Steps of another kind.
-    pub fallbacks: Fallbacks,
+    /// Steps of another kind that the chord iteration took because its own did not help: they cost time, not accuracy.
+    pub fallbacks: usize,
     /// What is left of the conditions of contact.
     pub residuals: Residuals,
     /// Upper bound of the energy error per nominal area, `mean p (g - min g)` (J/m²), and with a hardness H
@@ -159,10 +147,6 @@ pub struct Diagnostics {
     /// Rigorous and tight bound of the relative error in the energy norm, if [asked](crate::SolverBuilder::certified)
     /// for.
     pub energy_bound: Option<f64>,
-    /// Distance between neighbouring numbers of `f64` at the largest height (m).
-    pub height_rounding: f64,
-    /// Rounding of a gap (m): of the heights, and of the displacement in the type of the solve.
-    pub gap_rounding: f64,
     /// Wall-clock time (s).
     pub seconds: f64,
     /// Pixels that carry pressure.

@@ -3,7 +3,7 @@
 use crate::builder::SolverBuilder;
 use crate::engine::{AnyEngine, Engine};
 use crate::methods::{self, Compliance};
-use crate::observer::{Observe, ObserverResult};
+use crate::observer::ObserverResult;
 use crate::pool::Pool;
 use crate::{
     Boundary, Iteration, Load, Method, Precision, Real, SetStiffness, Solution, SolverError,
@@ -12,12 +12,6 @@ use crate::{
 use contact_types::{Clock, ContactModulus, Grid, HeightMap};
 
 impl SolverBuilder {
-    /// Memory that a solver for this grid takes at its peak, the [maps](Self::maps) of one solution
-    /// included (bytes); to a tenth.
-    pub fn bytes(&self, grid: Grid) -> u128 {
-        memory::bytes(self, grid)
-    }
-
     /// Checks the settings, plans the transforms and allocates: iterations allocate nothing.
     ///
     /// # Errors
@@ -27,9 +21,6 @@ impl SolverBuilder {
         let bad = |setting, value, limit| Err(SolverError::BadSetting { setting, value, limit });
         if !(self.tolerance > 0.0 && self.tolerance < 1.0) {
             return bad("tolerance", self.tolerance, "it must lie between 0 and 1");
-        }
-        if self.max_iterations == Some(0) {
-            return bad("max_iterations", 0.0, "allow at least 1 iteration");
         }
         if self.threads == Some(0) {
             return bad("threads", 0.0, "use at least 1 thread");
@@ -55,7 +46,7 @@ impl SolverBuilder {
             });
         }
         let scaled = problem::scaled_grid(grid)?;
-        memory::check(grid, self.bytes(grid))?;
+        memory::check(grid, memory::bytes(&self, grid))?;
         // Transforms are planned for the threads of the pool they are planned in.
         let pool = Pool::new(self.threads)?;
         let boundary = self.boundary;
@@ -104,11 +95,6 @@ impl Solver {
         SolverBuilder::default()
     }
 
-    /// The grid this solver was built for.
-    pub fn grid(&self) -> Grid {
-        self.grid
-    }
-
     /// Forgets the last solution: the next solve starts from nothing.
     pub fn forget(&mut self) {
         self.engine.forget();
@@ -117,7 +103,7 @@ impl Solver {
     /// Solves the contact under `load`.
     ///
     /// # Errors
-    /// [`SolverError::Shape`] or [`SolverError::Grid`] if the surface does not stand on the solver's grid,
+    /// [`SolverError::Grid`] if the surface does not stand on the solver's grid,
     /// [`SolverError::BadLoad`] if the load is no number or cannot be carried, [`SolverError::NotConverged`] if the
     /// iterations ran out, [`SolverError::Rounding`] if rounding ended them; both with the last iterate.
     pub fn solve(&mut self, surface: &HeightMap, load: Load) -> Result<Solution, SolverError> {
@@ -137,11 +123,11 @@ impl Solver {
         &mut self,
         surface: &HeightMap,
         load: Load,
-        mut observer: impl FnMut(&Iteration<'_>) -> A + Send,
+        observer: impl FnMut(&Iteration<'_>) -> A + Send,
     ) -> Result<Solution, SolverError> {
         let clock = Clock::now();
         self.keep(surface)?;
-        self.solve_kept(load, &mut |iteration: &Iteration<'_>| observer(iteration).flow(), clock)
+        self.solve_kept(load, observer, clock)
     }
 
     /// Takes a surface over, for [`solve_again`](Self::solve_again), and frees the map: 8 bytes per pixel less.
@@ -153,45 +139,17 @@ impl Solver {
         self.keep(&surface)
     }
 
-    /// Solves the contact of the last surface, [taken](Self::take_surface) or solved, under another
-    /// load.
-    ///
-    /// # Errors
-    /// As [`solve`](Self::solve); [`SolverError::NoSurface`] if there was none.
-    pub fn solve_again(&mut self, load: Load) -> Result<Solution, SolverError> {
-        self.solve_again_observed(load, |_| ())
-    }
-
-    /// As [`solve_again`](Self::solve_again) while `observer` looks on, as for
-    /// [`solve_observed`](Self::solve_observed).
+    /// Solves the contact of the last surface, [taken](Self::take_surface) or solved, under another load while
+    /// `observer` looks on.
     ///
     /// # Errors
     /// As [`solve_observed`](Self::solve_observed); [`SolverError::NoSurface`] if there was none.
-    pub fn solve_again_observed<A: ObserverResult>(
+    pub fn solve_again<A: ObserverResult>(
         &mut self,
         load: Load,
-        mut observer: impl FnMut(&Iteration<'_>) -> A + Send,
+        observer: impl FnMut(&Iteration<'_>) -> A + Send,
     ) -> Result<Solution, SolverError> {
-        let clock = Clock::now();
-        self.solve_kept(load, &mut |iteration: &Iteration<'_>| observer(iteration).flow(), clock)
-    }
-
-    /// Solves for each of `mean_pressures` (Pa), in rising order, each from the one before; the answers, in the order
-    /// given, are those of cold starts, to the tolerance. All solutions are kept, with their
-    /// [maps](SolverBuilder::maps).
-    pub fn curve(
-        &mut self,
-        surface: &HeightMap,
-        mean_pressures: &[f64],
-    ) -> Vec<Result<Solution, SolverError>> {
-        let mut order: Vec<usize> = (0..mean_pressures.len()).collect();
-        order.sort_by(|&i, &j| mean_pressures[i].total_cmp(&mean_pressures[j]));
-        let mut found: Vec<_> = mean_pressures.iter().map(|_| None).collect();
-        for index in order {
-            let load = Load::MeanPressure(mean_pressures[index]);
-            found[index] = Some(self.solve(surface, load));
-        }
-        found.into_iter().flatten().collect()
+        self.solve_kept(load, observer, Clock::now())
     }
 
     /// Stiffness of the contact of the last solution: the [mixed problem](SetStiffness) on the pixels that carry
@@ -203,52 +161,31 @@ impl Solver {
     /// the memory for it beside the solver.
     pub fn contact_stiffness(&mut self) -> Result<SetStiffness, SolverError> {
         let contact = self.engine.contact().ok_or(SolverError::NoSurface)?;
-        self.pool.run(|| set_stiffness(self.grid, self.modulus, self.boundary, &contact))?
+        let (grid, boundary) = (self.grid, self.boundary);
+        memory::check_set(grid, boundary, contact.iter().filter(|is_in| **is_in).count())?;
+        let scaled = problem::scaled_grid(grid)?;
+        let unit = self.modulus.pascals() / problem::fine_pixel(grid);
+        self.pool.run(|| {
+            let mut operator: Box<dyn Compliance<f64>> = methods::operator(scaled, boundary);
+            mixed_problem::solve(scaled, operator.as_mut(), &contact, unit)
+        })
     }
 
     fn keep(&mut self, surface: &HeightMap) -> Result<(), SolverError> {
-        let found = surface.grid();
-        if found.len() != self.grid.len() {
-            return Err(SolverError::Shape { expected: self.grid.len(), found: found.len() });
-        }
-        if found != self.grid {
-            return Err(SolverError::Grid {
-                expected_shape: self.grid.shape(),
-                expected: self.grid.pixel(),
-                found_shape: found.shape(),
-                found: found.pixel(),
-            });
+        let (expected, found) = (self.grid, surface.grid());
+        if found != expected {
+            return Err(SolverError::Grid { expected, found });
         }
         self.pool.run(|| self.engine.keep(surface))?
     }
 
-    fn solve_kept(
+    fn solve_kept<A: ObserverResult>(
         &mut self,
         load: Load,
-        observer: &mut Observe<'_>,
+        mut observer: impl FnMut(&Iteration<'_>) -> A + Send,
         clock: Clock,
     ) -> Result<Solution, SolverError> {
-        self.pool.run(|| self.engine.solve(load, observer, clock))?
+        let mut observe = |iteration: &Iteration<'_>| observer(iteration).flow();
+        self.pool.run(|| self.engine.solve(load, &mut observe, clock))?
     }
-}
-
-/// How stiff any contact set is, given row by row: see [`SetStiffness`].
-///
-/// # Errors
-/// [`SolverError::Shape`] if the set does not have the pixels of the grid; [`SolverError::Range`] if the grid cannot
-/// be used, [`SolverError::Memory`] if the machine does not have the memory.
-pub fn set_stiffness(
-    grid: Grid,
-    modulus: ContactModulus,
-    boundary: Boundary,
-    contact: &[bool],
-) -> Result<SetStiffness, SolverError> {
-    if contact.len() != grid.len() {
-        return Err(SolverError::Shape { expected: grid.len(), found: contact.len() });
-    }
-    memory::check_set(grid, boundary, contact.iter().filter(|is_in| **is_in).count())?;
-    let scaled = problem::scaled_grid(grid)?;
-    let unit = modulus.pascals() / problem::fine_pixel(grid);
-    let mut operator: Box<dyn Compliance<f64>> = methods::operator(scaled, boundary);
-    Ok(mixed_problem::solve(scaled, operator.as_mut(), |i| contact[i], unit))
 }

@@ -8,7 +8,7 @@ use fearless_simd::{Select, Simd, SimdBase, SimdFloat, f64x4};
 use grid_fft::parallel::prelude::*;
 use std::ops::Range;
 
-/// Sums and extremes. *Full* pixels are those at the ceiling, whose overlap is what was flattened.
+/// Sums and extremes. *Full* pixels are those at the ceiling, whose overlap was flattened.
 #[derive(Debug, Clone, Copy)]
 pub(crate) struct Tally {
     /// In this order
@@ -17,15 +17,14 @@ pub(crate) struct Tally {
     /// - `p u`;
     /// - `p |g|`, of the full only where they stand off;
     /// - `p g`; under a ceiling H, `p max(g, 0) + (H - p) max(-g, 0)`;
-    /// - the gap: 0 where it is closed, which all of the contact is under a free boundary, and the full anywhere;
-    /// - the depths by which the full are flattened.
-    pub(crate) sums: [f64; 8],
-    /// Least gap, of the full 0; largest `|u|`; largest pressure.
-    pub(crate) extremes: [f64; 3],
+    /// - the gap: 0 where it is closed, which all of the contact is under a free boundary, and the full anywhere.
+    pub(crate) sums: [f64; 7],
+    /// Least gap, of the full 0; largest pressure.
+    pub(crate) extremes: [f64; 2],
 }
 
-/// Least gap, largest `|u|` and largest pressure of no pixel.
-const NO_EXTREMES: [f64; 3] = [f64::INFINITY, f64::NEG_INFINITY, f64::NEG_INFINITY];
+/// Least gap and largest pressure of no pixel.
+const NO_EXTREMES: [f64; 2] = [f64::INFINITY, f64::NEG_INFINITY];
 
 /// Pixels of block `block` of so many along an axis of `n`.
 pub(crate) fn pixels(block: usize, blocks: usize, n: usize) -> Range<usize> {
@@ -43,7 +42,7 @@ pub(crate) fn tally<T: Real, C: Ceiling<T>>(
     [by, bx]: [usize; 2],
     means: &mut [f64],
 ) -> Tally {
-    let mut rows = vec![([0.0; 8], NO_EXTREMES); by];
+    let mut rows = vec![([0.0; 7], NO_EXTREMES); by];
     let blocks = rows.par_iter_mut().zip(means.par_chunks_mut(bx)).enumerate();
     blocks.for_each(|(block, (row, means))| {
         let lines = pixels(block, by, ny);
@@ -54,10 +53,10 @@ pub(crate) fn tally<T: Real, C: Ceiling<T>>(
             *mean /= (lines.len() * pixels(column, bx, nx).len()) as f64;
         }
     });
-    let (mut sums, mut extremes) = ([0.0; 8], NO_EXTREMES);
-    for (more, [lowest, highest, largest]) in rows {
+    let (mut sums, mut extremes) = ([0.0; 7], NO_EXTREMES);
+    for (more, [lowest, largest]) in rows {
         sums.iter_mut().zip(more).for_each(|(sum, x)| *sum += x);
-        extremes = [extremes[0].min(lowest), extremes[1].max(highest), extremes[2].max(largest)];
+        extremes = [extremes[0].min(lowest), extremes[1].max(largest)];
     }
     Tally { sums, extremes }
 }
@@ -75,12 +74,11 @@ fn block_row<S: Simd, T: Real, C: Ceiling<T>>(
     nx: usize,
     lines: Range<usize>,
     blocks: &mut [f64],
-) -> ([f64; 8], [f64; 3]) {
+) -> ([f64; 7], [f64; 2]) {
     let (zero, one) = (f64x4::splat(x, 0.0), f64x4::splat(x, 1.0));
     let positive = |a: f64x4<S>| a.simd_gt(zero).select(a, zero);
-    let larger = |a: f64x4<S>, b: f64x4<S>| a.simd_gt(b).select(a, b);
-    let mut sums = [zero; 8];
-    let [mut lowest, mut highest, mut largest] = NO_EXTREMES.map(|none| f64x4::splat(x, none));
+    let mut sums = [zero; 7];
+    let [mut lowest, mut largest] = NO_EXTREMES.map(|none| f64x4::splat(x, none));
     blocks.fill(0.0);
     let count = blocks.len();
     for iy in lines {
@@ -110,7 +108,7 @@ fn block_row<S: Simd, T: Real, C: Ceiling<T>>(
                 let mut counted = if is_free { is_on.select(zero, gap) } else { gap };
                 let (mut below, mut off) = (p, open + overlap);
                 let (mut least, mut bound) = (gap, p * gap);
-                let [load, contact, full, work, complementarity, duality, mean, depth] = &mut sums;
+                let [load, contact, full, work, complementarity, duality, mean] = &mut sums;
                 if C::IS_FINITE {
                     let top = f64x4::splat(x, ceiling.top().wide());
                     let is_full = p.simd_ge(top);
@@ -121,7 +119,6 @@ fn block_row<S: Simd, T: Real, C: Ceiling<T>>(
                     bound = p * open + (top - p) * overlap;
                     // The zeros behind the last pixel are not full, whatever H is.
                     *full += is_on.select(is_full.select(one, zero), zero);
-                    *depth += is_full.select(overlap, zero);
                 }
                 *load += below;
                 *contact += is_on.select(one, zero);
@@ -130,13 +127,12 @@ fn block_row<S: Simd, T: Real, C: Ceiling<T>>(
                 *duality += bound;
                 *mean += counted;
                 lowest = least.simd_lt(lowest).select(least, lowest);
-                highest = larger(larger(u, -u), highest);
-                largest = larger(p, largest);
+                largest = p.simd_gt(largest).select(p, largest);
             }
             *block += sum.iter().sum::<f64>();
         }
     }
     let least = lowest.iter().copied().fold(f64::INFINITY, f64::min);
-    let most = |lanes: f64x4<S>| lanes.iter().copied().fold(f64::NEG_INFINITY, f64::max);
-    (sums.map(|lanes| lanes.iter().sum()), [least, most(highest), most(largest)])
+    let most = largest.iter().copied().fold(f64::NEG_INFINITY, f64::max);
+    (sums.map(|lanes| lanes.iter().sum()), [least, most])
 }

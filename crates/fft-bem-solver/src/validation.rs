@@ -1,16 +1,17 @@
 //! The solver against exact solutions, on this machine: what `rough-contact validate` prints.
 
-use crate::reference::{BiSinusoid, Hertz, TwoHarmonic, Westergaard, full_contact};
+use crate::half_space_periodic::PeriodicHalfSpace;
+use crate::methods::Compliance;
+use crate::reference::{Hertz, TwoHarmonic, Westergaard};
 use crate::{Boundary, Load, Method, Solution, Solver, SolverError};
 use contact_types::{ContactModulus, Grid, HeightMap, ModelError, SurfaceError};
+use std::f64::consts::{PI, SQRT_2};
 
 /// What to run.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Options {
     /// Method to validate; default [`Method::Auto`].
     pub method: Method,
-    /// Tolerance of the solves, well below the discretisation errors; default 1e-7.
-    pub tolerance: f64,
     /// Pixels per side of the finest square maps, at least 32; the coarser ones are halvings down
     /// to 32. Profiles have 16 times as many. Default 256.
     pub finest: usize,
@@ -18,7 +19,7 @@ pub struct Options {
 
 impl Default for Options {
     fn default() -> Self {
-        Self { method: Method::Auto, tolerance: 1e-7, finest: 256 }
+        Self { method: Method::Auto, finest: 256 }
     }
 }
 
@@ -121,6 +122,12 @@ const CASES: &[ValidationCase] = &[
     ("full contact", "Johnson 1985, section 13.2", false, closed),
 ];
 
+/// Of the solves, well below the discretisation errors.
+const TOLERANCE: f64 = 1e-7;
+/// Of the sinusoids (m).
+const AMPLITUDE: f64 = 1e-6;
+const WAVELENGTH: f64 = 1e-4;
+
 const JOHNSON: &str = "converged calculation; Johnson, Greenwood & Higginson 1985";
 
 /// A number with an order of convergence; the case is filled in where it is run.
@@ -186,7 +193,7 @@ fn solve(
     let mut solver = Solver::builder()
         .method(options.method)
         .boundary(boundary)
-        .tolerance(options.tolerance)
+        .tolerance(TOLERANCE)
         .build(map.grid(), modulus()?)?;
     Ok(solver.solve(map, Load::MeanPressure(mean_pressure))?)
 }
@@ -195,12 +202,11 @@ fn solve(
 /// thirds of the map.
 fn hertz(options: &Options, n: usize, radii: [f64; 2]) -> CaseResult {
     let side = 1e-3;
-    let paraboloid = Hertz::new(radii, modulus()?)?;
-    let contact = paraboloid.at_approach(8e-6)?;
+    let contact = Hertz::at_approach(radii, modulus()?, 8e-6)?;
     let d = side / n as f64;
     let (y0, x0) = (0.5 * (side - d) + 0.31 * d, 0.5 * (side - d) + 0.17 * d);
     let grid = Grid::new([n, n], [d, d])?;
-    let map = HeightMap::from_fn(grid, |y, x| paraboloid.height(y - y0, x - x0))?;
+    let map = HeightMap::from_fn(grid, |y, x| contact.height(y - y0, x - x0))?;
     let solution = solve(options, Boundary::Free, &map, contact.force / grid.area())?;
     let exact: Vec<f64> = (0..n * n)
         .map(|i| contact.pressure((i / n) as f64 * d - y0, (i % n) as f64 * d - x0))
@@ -233,24 +239,22 @@ fn flat_punch(options: &Options, n: usize) -> CaseResult {
     Ok((solution, numbers))
 }
 
-/// A profile of `n` pixels over a `wavelength`, its crest between two pixels, and their places from it (m).
+/// A profile of `n` pixels, its crest between two of them, and their places from it (m).
 fn profile(
     n: usize,
-    wavelength: f64,
     height: impl Fn(f64) -> f64,
 ) -> Result<(HeightMap, Vec<f64>), ValidationError> {
-    let d = wavelength / n as f64;
+    let d = WAVELENGTH / n as f64;
     let places: Vec<f64> = (0..n).map(|i| i as f64 * d - 0.3 * d).collect();
     let heights = places.iter().map(|x| height(*x)).collect();
     Ok((HeightMap::new(Grid::new([1, n], [d, d])?, heights)?, places))
 }
 
 fn sinusoid(options: &Options, n: usize) -> CaseResult {
-    let (wavelength, amplitude) = (1e-4, 1e-6);
-    let surface = Westergaard::new(amplitude, wavelength, modulus()?)?;
-    let mean_pressure = 0.3 * surface.closing_pressure();
-    let contact = surface.at_pressure(mean_pressure)?;
-    let (map, places) = profile(n, wavelength, |x| surface.height(x))?;
+    let (amplitude, wavelength) = (AMPLITUDE, WAVELENGTH);
+    let contact = Westergaard { amplitude, wavelength, modulus: modulus()?, m: 0.3 };
+    let mean_pressure = contact.m * contact.closing_pressure();
+    let (map, places) = profile(n, |x| contact.height(x))?;
     let solution = solve(options, Boundary::Periodic, &map, mean_pressure)?;
     let exact: Vec<f64> = places.iter().map(|x| contact.pressure(*x)).collect();
     let mean_gap = solution.state.mean_gap.unwrap_or(f64::NAN);
@@ -263,10 +267,9 @@ fn sinusoid(options: &Options, n: usize) -> CaseResult {
 }
 
 fn two_harmonics(options: &Options, n: usize) -> CaseResult {
-    let wavelength = 1e-4;
-    let surface = TwoHarmonic { amplitudes: [1e-6, 1e-7], wavelength, modulus: modulus()? };
-    let contact = surface.at_area_fraction(0.37);
-    let (map, places) = profile(n, wavelength, |x| surface.height(x))?;
+    let (amplitudes, wavelength, half_angle) = ([AMPLITUDE, 1e-7], WAVELENGTH, PI * 0.37);
+    let contact = TwoHarmonic { amplitudes, wavelength, modulus: modulus()?, half_angle };
+    let (map, places) = profile(n, |x| contact.height(x))?;
     let solution = solve(options, Boundary::Periodic, &map, contact.mean_pressure())?;
     let pressure: Vec<f64> = places.iter().map(|x| contact.pressure(*x)).collect();
     let gap: Vec<f64> = places.iter().map(|x| contact.gap(*x)).collect();
@@ -278,6 +281,20 @@ fn two_harmonics(options: &Options, n: usize) -> CaseResult {
     Ok((solution, numbers))
 }
 
+/// The egg box `amplitude cos(2 pi x / wavelength) cos(2 pi y / wavelength)` on `n` x `n` pixels, a summit at `[y0, x0]`
+/// pixels (m), and the mean pressure that closes every gap, `p* = sqrt(2) pi E* amplitude / wavelength` (Pa).
+///
+/// # Source
+/// Johnson, Greenwood & Higginson (1985), *Int. J. Mech. Sci.* 27, 383–396, doi:10.1016/0020-7403(85)90029-3.
+fn egg_box(n: usize, [y0, x0]: [f64; 2]) -> Result<(HeightMap, f64), SurfaceError> {
+    let d = WAVELENGTH / n as f64;
+    let turn = 2.0 * PI / WAVELENGTH;
+    let height =
+        |y: f64, x: f64| AMPLITUDE * (turn * (y - y0 * d)).cos() * (turn * (x - x0 * d)).cos();
+    let map = HeightMap::from_fn(Grid::new([n, n], [d, d])?, height)?;
+    Ok((map, SQRT_2 * PI * modulus()?.pascals() * AMPLITUDE / WAVELENGTH))
+}
+
 /// The bi-sinusoid at a tenth of p\*: area fraction, and mean gap over amplitude, each with its uncertainty, by FFT conjugate
 /// gradients on 1024 x 1024 nodes per asperity, area by sub-pixel extrapolation of the squared pressure to zero;
 /// uncertainty from the change between 512 and 1024 nodes. Of 21 such loads the mean gap integrates to 0.125004 over
@@ -285,16 +302,10 @@ fn two_harmonics(options: &Options, n: usize) -> CaseResult {
 const CONVERGED: [[f64; 2]; 2] = [[0.1906, 2e-5], [0.38474924, 4e-7]];
 
 fn bi_sinusoid(options: &Options, n: usize) -> CaseResult {
-    let (wavelength, amplitude) = (1e-4, 1e-6);
-    let surface = BiSinusoid::new(amplitude, wavelength, modulus()?)?;
     let [known_area, known_gap] = CONVERGED;
-    let d = wavelength / n as f64;
-    let (y0, x0) = (0.31 * d, 0.17 * d);
-    let grid = Grid::new([n, n], [d, d])?;
-    let map = HeightMap::from_fn(grid, |y, x| surface.height(y - y0, x - x0))?;
-    let mean_pressure = 0.1 * surface.closing_pressure();
-    let solution = solve(options, Boundary::Periodic, &map, mean_pressure)?;
-    let gap = solution.state.mean_gap.unwrap_or(f64::NAN) / amplitude;
+    let (map, p_star) = egg_box(n, [0.31, 0.17])?;
+    let solution = solve(options, Boundary::Periodic, &map, 0.1 * p_star)?;
+    let gap = solution.state.mean_gap.unwrap_or(f64::NAN) / AMPLITUDE;
     let area = solution.state.area_fraction;
     let numbers = vec![
         ValidationRow {
@@ -309,17 +320,17 @@ fn bi_sinusoid(options: &Options, n: usize) -> CaseResult {
     Ok((solution, numbers))
 }
 
+/// Every gap closed: the pressure `E* |q| h / 2` of each wave h of the heights, less its least value, which is the mean
+/// that closes them (Johnson 1985, *Contact Mechanics*, section 13.2).
 fn closed(options: &Options, n: usize) -> CaseResult {
-    let (wavelength, amplitude) = (1e-4, 1e-6);
-    let surface = BiSinusoid::new(amplitude, wavelength, modulus()?)?;
-    let d = wavelength / n as f64;
-    let map = HeightMap::from_fn(Grid::new([n, n], [d, d])?, |y, x| surface.height(y, x))?;
-    let (mut exact, least) = full_contact::pressure(&map, modulus()?)?;
+    let (map, p_star) = egg_box(n, [0.0, 0.0])?;
+    let mut exact = map.heights().to_vec();
+    PeriodicHalfSpace::new(map.grid(), modulus()?).invert(&mut exact);
+    let least = -exact.iter().copied().fold(f64::INFINITY, f64::min);
     for p in &mut exact {
-        *p += 0.1 * least;
+        *p = *p + least + 0.1 * least;
     }
     let solution = solve(options, Boundary::Periodic, &map, 1.1 * least)?;
-    let p_star = surface.closing_pressure();
     let numbers = vec![
         ValidationRow { expected_order: None, ..number("closing pressure", least, p_star, 0.0) },
         ValidationRow {

@@ -57,7 +57,7 @@ pub fn positive(what: &str, values: &[f64], unit: &str, hint: &str) -> Result<()
 pub fn rising(loads: &[Load]) -> Vec<usize> {
     let weight = |load: &Load| match *load {
         Load::MeanGap(gap) => -gap,
-        Load::MeanPressure(load) | Load::Approach(load) => load,
+        Load::MeanPressure(load) => load,
         _ => 0.0,
     };
     let mut order: Vec<usize> = (0..loads.len()).collect();

@@ -13,6 +13,18 @@ const TOLERANCE: f64 = 1e-14;
 /// Most iterations.
 const MOST_ITERATIONS: usize = 20_000;
 
+/// The iteration did not converge.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, thiserror::Error)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize))]
+#[error(
+    "the flow through the gap is not solved after {iterations} iterations; take every second point of the map"
+)]
+#[non_exhaustive]
+pub struct NotSolved {
+    /// Iterations done.
+    pub iterations: usize,
+}
+
 /// Nodes between an inlet of potential 1 and an outlet of potential 0. In equilibrium what flows to a node flows away.
 pub(crate) struct Network<'a> {
     /// Pairs of nodes, the lower first, in rising order of it.
@@ -54,9 +66,9 @@ impl Network<'_> {
         inner.sum::<f64>() + outer.sum::<f64>()
     }
 
-    /// The potentials, or the number of iterations that were not enough. `symbolic` is kept for another network of the
+    /// The potentials. `symbolic` is kept for another network of the
     /// same links.
-    pub(crate) fn solve(&self, symbolic: &mut Symbolic) -> Result<Vec<f64>, usize> {
+    pub(crate) fn solve(&self, symbolic: &mut Symbolic) -> Result<Vec<f64>, NotSolved> {
         let n = self.ends.len();
         let factor = self.factor(symbolic);
         let mut x = vec![0.0; n];
@@ -82,7 +94,7 @@ impl Network<'_> {
             }
             energy = next;
         }
-        Err(MOST_ITERATIONS)
+        Err(NotSolved { iterations: MOST_ITERATIONS })
     }
 
     fn factor(&self, symbolic: &mut Symbolic) -> Factor {

@@ -8,6 +8,7 @@ mod gap;
 mod network;
 
 pub use channel::Bottleneck;
+pub use conjugate_gradients::NotSolved;
 pub use contact_types::{Axis, Grid, SurfaceError};
 pub use gap::Gap;
-pub use network::{Flow, NotSolved};
+pub use network::Flow;

@@ -1,7 +1,7 @@
 //! Reynolds' equation on a map of the gap.
 
 use crate::channel::Bottleneck;
-use crate::conjugate_gradients::{Network, Symbolic};
+use crate::conjugate_gradients::{Network, NotSolved, Symbolic};
 use crate::gap::Gap;
 use contact_types::Axis;
 
@@ -22,18 +22,6 @@ pub struct Flow {
     pub bottleneck: Option<Bottleneck>,
     /// Size of the flux at each point over the mean along the axis; empty where no channel is open.
     pub flux: Vec<f64>,
-}
-
-/// The iteration did not converge.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, thiserror::Error)]
-#[cfg_attr(feature = "serde", derive(serde::Serialize))]
-#[error(
-    "the flow through the gap is not solved after {iterations} iterations; take every second point of the map"
-)]
-#[non_exhaustive]
-pub struct NotSolved {
-    /// Iterations done.
-    pub iterations: usize,
 }
 
 /// Mean of g³ over the face between two points, so that the flow through both halves is one.
@@ -64,10 +52,6 @@ impl Mesh {
         let conductances = self.links.iter().zip(&self.ways).map(of).collect();
         Network { links: &self.links, conductances, ends: &self.ends }
     }
-}
-
-fn solved(network: &Network<'_>, symbolic: &mut Symbolic) -> Result<Vec<f64>, NotSolved> {
-    network.solve(symbolic).map_err(|iterations| NotSolved { iterations })
 }
 
 impl Gap<'_> {
@@ -134,7 +118,7 @@ impl Gap<'_> {
         let Some(channel) = self.channel(axis) else { return Ok(0.0) };
         let mesh = self.mesh(axis, &channel.open);
         let network = mesh.network(HARMONIC);
-        Ok(mesh.scale * network.dissipation(&solved(&network, &mut Symbolic::default())?))
+        Ok(mesh.scale * network.dissipation(&network.solve(&mut Symbolic::default())?))
     }
 
     /// Solves Reynolds' equation with the pressure drop along an axis:
@@ -155,9 +139,9 @@ impl Gap<'_> {
         let mesh = self.mesh(axis, &channel.open);
         let mut symbolic = Symbolic::default();
         let arithmetic = mesh.network(ARITHMETIC);
-        let arithmetic = arithmetic.dissipation(&solved(&arithmetic, &mut symbolic)?);
+        let arithmetic = arithmetic.dissipation(&arithmetic.solve(&mut symbolic)?);
         let harmonic = mesh.network(HARMONIC);
-        let pressures = solved(&harmonic, &mut symbolic)?;
+        let pressures = harmonic.solve(&mut symbolic)?;
         let permeability = harmonic.dissipation(&pressures);
         let through = |end: usize, at: f64| -> f64 {
             mesh.ends.iter().zip(&pressures).map(|(ends, p)| ends[end] * (p - at).abs()).sum()

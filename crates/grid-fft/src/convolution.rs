@@ -98,11 +98,6 @@ impl<T: Float> Convolution<T> {
         Self { shape, padded, tile_columns, plans, tiles, scratch }
     }
 
-    /// Shape of the fields, `[ny, nx]`.
-    pub fn shape(&self) -> [usize; 2] {
-        self.shape
-    }
-
     /// How many rows [`apply_around`](Self::apply_around) handles at a time: this many, but for the
     /// last block. The number of blocks is `ny.div_ceil(BLOCK_ROWS)`.
     pub const BLOCK_ROWS: usize = TILE_ROWS;

@@ -62,7 +62,7 @@ pub(crate) fn run_file(text: &str) -> PyResult<String> {
 #[pyfunction]
 pub(crate) fn validate(py: Python<'_>, method: &str, finest: usize) -> PyResult<String> {
     let method: Method = serde_json::from_value(method.into()).map_err(|e| bug(&e))?;
-    let options = Options { method, finest, ..Options::default() };
+    let options = Options { method, finest };
     let rows = quietly(py, 1, move || validation::run(&options, |_| {}))?;
     let rows = rows.map_err(|e| raise(&Failure::from(&e)))?;
     Ok(serde_json::json!({ "rows": rows }).to_string())

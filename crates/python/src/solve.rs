@@ -9,7 +9,7 @@ use contact_compare::{Iteration, Load, Origin, Solution, Surface, contact_spots}
 use contact_front_end::loads::Spread;
 use contact_front_end::{Failure, SolveRequest, Watch};
 use contact_types::{ContactModulus, Grid};
-use fft_bem_solver::{FreeHalfSpace, HalfSpace};
+use fft_bem_solver::{Boundary, HalfSpace};
 use numpy::{PyArray2, PyReadonlyArray2};
 use pyo3::exceptions::PyRuntimeError;
 use pyo3::prelude::*;
@@ -169,14 +169,11 @@ pub(crate) fn displacement<'py>(
     let modulus = ContactModulus::from_pascals(modulus);
     let modulus = modulus.map_err(|e| raise(&Failure::from(&e)))?;
     let found = quietly(py, threads, move || {
-        let done = if free {
-            FreeHalfSpace::new(grid, modulus).displace(&mut field)
-        } else {
-            HalfSpace::new(grid, modulus).displace(&mut field)
-        };
-        done.map(|()| field)
+        let boundary = if free { Boundary::Free } else { Boundary::Periodic };
+        HalfSpace::new(grid, modulus, boundary).displace(&mut field);
+        field
     })?;
-    array(py, grid.shape(), found.map_err(|e| bug(&e))?)
+    array(py, grid.shape(), found)
 }
 
 /// The number of the contact spot of each point of a pressure (Pa), from 1; 0 where nothing touches.

@@ -21,7 +21,7 @@ pub(crate) struct Validate {
 
 impl Validate {
     pub(crate) fn run(&self, common: &CommonOptions) -> Result<Reply, Failure> {
-        let options = Options { method: self.method, finest: self.finest, ..Options::default() };
+        let options = Options { method: self.method, finest: self.finest };
         let mut progress = ProgressDisplay::new(common.quiet, 0);
         let mut last = String::new();
         let rows = validation::run(&options, |row| {

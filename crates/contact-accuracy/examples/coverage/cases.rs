@@ -121,6 +121,17 @@ impl Coverage {
     }
 }
 
+fn modulus() -> ContactModulus {
+    ContactModulus::from_pascals(1.0).unwrap()
+}
+
+/// A solver for this map, on one thread.
+fn solver_of(map: HeightMap, builder: SolverBuilder) -> Solver {
+    let mut solver = builder.threads(1).build(map.grid(), modulus()).unwrap();
+    solver.take_surface(map).unwrap();
+    solver
+}
+
 /// One map of a family, asked as `case` says.
 pub(crate) fn solved(heights: &Heights, case: Case) -> Coverage {
     let points = if case == Case::Odd { POINTS - 1 } else { POINTS };
@@ -138,30 +149,23 @@ pub(crate) fn solved(heights: &Heights, case: Case) -> Coverage {
         given = HeightMap::new(given.grid(), rounded).unwrap();
     }
     let unit = Map::of(&given).rms_height;
-    let setup = |builder: SolverBuilder| Setup {
-        finer: case != Case::Fast,
-        stiffness: true,
-        jump: (case == Case::Gaps).then_some(JUMP * unit),
-        leak: if case == Case::Gaps { vec![Axis::X] } else { Vec::new() },
-        ..Setup::new(builder.threads(1), ContactModulus::from_pascals(1.0).unwrap())
-    };
     let half = thinned(&given, [0, 0]).unwrap();
-    let mut probe = setup(Solver::builder().tolerance(1e-3))
-        .builder
-        .build(half.grid(), setup(Solver::builder()).modulus)
-        .unwrap();
-    probe.take_surface(half.clone()).unwrap();
+    let mut probe = solver_of(half.clone(), Solver::builder().tolerance(1e-3));
     let pressures: Vec<f64> =
         AREAS.iter().map(|a| pressure_for(&mut probe, *a, 10.0 * unit)).collect();
     // Between the pressures of 15 and 50 % of the area.
     let hardness = if case == Case::Yielding { 1.5 * pressures[3] } else { f64::INFINITY };
     let builder = Solver::builder().hardness(hardness);
-    let mut ladder =
-        Ladder::new(if case == Case::Fast { half } else { given }, setup(builder.clone())).unwrap();
+    let setup = Setup {
+        finer: case != Case::Fast,
+        stiffness: true,
+        jump: (case == Case::Gaps).then_some(JUMP * unit),
+        leak: if case == Case::Gaps { vec![Axis::X] } else { Vec::new() },
+        ..Setup::new(builder.clone().threads(1), modulus())
+    };
+    let mut ladder = Ladder::new(if case == Case::Fast { half } else { given }, setup).unwrap();
     let maps = if case == Case::Gaps { Maps::PressureAndGap } else { Maps::None };
-    let builder = setup(builder.tolerance(1e-5).maps(maps)).builder;
-    let mut exact = builder.build(fine.grid(), setup(Solver::builder()).modulus).unwrap();
-    exact.take_surface(fine).unwrap();
+    let mut exact = solver_of(fine, builder.tolerance(1e-5).maps(maps));
     let mut found = Coverage::default();
     let mut loads: Vec<Load> =
         pressures.into_iter().filter(|p| *p < 0.9 * hardness).map(Load::MeanPressure).collect();
@@ -171,7 +175,7 @@ pub(crate) fn solved(heights: &Heights, case: Case) -> Coverage {
     }
     for load in loads {
         let answered = ladder.solve(load, |_| ()).unwrap();
-        let Ok(truth) = exact.solve_again(load) else { continue };
+        let Ok(truth) = exact.solve_again(load, |_| ()) else { continue };
         let set = exact.contact_stiffness().unwrap();
         let (budget, true_area) = (answered.budget, truth.state.area_fraction);
         found.held[0].take(&budget.area, true_area, true_area);
@@ -211,7 +215,7 @@ fn permeability(solution: &Solution) -> f64 {
 /// Pressure at which the area on the map of `solver` is `area`, about.
 fn pressure_for(solver: &mut Solver, area: f64, guess: f64) -> f64 {
     let mut at = |p: f64| {
-        let solution = solver.solve_again(Load::MeanPressure(p)).unwrap();
+        let solution = solver.solve_again(Load::MeanPressure(p), |_| ()).unwrap();
         solution.state.area_fraction
     };
     let (mut low, mut high) = (guess, guess);
@@ -240,7 +244,6 @@ pub(crate) fn sampling() -> String {
         .filter(|name| !name.starts_with("egg box") && *name != "sawtooth" && *name != "turned")
         .collect();
     let builder = || Solver::builder().tolerance(1e-3).threads(1);
-    let modulus = ContactModulus::from_pascals(1.0).unwrap();
     let mut all: [Vec<[f64; 2]>; 3] = Default::default(); // distance over half width, half width
     let mut worst = [(1.0, ""); 3];
     for name in families {
@@ -248,12 +251,11 @@ pub(crate) fn sampling() -> String {
         let pressures: Vec<f64> = {
             let given = map(POINTS, &family(name, 100).unwrap());
             let unit = Map::of(&given).rms_height;
-            let mut probe = builder().build(given.grid(), modulus).unwrap();
-            probe.take_surface(given).unwrap();
+            let mut probe = solver_of(given, builder());
             [0.01, 0.1, 0.5].map(|a| pressure_for(&mut probe, a, 10.0 * unit)).to_vec()
         };
         for seed in 100..100 + MAPS {
-            let setup = Setup { finer: false, stiffness: true, ..Setup::new(builder(), modulus) };
+            let setup = Setup { finer: false, stiffness: true, ..Setup::new(builder(), modulus()) };
             let mut ladder = Ladder::new(map(POINTS, &family(name, seed).unwrap()), setup).unwrap();
             for (k, p) in pressures.iter().enumerate() {
                 let b = ladder.solve(Load::MeanPressure(*p), |_| ()).unwrap().budget;

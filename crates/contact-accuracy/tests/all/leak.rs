@@ -99,7 +99,7 @@ fn random_maps_are_sealed_at_about_forty_two_per_cent() {
         let mut solver = builder.build(grid, modulus).unwrap();
         solver.take_surface(recipe.generate().unwrap()).unwrap();
         let mut at = |pressure: f64| {
-            let found = solver.solve_again(Load::MeanPressure(pressure)).unwrap();
+            let found = solver.solve_again(Load::MeanPressure(pressure), |_| ()).unwrap();
             let points = found.gap.iter().zip(&found.pressure);
             let open: Vec<f64> =
                 points.map(|(g, p)| if *p > 0.0 { 0.0 } else { g.max(0.0) }).collect();

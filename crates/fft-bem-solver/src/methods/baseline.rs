@@ -6,7 +6,7 @@ use super::contract::{
     ContactMethod, ContactTask, IterateObserver, IterateView, Outcome, Start, State, Target,
 };
 use crate::certificate::{self, Patience};
-use crate::{Boundary, End, Real, fields};
+use crate::{End, Real, fields};
 use std::marker::PhantomData;
 
 /// The iteration of one baseline, with what it remembers from step to step.
@@ -108,13 +108,7 @@ fn begin<T: Real>(
         state.scale(load / present);
         return 0.0;
     }
-    fields::fill(load, &mut state.pressure);
-    if operator.boundary() == Boundary::Periodic {
-        fields::fill(0.0, &mut state.displacement); // K of a constant
-        return 0.0;
-    }
-    operator.apply(&state.pressure, &mut state.displacement);
-    1.0
+    state.fill(load, operator)
 }
 
 /// `gap = displacement - heights`, less its plain mean over the contact.

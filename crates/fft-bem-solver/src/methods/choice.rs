@@ -8,16 +8,14 @@ use super::free_chord::FreeChord;
 use super::polonsky_keer::PolonskyKeer;
 use super::stanley_kato::StanleyKato;
 use super::thin_pixels;
-use crate::{Boundary, FreeHalfSpace, HalfSpace, Method, Real, SolverError};
+use crate::half_space::HalfSpace;
+use crate::{Boundary, Method, Real, SolverError};
 use contact_types::{ContactModulus, Grid};
 
 /// The half space on a grid whose finer pixel side is 1, with E* = 1.
 pub(crate) fn operator<T: Real>(scaled: Grid, boundary: Boundary) -> Box<dyn Compliance<T>> {
     let unit = ContactModulus::from_pascals(1.0).expect("1 Pa is a modulus");
-    match boundary {
-        Boundary::Periodic => Box::new(HalfSpace::new(scaled, unit)),
-        Boundary::Free => Box::new(FreeHalfSpace::new(scaled, unit)),
-    }
+    HalfSpace::new(scaled, unit, boundary).operator
 }
 
 /// The method asked for, with its memory; and which one `Auto` became.
@@ -26,7 +24,7 @@ pub(crate) fn build<T: Real>(
     scaled: Grid,
     boundary: Boundary,
 ) -> Result<(Method, Box<dyn ContactMethod<T>>), SolverError> {
-    let ratio = thin_pixels::ratio(scaled);
+    let ratio = thin_pixels::ratio(scaled.shape(), scaled.pixel());
     if matches!(method, Method::Auto | Method::Chord) && ratio > thin_pixels::LARGEST_RATIO {
         return Err(SolverError::Range {
             quantity: "ratio of the pixel sides",

@@ -20,7 +20,7 @@
 
 use super::compliance::Compliance;
 use crate::problem::Problem;
-use crate::{End, Fallbacks, Real, fields};
+use crate::{Boundary, End, Real, fields};
 use std::ops::ControlFlow;
 
 /// What is prescribed, in scaled units.
@@ -67,6 +67,17 @@ impl<T: Real> State<T> {
         Self { pressure: vec![T::zero(); n], displacement: vec![T::zero(); n], level: 0.0 }
     }
 
+    /// Makes the pressure constant; its displacement is zero on a periodic half space. Returns the convolutions spent.
+    pub(crate) fn fill(&mut self, pressure: f64, operator: &mut dyn Compliance<T>) -> f64 {
+        fields::fill(pressure, &mut self.pressure);
+        if operator.boundary() == Boundary::Periodic {
+            fields::fill(0.0, &mut self.displacement);
+            return 0.0;
+        }
+        operator.apply(&self.pressure, &mut self.displacement);
+        1.0
+    }
+
     /// Multiplies pressure and displacement: K is linear.
     pub(crate) fn scale(&mut self, factor: f64) {
         fields::scale(factor, &mut self.pressure);
@@ -97,7 +108,8 @@ pub(crate) struct Outcome {
     pub(crate) transforms: f64,
     /// Estimated relative rms pressure error of the state returned.
     pub(crate) residual: f64,
-    pub(crate) fallbacks: Fallbacks,
+    /// Steps of the chord iteration of another kind.
+    pub(crate) fallbacks: usize,
 }
 
 impl Outcome {
@@ -108,7 +120,7 @@ impl Outcome {
         iterations: 0,
         transforms: 0.0,
         residual: f64::INFINITY,
-        fallbacks: Fallbacks { gradient_steps: 0, face_cg_steps: 0 },
+        fallbacks: 0,
     };
 
     /// Of an exact answer.
@@ -121,8 +133,7 @@ impl Outcome {
     pub(crate) fn add(&mut self, other: &Self) {
         self.iterations += other.iterations;
         self.transforms += other.transforms;
-        self.fallbacks.gradient_steps += other.fallbacks.gradient_steps;
-        self.fallbacks.face_cg_steps += other.fallbacks.face_cg_steps;
+        self.fallbacks += other.fallbacks;
     }
 }
 

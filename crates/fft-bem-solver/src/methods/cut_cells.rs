@@ -28,25 +28,13 @@ impl CutCells {
 
     /// Distance of the centre of pixel `2 c` from that of cell c, in cells: from -1/4 to 1/4.
     #[inline(always)]
-    fn even(&self, c: usize) -> f32 {
-        self.even_of(number(c))
-    }
-
-    /// The same of the cell of this number.
-    #[inline(always)]
-    fn even_of(&self, c: f32) -> f32 {
+    fn even(&self, c: f32) -> f32 {
         (c - 0.5 * number(self.cells - 1)) * self.per_pixel
     }
 
     /// The same of pixel `2 c + 1`: from 1/4 to 3/4.
     #[inline(always)]
-    fn odd(&self, c: usize) -> f32 {
-        self.odd_of(number(c))
-    }
-
-    /// The same of the cell of this number.
-    #[inline(always)]
-    fn odd_of(&self, c: f32) -> f32 {
+    fn odd(&self, c: f32) -> f32 {
         (c + 0.5 * number(self.cells + 1)) * self.per_pixel
     }
 
@@ -61,7 +49,7 @@ impl CutCells {
     /// Pixel i is interpolated between the cell i/2 and another: which, and how much of that.
     pub(crate) fn interpolation(&self, i: usize) -> (usize, f32) {
         let c = i / 2;
-        let f = if i.is_multiple_of(2) { self.even(c) } else { self.odd(c) };
+        let f = if i.is_multiple_of(2) { self.even(number(c)) } else { self.odd(number(c)) };
         (if f < 0.0 { self.left(c) } else { self.right(c) }, f.abs())
     }
 
@@ -72,7 +60,7 @@ impl CutCells {
         for (k, (((x, l), c), r)) in
             pixels.iter_mut().zip(left).zip(&cells[1..]).zip(right).enumerate()
         {
-            let (f, g) = (self.even(first + k), self.odd(first + k));
+            let (f, g) = (self.even(number(first + k)), self.odd(number(first + k)));
             let side = if f < 0.0 { l } else { r };
             *x = [(1.0 - f.abs()) * c + f.abs() * side, (1.0 - g) * c + g * r];
         }
@@ -82,19 +70,20 @@ impl CutCells {
     /// the last is to be left out.
     pub(crate) fn interpolated(&self, c: usize) -> [(usize, f32); 5] {
         let (l, r) = (self.left(c), self.right(c));
+        let (even, odd) = (|c| self.even(number(c)), |c| self.odd(number(c)));
         [
-            (2 * l, self.even(l).max(0.0)),
-            (2 * l + 1, self.odd(l)),
-            (2 * c, 1.0 - self.even(c).abs()),
-            (2 * c + 1, 1.0 - self.odd(c)),
-            (2 * r, (-self.even(r)).max(0.0)),
+            (2 * l, even(l).max(0.0)),
+            (2 * l + 1, odd(l)),
+            (2 * c, 1.0 - even(c).abs()),
+            (2 * c + 1, 1.0 - odd(c)),
+            (2 * r, (-even(r)).max(0.0)),
         ]
     }
 
     /// What the cells `first..` gather from `pixels`, which begin at `2 first - 2`.
     #[inline(always)]
     pub(crate) fn interpolate_transposed(&self, first: usize, pixels: &[f32], cells: &mut [f32]) {
-        let (even, odd) = (|c| self.even_of(c), |c| self.odd_of(c));
+        let (even, odd) = (|c| self.even(c), |c| self.odd(c));
         let [x, y, z] = [0, 2, 4].map(|first| pixels[first..].as_chunks::<2>().0);
         for (k, (((out, x), y), z)) in cells.iter_mut().zip(x).zip(y).zip(z).enumerate() {
             let c = number(first + k);

@@ -114,11 +114,8 @@ impl<T: Real> ContactMethod<T> for FreeChord<T> {
         let share = state.pressure.len() as f64 / self.state.pressure.len() as f64;
         let depth = T::of(DEPTH);
         embed(map, &task.problem.heights, depth, stride, &mut self.problem.heights);
-        let (target, load) = match task.target {
-            Target::Pressure(load) | Target::OpenGap(_, load) => {
-                (Target::Pressure(share * load), load)
-            }
-            Target::Level(level, guess) => (Target::Level(level, share * guess), guess),
+        let Target::Pressure(load) = task.target else {
+            unreachable!("an isolated contact has no mean gap to prescribe")
         };
         // The pressure begins as constant on the map, and K is not known to make nothing of it.
         let mut transforms = 0.0;
@@ -126,13 +123,12 @@ impl<T: Real> ContactMethod<T> for FreeChord<T> {
         let factor = load * state.pressure.len() as f64 / fields::sum(&state.pressure);
         let is_beyond = under!(task.ceiling, top => top.is_passed(factor, &state.pressure));
         if start == Start::Cold || is_beyond {
-            state.pressure.fill(T::of(load));
-            operator.apply(&state.pressure, &mut state.displacement);
-            transforms += 1.0;
+            transforms += state.fill(load, operator);
         }
         let around = T::of(1.5 * fields::max(&state.displacement).max(0.0));
         embed(map, &state.pressure, T::zero(), stride, &mut self.state.pressure);
         embed(map, &state.displacement, around, stride, &mut self.state.displacement);
+        let target = Target::Pressure(share * load);
         let task = ContactTask { problem: &self.problem, target, ..*task };
         let mut shown = |step: &IterateView<'_, T>| {
             cut(map, &step.state.pressure, stride, &mut state.pressure);
@@ -154,9 +150,5 @@ impl<T: Real> ContactMethod<T> for FreeChord<T> {
             outcome.residual = f64::INFINITY;
         }
         outcome
-    }
-
-    fn controls_level(&self) -> bool {
-        true
     }
 }

@@ -1,4 +1,4 @@
-//! Control of the level of the flat (mean gap, approach) inside the chord iteration, without a convolution:
+//! Control of the level of the flat (mean gap) inside the chord iteration, without a convolution:
 //! `K` is linear, so that the iterate may be scaled to another load at any time.
 //!
 //! Two things must be known to choose the load. *Where the level will settle* under the present load: once the step
@@ -7,7 +7,7 @@
 //! And *how the level rises with the load*: a first guess from the work done and the gap left, refined by secants,
 //! each weighed by how far its loads are apart against what the residual leaves unsure.
 
-use crate::{Boundary, Real, fields};
+use crate::{Real, fields};
 
 /// Rise of the level per logarithm of the load, in units of the mean indentation `<p, u>/<p, 1>`,
 /// while most of the surface is out of contact: 0.48 to 0.67 on self-affine surfaces at loads from
@@ -16,8 +16,8 @@ pub(crate) const RISE: f64 = 0.53;
 /// Near full contact the rise falls with the gap that is left, as `sqrt(1 - exp(-this gap/rise))`,
 /// to 15 % up to 90 % of contact.
 const LEVELLING: f64 = 1.2;
-/// Relative uncertainty of that guess, periodic and free.
-const DOUBT: [f64; 2] = [0.15, 0.5];
+/// Relative uncertainty of that guess.
+const DOUBT: f64 = 0.15;
 /// Uncertainty of a foreseen level, in the logarithm of the load, per estimated relative pressure
 /// error.
 const NOISE: f64 = 0.1;
@@ -29,8 +29,8 @@ const FARTHEST: f64 = 1.0;
 /// What the control remembers.
 pub(crate) struct LevelControl {
     target: f64,
-    /// Mean gap at the target, if it limits the rise.
-    mean_gap: Option<f64>,
+    /// Mean gap at the target, which limits the rise.
+    mean_gap: f64,
     /// Rise of the level per logarithm of the load, and its inverse relative variance.
     slope: Option<[f64; 2]>,
     /// The last level foreseen and its load.
@@ -40,8 +40,8 @@ pub(crate) struct LevelControl {
 }
 
 impl LevelControl {
-    pub(crate) fn new(target: f64, mean_height: f64, boundary: Boundary) -> Self {
-        let mean_gap = (boundary == Boundary::Periodic).then_some(-target - mean_height);
+    pub(crate) fn new(target: f64, mean_height: f64) -> Self {
+        let mean_gap = -target - mean_height;
         Self { target, mean_gap, slope: None, last: None, error: f64::INFINITY }
     }
 
@@ -52,15 +52,10 @@ impl LevelControl {
         }
         let indentation = fields::dot(pressure, displacement) / fields::sum(pressure);
         let rise = RISE * indentation;
-        let usable = |slope: f64| slope > 0.0 && slope.is_finite();
-        self.slope = match self.mean_gap {
-            Some(gap) => {
-                let doubt = DOUBT[0] * (1.0 + 0.1 * rise / gap);
-                Some([rise * (1.0 - (-LEVELLING * gap / rise).exp()).sqrt(), doubt.powi(-2)])
-            }
-            None => Some([rise, DOUBT[1].powi(-2)]),
-        }
-        .filter(|[slope, _]| usable(*slope));
+        let (gap, doubt) = (self.mean_gap, DOUBT * (1.0 + 0.1 * rise / self.mean_gap));
+        let slope = rise * (1.0 - (-LEVELLING * gap / rise).exp()).sqrt();
+        let is_usable = slope > 0.0 && slope.is_finite();
+        self.slope = is_usable.then_some([slope, doubt.powi(-2)]);
     }
 
     /// The factor on the load that should bring the level, foreseen at `level` under `load`, to its

@@ -58,9 +58,8 @@ impl<T: Real> BaselineStep<T> for StanleyKato {
             part = part.min(reach.max(1.0));
         }
         let part = T::of(part);
-        fields::write_both([p, u], |i, [p, u]| {
-            [(p + part * (trial[i] - p)).larger(T::zero()), u + part * (response[i] - u)]
-        });
+        fields::write(p, |i, p| (p + part * (trial[i] - p)).larger(T::zero()));
+        fields::write(u, |i, u| u + part * (response[i] - u));
         // Beyond the end of the way rounding of the load would grow; K is linear.
         state.scale(load * n as f64 / fields::sum(&state.pressure));
         Some(1.0)

@@ -167,8 +167,8 @@ impl Stiffness {
     /// in cache if the cells cut no rows.
     pub(crate) fn fill(&mut self, x: &mut [f32], write: impl Fn(usize, &mut [f32]) + Sync + Send) {
         let nx = self.shape[1];
-        let cx = self.transform.shape()[1];
         let [along_y, along_x] = &self.cells;
+        let cx = along_x.len();
         let add = |share: f32, x: &[f32], mean: &mut [f32]| {
             vectorised!(along_x.add_means(share, x, mean));
         };
@@ -204,7 +204,7 @@ impl Stiffness {
 
     /// `y = S x` of the x that [`fill`](Self::fill) has written.
     pub(crate) fn apply_to_filled(&mut self, x: &[f32], y: &mut [f32]) {
-        let write = columns_of(&self.symbol, self.transform.shape()[0] / 2 + 1);
+        let write = columns_of(&self.symbol, self.cells[0].len() / 2 + 1);
         if self.factor == [1, 1] {
             self.transform.apply(x, write, y);
             return;
@@ -242,8 +242,8 @@ impl Stiffness {
     #[inline(always)]
     fn stencil_and_smooth_row(&self, i: usize, x: &[f32], y: &mut [f32], line: &mut [f32]) {
         let ([ny, nx], [ry, rx]) = (self.shape, self.radius);
-        let cx = self.transform.shape()[1];
         let [along_y, along_x] = &self.cells;
+        let cx = along_x.len();
         let row = |i: usize| &x[i * nx..(i + 1) * nx];
         for (k, (j, share)) in along_y.cells_of(i).enumerate() {
             let smooth = &self.coarse[j * cx..(j + 1) * cx];

@@ -3,23 +3,14 @@
 //! The kernel `|q|/2` of waves across long pixels is small: a load moved from one line of long pixels to the next shifts
 //! both by much. So nothing is averaged over lines before it is averaged along them.
 
-use contact_types::Grid;
-
 /// Pixels longer than this many times their width are refused: beyond it the preconditioner, in single precision,
 /// cannot resolve the lowest transverse mode. Up to 3e4 a solve takes as many convolutions as at 10, at 1e5 up to 35,
 /// at 1e6 hundreds (to 1e-4, both axes).
 pub(crate) const LARGEST_RATIO: f64 = 1e5;
 
-/// Longer over shorter pixel side; 1 for a single line of pixels.
-pub(crate) fn ratio(grid: Grid) -> f64 {
-    let ([ny, nx], [dy, dx]) = (grid.shape(), grid.pixel());
-    if ny > 1 && nx > 1 { (dy / dx).max(dx / dy) } else { 1.0 }
-}
-
-/// Longer over shorter side of the map; 1 for a single line of pixels.
-pub(crate) fn ratio_of_sides(grid: Grid) -> f64 {
-    let ([ny, nx], [height, width]) = (grid.shape(), grid.size());
-    if ny > 1 && nx > 1 { (height / width).max(width / height) } else { 1.0 }
+/// Longer over shorter of two sides, of the pixels or of the map; 1 for a single line of pixels.
+pub(crate) fn ratio(shape: [usize; 2], [y, x]: [f64; 2]) -> f64 {
+    if shape.iter().all(|n| *n > 1) { (y / x).max(x / y) } else { 1.0 }
 }
 
 /// The entry of `cells` for these pixels, by axis. They are pixels per cell `[along the longer sides, along the

@@ -26,18 +26,9 @@ use std::f64::consts::{FRAC_PI_2, PI};
 /// Hertz (1882), *J. reine angew. Math.* 92, 156; Johnson (1985), *Contact Mechanics*, §4.2,
 /// doi:10.1017/CBO9781139171731.
 #[derive(Debug, Clone, Copy, PartialEq)]
+#[non_exhaustive]
 pub struct Hertz {
     radii: [f64; 2],
-    modulus: ContactModulus,
-    axis_ratio: f64, // k
-    k_integral: f64, // K(1 - k^2)
-    e_integral: f64, // E(1 - k^2)
-}
-
-/// A Hertz contact at one load.
-#[derive(Debug, Clone, Copy, PartialEq)]
-#[non_exhaustive]
-pub struct HertzContact {
     /// Force (N).
     pub force: f64,
     /// Approach of distant points (m).
@@ -48,7 +39,54 @@ pub struct HertzContact {
     pub max_pressure: f64,
 }
 
-impl HertzContact {
+impl Hertz {
+    /// The contact of `radii = [R_y, R_x]` of curvature (m), up to 1 : 1e12, when distant points have approached by
+    /// `approach` (m). Those of a sphere are equal; of two, `1/R = 1/R_1 + 1/R_2`.
+    ///
+    /// # Errors
+    /// [`ModelError::InvalidInput`] if a radius is not finite and positive, or the approach not finite or negative.
+    pub fn at_approach(
+        radii: [f64; 2],
+        modulus: ContactModulus,
+        approach: f64,
+    ) -> Result<Self, ModelError> {
+        for (radius, name) in radii.into_iter().zip(["radius R_y", "radius R_x"]) {
+            positive("Hertz", name, radius)?;
+        }
+        let approach = not_negative("Hertz", "approach", approach)?;
+        let axis_ratio = axis_ratio(radii[0].min(radii[1]) / radii[0].max(radii[1]));
+        let (k_integral, e_integral, _) = elliptic(axis_ratio);
+        let curvatures = 1.0 / radii[0] + 1.0 / radii[1];
+        let b = (2.0 * approach * e_integral / (k_integral * curvatures)).sqrt();
+        let a = b / axis_ratio;
+        let semi_axes = if radii[0] <= radii[1] { [b, a] } else { [a, b] };
+        let max_pressure =
+            if approach > 0.0 { modulus.pascals() * approach / (b * k_integral) } else { 0.0 };
+        let force = 2.0 / 3.0 * PI * a * b * max_pressure;
+        Ok(Self { radii, force, approach, semi_axes, max_pressure })
+    }
+
+    /// The same under `force` (N), which grows as approach to the power 3/2.
+    ///
+    /// # Errors
+    /// [`ModelError::InvalidInput`] if a radius is not finite and positive, or the force not finite or negative.
+    pub fn at_force(
+        radii: [f64; 2],
+        modulus: ContactModulus,
+        force: f64,
+    ) -> Result<Self, ModelError> {
+        let force = not_negative("Hertz", "force", force)?;
+        let unit = radii[0].min(radii[1]);
+        let at_unit = Self::at_approach(radii, modulus, unit)?;
+        let approach = unit * (force / at_unit.force).powf(2.0 / 3.0);
+        Ok(Self { force, ..Self::at_approach(radii, modulus, approach)? })
+    }
+
+    /// Height of the undeformed paraboloid (m) at `(y, x)` from its highest point.
+    pub fn height(&self, y: f64, x: f64) -> f64 {
+        -0.5 * (y * y / self.radii[0] + x * x / self.radii[1])
+    }
+
     /// Area of contact (m²).
     pub(crate) fn area(&self) -> f64 {
         PI * self.semi_axes[0] * self.semi_axes[1]
@@ -58,63 +96,6 @@ impl HertzContact {
     pub(crate) fn pressure(&self, y: f64, x: f64) -> f64 {
         let [a_y, a_x] = self.semi_axes;
         self.max_pressure * (1.0 - (x / a_x).powi(2) - (y / a_y).powi(2)).max(0.0).sqrt()
-    }
-}
-
-impl Hertz {
-    /// `radii = [R_y, R_x]` of curvature in m, up to 1 : 1e12.
-    ///
-    /// # Errors
-    /// [`ModelError::InvalidInput`] if a radius is not finite and positive.
-    pub(crate) fn new(radii: [f64; 2], modulus: ContactModulus) -> Result<Self, ModelError> {
-        for (radius, name) in radii.into_iter().zip(["radius R_y", "radius R_x"]) {
-            positive("Hertz", name, radius)?;
-        }
-        let axis_ratio = axis_ratio(radii[0].min(radii[1]) / radii[0].max(radii[1]));
-        let (k_integral, e_integral, _) = elliptic(axis_ratio);
-        Ok(Self { radii, modulus, axis_ratio, k_integral, e_integral })
-    }
-
-    /// A sphere, or two with `1/R = 1/R_1 + 1/R_2`.
-    ///
-    /// # Errors
-    /// [`ModelError::InvalidInput`] if the radius is not finite and positive.
-    pub fn sphere(radius: f64, modulus: ContactModulus) -> Result<Self, ModelError> {
-        Self::new([radius, radius], modulus)
-    }
-
-    /// Height of the undeformed paraboloid (m) at `(y, x)` from its highest point.
-    pub fn height(&self, y: f64, x: f64) -> f64 {
-        -0.5 * (y * y / self.radii[0] + x * x / self.radii[1])
-    }
-
-    /// The contact when distant points have approached by `approach` (m).
-    ///
-    /// # Errors
-    /// [`ModelError::InvalidInput`] if the approach is negative or not finite.
-    pub fn at_approach(&self, approach: f64) -> Result<HertzContact, ModelError> {
-        let approach = not_negative("Hertz", "approach", approach)?;
-        let e_star = self.modulus.pascals();
-        let curvatures = 1.0 / self.radii[0] + 1.0 / self.radii[1];
-        let b = (2.0 * approach * self.e_integral / (self.k_integral * curvatures)).sqrt();
-        let a = b / self.axis_ratio;
-        let semi_axes = if self.radii[0] <= self.radii[1] { [b, a] } else { [a, b] };
-        let max_pressure =
-            if approach > 0.0 { e_star * approach / (b * self.k_integral) } else { 0.0 };
-        let force = 2.0 / 3.0 * PI * a * b * max_pressure;
-        Ok(HertzContact { force, approach, semi_axes, max_pressure })
-    }
-
-    /// The contact under `force` (N). The force grows as approach to the power 3/2.
-    ///
-    /// # Errors
-    /// [`ModelError::InvalidInput`] if the force is negative or not finite.
-    pub fn at_force(&self, force: f64) -> Result<HertzContact, ModelError> {
-        let force = not_negative("Hertz", "force", force)?;
-        let unit = self.radii[0].min(self.radii[1]);
-        let at_unit = self.at_approach(unit)?;
-        let contact = self.at_approach(unit * (force / at_unit.force).powf(2.0 / 3.0))?;
-        Ok(HertzContact { force, ..contact })
     }
 }
 
@@ -164,15 +145,11 @@ mod tests {
     use super::*;
     use crate::close;
 
-    fn one_pascal() -> ContactModulus {
-        ContactModulus::from_pascals(1.0).unwrap()
-    }
-
     #[test]
     fn sphere_has_the_textbook_formulas() {
         let modulus = ContactModulus::from_pascals(115e9).unwrap();
         let (radius, force) = (2e-3, 3.0);
-        let contact = Hertz::sphere(radius, modulus).unwrap().at_force(force).unwrap();
+        let contact = Hertz::at_force([radius; 2], modulus, force).unwrap();
         let a = (3.0 * force * radius / (4.0 * 115e9_f64)).cbrt();
         close(contact.semi_axes[0], a, 1e-14);
         close(contact.semi_axes[1], a, 1e-14);
@@ -189,9 +166,9 @@ mod tests {
         for line in table.lines().filter(|l| !l.starts_with('#')).skip(1) {
             let v: Vec<f64> = line.split(',').map(|x| x.parse().unwrap()).collect();
             let &[ratio, k, a, b, p0, area, load] = &v[..] else { panic!("{line}") };
-            let hertz = Hertz::new([1.0, 1.0 / ratio], one_pascal()).unwrap();
-            let contact = hertz.at_approach(1.0).unwrap();
-            close(hertz.axis_ratio, k, 2e-13);
+            let modulus = ContactModulus::from_pascals(1.0).unwrap();
+            let contact = Hertz::at_approach([1.0, 1.0 / ratio], modulus, 1.0).unwrap();
+            close(contact.semi_axes[0] / contact.semi_axes[1], k, 2e-13);
             close(contact.semi_axes[0], b, 2e-13);
             close(contact.semi_axes[1], a, 2e-13);
             close(contact.max_pressure, p0, 2e-13);

@@ -123,14 +123,14 @@ fn no_load_and_flat_surfaces_are_answered_at_once() {
 fn bad_loads_are_refused_by_name() {
     let rough = self_affine(unit_grid(16, 16), 0.8, 8.0, 4.0, 5);
     for value in [-1.0, f64::NAN, f64::INFINITY, f64::NEG_INFINITY] {
-        for load in [Load::MeanPressure(value), Load::MeanGap(value), Load::Approach(value)] {
+        for load in [Load::MeanPressure(value), Load::MeanGap(value)] {
             let error = solve(&rough, 1.0, Method::Auto, load).unwrap_err();
             assert!(matches!(error, SolverError::BadLoad { .. }), "{error}");
             assert!(error.to_string().contains("negative"), "{error}");
         }
     }
-    let deep = solve(&rough, 1.0, Method::Auto, Load::Approach(1e6)).unwrap_err();
-    assert!(matches!(deep, SolverError::BadLoad { quantity: "approach", .. }), "{deep}");
+    let deep = solve(&rough, 1.0, Method::Auto, Load::MeanGap(1e-300)).unwrap_err();
+    assert!(matches!(deep, SolverError::BadLoad { quantity: "mean gap", .. }), "{deep}");
     let mut free =
         Solver::builder().boundary(Boundary::Free).build(rough.grid(), unit_modulus()).unwrap();
     let error = free.solve(&rough, Load::MeanGap(1.0)).unwrap_err();
@@ -145,11 +145,7 @@ fn bad_settings_and_wrong_grids_are_refused_by_name() {
     let with = Solver::builder;
     let tolerances = [0.0, -1.0, 1.0, f64::NAN, f64::INFINITY];
     let tolerances = tolerances.map(|t| (with().tolerance(t), "tolerance"));
-    let others = [
-        (with().max_iterations(0), "max_iterations"),
-        (with().threads(0), "threads"),
-        (with().section(Some(8)), "section"),
-    ];
+    let others = [(with().threads(0), "threads"), (with().section(Some(8)), "section")];
     for (builder, name) in tolerances.into_iter().chain(others) {
         let error = builder.build(grid, unit_modulus()).unwrap_err();
         let is_named = matches!(error, SolverError::BadSetting { setting, .. } if setting == name);
@@ -160,40 +156,40 @@ fn bad_settings_and_wrong_grids_are_refused_by_name() {
         let map = HeightMap::new(grid, vec![0.0; grid.len()]).unwrap();
         solver.solve(&map, Load::MeanPressure(1.0)).unwrap_err()
     };
-    assert!(matches!(on(unit_grid(8, 9)), SolverError::Shape { expected: 64, found: 72 }));
     let stretched = Grid::new([8, 8], [1.0, 2.0]).unwrap();
-    assert!(matches!(on(stretched), SolverError::Grid { .. }));
+    for other in [unit_grid(8, 9), stretched] {
+        let error = on(other);
+        assert!(matches!(error, SolverError::Grid { found, .. } if found == other), "{error}");
+    }
 }
 
 /// Running out of iterations and being stopped both hand over what was reached.
 #[test]
 fn nothing_is_lost_when_a_run_ends_early() {
+    // Steepest descent on pixels of 1 : 100 000 needs more than its 20 000 steps.
+    let noise = self_affine(unit_grid(6, 7), 0.2, 4.0, 2.0, 4).into_heights();
+    let long = HeightMap::new(Grid::new([6, 7], [1e5, 1.0]).unwrap(), noise).unwrap();
+    let error = solve(&long, 1.0, Method::StanleyKato, Load::MeanPressure(0.03)).unwrap_err();
+    assert!(matches!(error, SolverError::NotConverged(_)), "{error}");
+    let reached = error.solution().unwrap();
+    assert_eq!(reached.diagnostics.iterations, 20_000);
+    assert!(reached.diagnostics.residuals.preconditioned.is_finite());
+
     let map = self_affine(unit_grid(64, 64), 0.8, 16.0, 2.0, 6);
     for method in METHODS {
-        let load = Load::MeanPressure(0.05);
-        let build = |limit| {
-            let builder = Solver::builder().method(method).tolerance(1e-12).max_iterations(limit);
-            builder.build(map.grid(), unit_modulus()).unwrap()
-        };
-        let error = build(3).solve(&map, load).unwrap_err();
-        assert!(matches!(error, SolverError::NotConverged(_)));
-        let reached = error.solution().unwrap();
-        assert_eq!(reached.diagnostics.iterations, 3);
-        assert!(reached.diagnostics.residuals.preconditioned.is_finite());
-        let sum: f64 = reached.pressure.iter().sum();
-        assert!((sum / 4096.0 / 0.05 - 1.0).abs() < 1e-12);
-
         let mut seen = Vec::new();
-        let mut observer = |iteration: &Iteration<'_>| {
-            let [pressure, gap] = iteration.pressure_and_gap();
-            assert!(pressure.len() == 4096 && gap.len() == 4096);
-            assert!(iteration.touching_fraction() > 0.0 && iteration.tolerance > 0.0);
-            seen.push((iteration.number, iteration.transforms));
-            if iteration.number >= 2 { ControlFlow::Break(()) } else { ControlFlow::Continue(()) }
+        let observer = |now: &Iteration<'_>| {
+            assert!(now.touching_fraction() > 0.0 && now.tolerance > 0.0);
+            seen.push((now.number, now.transforms));
+            if now.number >= 2 { ControlFlow::Break(()) } else { ControlFlow::Continue(()) }
         };
-        let error = build(100).solve_observed(&map, load, &mut observer).unwrap_err();
+        let builder = Solver::builder().method(method).tolerance(1e-12);
+        let mut solver = builder.build(map.grid(), unit_modulus()).unwrap();
+        let error = solver.solve_observed(&map, Load::MeanPressure(0.05), observer).unwrap_err();
         assert!(matches!(error, SolverError::Stopped(_)));
-        assert_eq!(error.solution().unwrap().diagnostics.iterations, 2);
+        let reached = error.solution().unwrap();
+        assert_eq!(reached.diagnostics.iterations, 2);
+        assert!((reached.pressure.iter().sum::<f64>() / 4096.0 / 0.05 - 1.0).abs() < 1e-12);
         assert!(seen.windows(2).all(|w| w[0].0 <= w[1].0 && w[0].1 <= w[1].1));
     }
 }

@@ -18,7 +18,6 @@ mod certificate;
 mod chord;
 mod direct;
 mod extremes;
-mod load_curve;
 mod perimeter_correction;
 mod properties;
 mod random_problems;

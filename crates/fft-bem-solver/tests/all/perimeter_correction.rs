@@ -1,6 +1,7 @@
 //! The perimeter correction follows from straight edges, and the count exceeds the area by as much.
 
-use contact_types::{ContactModulus, Grid, HeightMap};
+use crate::common::solver;
+use contact_types::{Grid, HeightMap};
 use fft_bem_solver::{Load, PERIMETER_CORRECTION, Solver};
 use std::f64::consts::{PI, TAU};
 
@@ -60,8 +61,7 @@ fn edges_along_rows_exceed_by_as_much_as_the_formula_says() {
     let grid = Grid::new([4, n], [1.0, 1.0]).unwrap();
     let wave = |x: f64| (TAU * x / n as f64).cos();
     let map = HeightMap::from_fn(grid, |_, x| wave(x)).unwrap();
-    let modulus = ContactModulus::from_pascals(1.0).unwrap();
-    let mut solver = Solver::builder().tolerance(1e-9).build(grid, modulus).unwrap();
+    let mut solver = solver(grid, Solver::builder().tolerance(1e-9));
     let full = PI / n as f64; // pressure that closes the wave (Westergaard 1939): π E* Δ/λ
     let excess = |k: i32| {
         // Widths 2a that rise by equal steps: sin²(π a/λ) = p/p*.

@@ -3,10 +3,9 @@
 
 use crate::common;
 
-use common::{Uniform, difference, self_affine, unit_modulus};
+use common::{Uniform, difference, iterate, self_affine, solve};
 use contact_types::{Grid, HeightMap};
-use fft_bem_solver::{Iteration, Load, Method, Solver};
-use std::ops::ControlFlow;
+use fft_bem_solver::{Diagnostics, Method, Solver};
 
 /// Problem number `k`: a surface and a mean pressure.
 fn problem(k: u64, longest: f64) -> (HeightMap, f64, String) {
@@ -70,25 +69,16 @@ fn survey(count: u64, longest: f64) -> ([Vec<f64>; 3], f64) {
     let mut optimism = 0.0_f64;
     for k in 0..count {
         let (surface, load, what) = problem(k, longest);
-        let build = |tolerance: f64| {
-            Solver::builder()
-                .method(Method::Chord)
-                .tolerance(tolerance)
-                .build(surface.grid(), unit_modulus())
-                .unwrap()
-        };
-        let load = Load::MeanPressure(load);
-        let exact = build(1e-12).solve(&surface, load).unwrap_or_else(|e| panic!("{what}: {e}"));
+        let chord = || Solver::builder().method(Method::Chord);
+        let exact = solve(&surface, chord().tolerance(1e-12), load);
         let error = |p: &[f64]| difference(p, &exact.pressure);
-        let mut history = Vec::new();
-        let mut solver = build(1e-10);
-        let mut watch = |it: &Iteration<'_>| {
-            history.push((it.transforms, error(&it.pressure_and_gap()[0]), it.residual));
-            ControlFlow::Continue(())
-        };
-        let found = solver
-            .solve_observed(&surface, load, &mut watch)
-            .unwrap_or_else(|e| panic!("{what}: {e}"));
+        let found = solve(&surface, chord().tolerance(1e-10), load);
+        let history = (0..=found.diagnostics.iterations).map(|count| {
+            let now = iterate(&surface, chord(), load, count);
+            let Diagnostics { transforms, residuals, .. } = now.diagnostics;
+            (transforms, error(&now.pressure), residuals.preconditioned)
+        });
+        let history: Vec<(f64, f64, f64)> = history.collect();
         let last = error(&found.pressure);
         assert!(last <= 3e-10, "{what}: error {last:e}");
         assert!(found.pressure.iter().all(|p| *p >= 0.0), "{what}: tension");

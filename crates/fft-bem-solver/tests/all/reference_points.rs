@@ -8,12 +8,10 @@
 use crate::common;
 use crate::numpy_normal;
 
-use common::solve;
+use common::{filtered, solve};
 use contact_types::{Grid, HeightMap};
 use fft_bem_solver::Solver;
-use grid_fft::GridFft;
-use numpy_normal::{Pcg64, Ziggurat};
-use std::f64::consts::TAU;
+use numpy_normal::{Ziggurat, numpy_seed_1};
 
 const SIDE: usize = 1024;
 
@@ -42,25 +40,15 @@ fn three_loads_agree_with_two_other_programs() {
 
 fn surface() -> HeightMap {
     let grid = Grid::new([SIDE; 2], [1.0 / SIDE as f64; 2]).unwrap();
-    let (ziggurat, mut random) = (Ziggurat::new(), Pcg64::numpy_seed_1());
+    let (ziggurat, mut random) = (Ziggurat::new(), numpy_seed_1());
     let white: Vec<f64> = (0..grid.len()).map(|_| ziggurat.normal(&mut random)).collect();
-    let mut fft = GridFft::new(grid.shape());
-    let mut spectrum = fft.new_spectrum();
-    fft.forward(&white, &mut spectrum);
-    let nq = fft.spectrum_shape()[1];
-    let mut slope2 = 0.0;
-    for (i, wave) in spectrum.iter_mut().enumerate() {
-        let (row, kx) = (i / nq, i % nq);
-        let ky = row.min(SIDE - row);
+    let steep = filtered(grid, &white, |[row, kx]| {
         // Whole waves, so that k <= 128 is decided exactly.
-        let k2 = kx * kx + ky * ky;
-        let k = (k2 as f64).sqrt();
-        *wave *= if k2 == 0 || k2 > 128 * 128 { 0.0 } else { k.max(8.0).powf(-1.8) };
-        let twice = if kx == 0 || 2 * kx == SIDE { 1.0 } else { 2.0 };
-        slope2 += twice * (TAU * k).powi(2) * wave.norm_sqr();
-    }
-    let mut heights = vec![0.0; grid.len()];
-    fft.inverse(&mut spectrum, &mut heights);
-    let scale = 0.1 * grid.len() as f64 / slope2.sqrt();
-    HeightMap::new(grid, heights.iter().map(|h| scale * h).collect()).unwrap()
+        let ky = row.min(SIDE - row);
+        match kx * kx + ky * ky {
+            k2 if k2 == 0 || k2 > 128 * 128 => 0.0,
+            k2 => (k2 as f64).sqrt().max(8.0).powf(-1.8),
+        }
+    });
+    HeightMap::new(grid, steep.heights().iter().map(|h| 0.1 * h).collect()).unwrap()
 }

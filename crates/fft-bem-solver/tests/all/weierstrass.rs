@@ -4,8 +4,9 @@
 //! Source: Ciavarella, Demelio, Barber & Jang (2000), doi:10.1098/rspa.2000.0522. Where the fine waves are short, each sees
 //! the pressure of the coarse ones as a mean pressure of its own (Westergaard).
 
-use contact_types::{ContactModulus, Grid, HeightMap};
-use fft_bem_solver::{Load, Solver};
+use crate::common::solve;
+use contact_types::{Grid, HeightMap};
+use fft_bem_solver::Solver;
 use std::f64::consts::{FRAC_PI_2, PI, TAU};
 
 /// Part of a sinusoid that touches at a mean pressure over that which closes it (Westergaard).
@@ -29,7 +30,6 @@ fn two_levels(load: f64, fine: f64) -> f64 {
 /// The solver goes to the closed form as the scales part: the error falls as their ratio or faster.
 #[test]
 fn contact_on_two_scales_goes_to_its_limit() {
-    let modulus = ContactModulus::from_pascals(1.0).unwrap();
     for (load, fine) in [(0.3, 0.7), (0.7, 1.2), (0.3, 0.3)] {
         let error = |ratio: usize| {
             let n = 256 * ratio;
@@ -39,8 +39,7 @@ fn contact_on_two_scales_goes_to_its_limit() {
             let (coarse, small) = (closes / PI, fine * closes / PI / ratio as f64);
             let wave = |x: f64| coarse * (TAU * x).cos() + small * (TAU * ratio as f64 * x).cos();
             let map = HeightMap::from_fn(grid, |_, x| wave(x)).unwrap();
-            let mut solver = Solver::builder().tolerance(1e-6).build(grid, modulus).unwrap();
-            let found = solver.solve(&map, Load::MeanPressure(load * closes)).unwrap();
+            let found = solve(&map, Solver::builder().tolerance(1e-6), load * closes);
             found.touching_fraction() / two_levels(load, fine) - 1.0
         };
         let [near, far] = [16, 64].map(error);

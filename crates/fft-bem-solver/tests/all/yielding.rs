@@ -7,16 +7,11 @@ use crate::common;
 use crate::npy;
 
 use common::{
-    difference, displaced, energy_norm, measured_like, self_affine, unit_grid, unit_modulus,
+    curve, difference, displaced, energy_norm, measured_like, self_affine, solver, unit_grid,
+    unit_modulus,
 };
 use contact_types::{Grid, HeightMap};
-use fft_bem_solver::{
-    Boundary, Load, Method, Precision, Solution, Solver, SolverBuilder, SolverError,
-};
-
-fn solver(map: &HeightMap, builder: SolverBuilder) -> Solver {
-    builder.build(map.grid(), unit_modulus()).unwrap()
-}
+use fft_bem_solver::{Boundary, Load, Method, Precision, Solution, Solver, SolverError};
 
 fn solve(map: &HeightMap, hardness: f64, load: f64, tolerance: f64) -> Solution {
     common::solve(map, Solver::builder().tolerance(tolerance).hardness(hardness), load)
@@ -113,7 +108,7 @@ fn without_yielding_the_answer_is_elastic() {
     assert!(elastic.diagnostics.yielded.is_none());
     let hard = solve(&map, 1.01 * elastic.diagnostics.max_pressure, 0.03, 1e-9);
     let yielded = hard.diagnostics.yielded.unwrap();
-    assert!(yielded.area_fraction <= 0.0 && yielded.mean_flattening <= 0.0);
+    assert!(yielded.area_fraction <= 0.0);
     for (a, b) in elastic.pressure.iter().zip(&hard.pressure) {
         assert!((a - b).abs() < 1e-8 * elastic.diagnostics.max_pressure);
     }
@@ -124,12 +119,12 @@ fn without_yielding_the_answer_is_elastic() {
 fn the_load_is_at_most_the_hardness() {
     let map = self_affine(unit_grid(48, 64), 0.8, 16.0, 4.0, 5);
     for boundary in [Boundary::Periodic, Boundary::Free] {
-        let mut solver = solver(&map, Solver::builder().hardness(0.3).boundary(boundary));
+        let mut solver = solver(map.grid(), Solver::builder().hardness(0.3).boundary(boundary));
         let all = solver.solve(&map, Load::MeanPressure(0.3)).unwrap();
         assert!(all.pressure.iter().all(|p| *p == 0.3));
         assert!(all.gap.iter().all(|g| *g <= 1e-12) && all.state.mean_gap.unwrap() <= 0.0);
         let yielded = all.diagnostics.yielded.unwrap();
-        assert!((yielded.load_share - 1.0).abs() < 1e-12 && yielded.mean_flattening > 0.0);
+        assert!((yielded.load_share - 1.0).abs() < 1e-12);
         let refused = solver.solve(&map, Load::MeanPressure(0.301)).unwrap_err();
         assert!(matches!(refused, SolverError::AboveHardness { .. }), "{refused}");
         let said = refused.to_string();
@@ -145,53 +140,52 @@ fn the_load_is_at_most_the_hardness() {
     }
 }
 
-/// A prescribed approach or open gap leads to the load that it belongs to.
+/// A prescribed open gap leads to the load that it belongs to.
 #[test]
-fn approach_and_gap_find_their_load() {
+fn a_gap_finds_its_load() {
     let map = self_affine(unit_grid(64, 64), 0.8, 16.0, 4.0, 3);
     for hardness in [1.0, 0.2] {
         for part in [0.003, 0.2, 0.9] {
-            for boundary in [Boundary::Periodic, Boundary::Free] {
-                let builder =
-                    Solver::builder().tolerance(1e-6).hardness(hardness).boundary(boundary);
-                let load = part * hardness;
-                let pressed = common::solve(&map, builder.clone(), load);
-                let mut others = vec![Load::Approach(pressed.approach)];
-                if boundary == Boundary::Periodic {
-                    others.push(Load::MeanGap(pressed.state.mean_gap.unwrap()));
-                }
-                for other in others {
-                    let found = solver(&map, builder.clone()).solve(&map, other).unwrap();
-                    let off = (found.state.mean_pressure / load - 1.0).abs();
-                    assert!(off < 1e-5, "{other:?} at H = {hardness}, {boundary}: {off:e}");
-                }
-            }
+            let builder = Solver::builder().tolerance(1e-6).hardness(hardness);
+            let load = part * hardness;
+            let gap = common::solve(&map, builder.clone(), load).state.mean_gap.unwrap();
+            let found = solver(map.grid(), builder).solve(&map, Load::MeanGap(gap)).unwrap();
+            let off = (found.state.mean_pressure / load - 1.0).abs();
+            assert!(off < 1e-5, "{gap} at H = {hardness}: {off:e}");
         }
     }
 }
 
-/// Warm and cold, up and down, in both precisions: one answer.
+/// Warm and cold, up and down, in both precisions, elastic and yielding: one answer, and elastic for fewer convolutions.
 #[test]
 fn curves_have_the_answers_of_cold_starts() {
-    let map = self_affine(unit_grid(128, 128), 0.8, 32.0, 4.0, 7);
-    let loads: Vec<f64> = (0..8).map(|k| 0.005 * 40_f64.powf(f64::from(k) / 7.0)).collect();
-    for boundary in [Boundary::Periodic, Boundary::Free] {
-        let builder = Solver::builder().hardness(0.4).boundary(boundary);
-        let mut warm = solver(&map, builder.clone().tolerance(1e-8));
-        let mut single = solver(&map, builder.clone().tolerance(1e-4).precision(Precision::Single));
-        let mut curve = warm.curve(&map, &loads);
-        let down: Vec<_> =
-            loads.iter().rev().map(|load| warm.solve(&map, Load::MeanPressure(*load))).collect();
-        curve.extend(down);
-        let all: Vec<f64> = loads.iter().chain(loads.iter().rev()).copied().collect();
-        for (load, found) in all.iter().zip(curve) {
-            let cold = common::solve(&map, builder.clone().tolerance(1e-8), *load);
+    let map = self_affine(unit_grid(96, 108), 0.8, 24.0, 2.0, 7);
+    let up: Vec<f64> = (0..8).map(|k| 0.005 * 40_f64.powf(f64::from(k) / 7.0)).collect();
+    let loads: Vec<f64> = up.iter().chain(up.iter().rev()).copied().collect();
+    for (boundary, hardness) in [
+        (Boundary::Periodic, f64::INFINITY),
+        (Boundary::Periodic, 0.4),
+        (Boundary::Free, f64::INFINITY),
+        (Boundary::Free, 0.4),
+    ] {
+        let to = |tolerance| {
+            Solver::builder().hardness(hardness).boundary(boundary).tolerance(tolerance)
+        };
+        let cold: Vec<Solution> = up.iter().map(|p| common::solve(&map, to(1e-8), *p)).collect();
+        let warm = curve(&mut solver(map.grid(), to(1e-8)), &map, &loads);
+        let single = to(1e-4).precision(Precision::Single);
+        let rough = curve(&mut solver(map.grid(), single), &map, &loads);
+        let mut pairs = [0.0; 2];
+        for (k, (warm, rough)) in warm.iter().zip(&rough).enumerate() {
+            let (load, cold) = (loads[k], &cold[k.min(loads.len() - 1 - k)]);
             let error = |found: &Solution| difference(&found.pressure, &cold.pressure);
-            assert!(error(&found.unwrap()) < 1e-7, "{load} {boundary}");
-            let rough = single.solve(&map, Load::MeanPressure(*load)).unwrap();
-            assert!(error(&rough) < 2e-4, "{load} {boundary}: {:e}", error(&rough));
-            assert!(rough.pressure.iter().all(|p| *p <= 0.4));
+            assert!(error(warm) < 3e-8, "{load} {boundary}: {:e}", error(warm));
+            assert!(error(rough) < 2e-4, "{load} {boundary}: {:e}", error(rough));
+            assert!(rough.pressure.iter().all(|p| *p <= hardness));
+            pairs =
+                [pairs[0] + warm.diagnostics.transforms, pairs[1] + cold.diagnostics.transforms];
         }
+        assert!(hardness.is_finite() || pairs[0] < pairs[1], "{pairs:?}");
     }
 }
 
@@ -230,7 +224,6 @@ fn the_ceiling_is_met_in_any_unit() {
     let reference = solve(&map, 0.3, 0.1, 1e-8).diagnostics.yielded.unwrap();
     let yielded = found.diagnostics.yielded.unwrap();
     assert_eq!(yielded.area_fraction, reference.area_fraction);
-    assert!((yielded.mean_flattening / (1.7e-8 * reference.mean_flattening) - 1.0).abs() < 1e-6);
     let full = found.pressure.iter().filter(|p| **p >= hardness).count();
     assert_eq!(full as f64 / 4096.0, yielded.area_fraction);
     assert!(full > 100);

@@ -4,8 +4,9 @@
 use crate::common::{Uniform, self_affine, unit_grid};
 use crate::dense;
 use contact_types::{ContactModulus, Grid, HeightMap};
-use fft_bem_solver::reference::{BiSinusoid, Westergaard};
+use fft_bem_solver::reference::Westergaard;
 use fft_bem_solver::{Load, Solution, Solver};
+use std::f64::consts::{PI, SQRT_2, TAU};
 
 /// One line of the table.
 pub(crate) struct Case {
@@ -29,6 +30,7 @@ pub(crate) fn cases() -> Vec<Case> {
 
 /// Estimated relative error of the pressure at which the solves end.
 const TOLERANCE: f64 = 1e-10;
+const ROUGH: &str = "rough, 14 × 12";
 const DENSE: &str = "dense linear algebra";
 const DENSE_LIMITS: [f64; 3] = [1e-9, 0.0, 1e-9];
 /// Mean pressures over E* times rms gradient: light, medium, nearly closed.
@@ -44,11 +46,15 @@ fn modulus(pascals: f64) -> ContactModulus {
 }
 
 fn solve(map: &HeightMap, e_star: f64, load: f64) -> Solution {
+    solve_load(map, e_star, Load::MeanPressure(load))
+}
+
+fn solve_load(map: &HeightMap, e_star: f64, load: Load) -> Solution {
     Solver::builder()
         .tolerance(TOLERANCE)
         .build(map.grid(), modulus(e_star))
-        .and_then(|mut solver| solver.solve(map, Load::MeanPressure(load)))
-        .unwrap_or_else(|e| panic!("mean pressure {load:e}: {e}"))
+        .and_then(|mut solver| solver.solve(map, load))
+        .unwrap_or_else(|e| panic!("{load:?}: {e}"))
 }
 
 /// The same heights times `factor`, on pixels of `pixel`.
@@ -62,13 +68,17 @@ fn with_heights(map: &HeightMap, heights: impl IntoIterator<Item = f64>) -> Heig
     HeightMap::new(map.grid(), heights.into_iter().collect()).expect("finite")
 }
 
-/// Collects the worst of several solves.
-#[derive(Default)]
-struct Worst {
-    errors: [f64; 3],
-}
+impl Case {
+    fn new(
+        what: &'static str,
+        extreme: &'static str,
+        compared_with: &'static str,
+        limits: [f64; 3],
+    ) -> Self {
+        Self { what, extreme, compared_with, errors: [0.0; 3], limits }
+    }
 
-impl Worst {
+    /// Compares one more solution.
     fn compare(
         &mut self,
         map: &HeightMap,
@@ -89,54 +99,30 @@ impl Worst {
         }
     }
 
-    /// A map solved for E* = `e_star` against the dense solution of the same map measured in units
-    /// in which E* is 1, the pixels are of order 1 and the slopes are `slope` times smaller.
-    fn against_dense(&mut self, unit: &HeightMap, e_star: f64, slope: f64, d: f64, load: f64) {
-        let pixel = unit.grid().pixel().map(|side| side * d);
-        self.beside(
-            unit,
-            load,
-            &scaled(unit, slope * d, pixel),
-            e_star,
-            [e_star * slope, slope * d],
-        );
-    }
-
-    /// The same map otherwise: its pressures and heights are so many times those of `unit`.
+    /// Compares a map of this E*, whose pressures and heights are so many times those of `unit`, with the dense solution
+    /// of that, under each of the `loads` of `unit`.
     fn beside(
-        &mut self,
+        mut self,
         unit: &HeightMap,
-        load: f64,
-        map: &HeightMap,
-        e_star: f64,
+        loads: &[f64],
+        (map, e_star): (&HeightMap, f64),
         [pressure, height]: [f64; 2],
-    ) {
-        let known = dense::solution(unit, load);
-        let found = solve(map, e_star, load * pressure);
-        let touching = known.pressure.iter().filter(|p| **p > 0.0).count();
-        let area = touching as f64 / known.pressure.len() as f64;
-        let pressures = known.pressure.iter().map(|p| p * pressure);
-        self.compare(map, &found, pressures, area, known.gap.iter().map(|g| g * height));
-    }
-
-    fn case(
-        self,
-        what: &'static str,
-        extreme: &'static str,
-        compared_with: &'static str,
-        limits: [f64; 3],
-    ) -> Case {
-        Case { what, extreme, compared_with, errors: self.errors, limits }
+    ) -> Self {
+        for load in loads {
+            let known = dense::solution(unit, *load);
+            let found = solve(map, e_star, load * pressure);
+            let touching = known.pressure.iter().filter(|p| **p > 0.0).count();
+            let area = touching as f64 / known.pressure.len() as f64;
+            let pressures = known.pressure.iter().map(|p| p * pressure);
+            self.compare(map, &found, pressures, area, known.gap.iter().map(|g| g * height));
+        }
+        self
     }
 }
 
 /// A map against dense algebra under several loads.
-fn dense_case(what: &'static str, extreme: &'static str, unit: &HeightMap, loads: &[f64]) -> Case {
-    let mut worst = Worst::default();
-    for &load in loads {
-        worst.against_dense(unit, 1.0, 1.0, 1.0, load);
-    }
-    worst.case(what, extreme, DENSE, DENSE_LIMITS)
+fn dense_case(what: &'static str, extreme: &'static str, map: &HeightMap, loads: &[f64]) -> Case {
+    Case::new(what, extreme, DENSE, DENSE_LIMITS).beside(map, loads, (map, 1.0), [1.0; 2])
 }
 
 /// Slopes, moduli, pixels: the contact is the same but for its units.
@@ -153,24 +139,21 @@ fn scales() -> Vec<Case> {
         ("pixels of 1e6 m", (middle.0, middle.1, 1e6)),
         ("all at once: slope 1e−12, 1 Pa, 1e−15 m", (1.0, 1e-12, 1e-15)),
     ] {
-        let mut worst = Worst::default();
-        for load in LOADS {
-            worst.against_dense(&unit, e_star, slope, d, load);
-        }
-        cases.push(worst.case("rough, 14 × 12", extreme, "dense, in other units", DENSE_LIMITS));
+        let map = scaled(&unit, slope * d, [d; 2]);
+        let case = Case::new(ROUGH, extreme, "dense, in other units", DENSE_LIMITS);
+        cases.push(case.beside(&unit, &LOADS, (&map, e_star), [e_star * slope, slope * d]));
     }
-    let mut worst = Worst::default();
+    let extreme = "heights × 2⁻⁵⁰, pixels × 2⁻²⁰, E* × 2³⁰";
+    let mut same = Case::new(ROUGH, extreme, "the same in other units: no digit differs", [0.0; 3]);
     let two = |power: i32| 2f64.powi(power);
     for load in LOADS {
         let known = solve(&unit, 1.0, load);
         let map = scaled(&unit, two(-50), [two(-20); 2]);
         let found = solve(&map, two(30), load);
         let gap = known.gap.iter().map(|g| g * two(-50));
-        worst.compare(&map, &found, known.pressure.iter().copied(), known.touching_fraction(), gap);
+        same.compare(&map, &found, known.pressure.iter().copied(), known.touching_fraction(), gap);
     }
-    let extreme = "heights × 2⁻⁵⁰, pixels × 2⁻²⁰, E* × 2³⁰";
-    let same = "the same in other units: no digit differs";
-    cases.push(worst.case("rough, 14 × 12", extreme, same, [0.0; 3]));
+    cases.push(same);
     cases
 }
 
@@ -185,11 +168,8 @@ fn offsets() -> Vec<Case> {
         let high = with_heights(&rough(), rough().heights().iter().map(|h| h * scale + offset));
         // What is left of the relief in doubles: the difference of two close ones is exact.
         let left = with_heights(&high, high.heights().iter().map(|h| (h - offset) / scale));
-        let mut worst = Worst::default();
-        for load in LOADS {
-            worst.beside(&left, load, &high, 1.0, [scale; 2]);
-        }
-        cases.push(worst.case("rough, 14 × 12", extreme, "dense, moved back to 0", DENSE_LIMITS));
+        let case = Case::new(ROUGH, extreme, "dense, moved back to 0", DENSE_LIMITS);
+        cases.push(case.beside(&left, &LOADS, (&high, 1.0), [scale; 2]));
     }
     cases
 }
@@ -197,25 +177,24 @@ fn offsets() -> Vec<Case> {
 /// From one node in touch to a hundred times full contact.
 fn loads() -> Vec<Case> {
     let mut cases = vec![
-        dense_case("rough, 14 × 12", "1e−29 E*: one node carries all", &rough(), &[1e-29]),
-        dense_case("rough, 14 × 12", "1e−12 E*: one node carries all", &rough(), &[1e-12]),
+        dense_case(ROUGH, "1e−29 E*: one node carries all", &rough(), &[1e-29]),
+        dense_case(ROUGH, "1e−12 E*: one node carries all", &rough(), &[1e-12]),
     ];
-    let closed = fft_bem_solver::reference::full_contact::pressure(&rough(), modulus(1.0));
-    let closing = closed.map(|(_, mean)| mean).expect("the grid is that of the map");
-    let (what, extreme) = ("rough, 14 × 12", "0.999 of the closing load");
-    cases.push(dense_case(what, extreme, &rough(), &[0.999 * closing]));
+    let closing = solve_load(&rough(), 1.0, Load::MeanGap(0.0)).state.mean_pressure;
+    cases.push(dense_case(ROUGH, "0.999 of the closing load", &rough(), &[0.999 * closing]));
 
+    // Johnson, Greenwood & Higginson (1985): p* = sqrt(2) pi E* amplitude / wavelength.
     let grid = Grid::new([32, 24], [1.0 / 32.0, 1.0 / 24.0]).expect("positive");
-    let egg_box = BiSinusoid::new(0.1, 1.0, modulus(1.0)).expect("positive");
-    let map = HeightMap::from_fn(grid, |y, x| egg_box.height(y, x)).expect("finite");
-    let closing = egg_box.closing_pressure();
+    let map = HeightMap::from_fn(grid, |y, x| 0.1 * (TAU * y).cos() * (TAU * x).cos());
+    let (map, closing) = (map.expect("finite"), SQRT_2 * PI * 0.1);
     for (extreme, ratio) in [("1.001 times full contact", 1.001), ("100 times full contact", 100.0)]
     {
         let found = solve(&map, 1.0, ratio * closing);
         let pressure = map.heights().iter().map(|h| closing * (ratio + h / 0.1));
-        let mut worst = Worst::default();
-        worst.compare(&map, &found, pressure, 1.0, std::iter::repeat(0.0));
-        cases.push(worst.case("egg box, 32 × 24", extreme, "closed form", [1e-13, 0.0, 1e-13]));
+        let limits = [1e-13, 0.0, 1e-13];
+        let mut case = Case::new("egg box, 32 × 24", extreme, "closed form", limits);
+        case.compare(&map, &found, pressure, 1.0, std::iter::repeat(0.0));
+        cases.push(case);
     }
     cases
 }
@@ -225,13 +204,11 @@ fn shapes_of_heights() -> Vec<Case> {
     let h = rough.heights();
     let mut random = Uniform(9);
     let one = |value: f64| (0..h.len()).map(move |i| if i == 77 { value } else { h[i] });
-    let step = 1e-8;
     let stepped = with_heights(&rough, h.iter().map(|h| (h / 0.5).round() * 0.5));
-    let mut steps = Worst::default();
-    for load in LOADS {
-        // In units of two steps, on pixels of the same size: slopes of order 1.
-        steps.against_dense(&stepped, 1e9, 1.0, 2.0 * step, load);
-    }
+    // In units of two steps, on pixels of the same size: slopes of order 1.
+    let two_steps = 2e-8;
+    let in_metres = scaled(&stepped, two_steps, [two_steps; 2]);
+    let steps = Case::new("rough in steps of 10 nm", "a handful of levels", DENSE, DENSE_LIMITS);
     let spike = with_heights(&rough, one(1000.0));
     let pit = with_heights(&rough, one(-1e6));
     let plateau = with_heights(&rough, h.iter().map(|h| h.min(0.2)));
@@ -245,7 +222,7 @@ fn shapes_of_heights() -> Vec<Case> {
         dense_case("rough with one pit", "1e6 times the rms height deep", &pit, &LOADS),
         dense_case("rough, worn to a plateau", "a flat top with a sharp rim", &plateau, &LOADS),
         dense_case("square punch of 6 × 6 nodes", "walls of slope 1000", &punch, &LOADS),
-        steps.case("rough in steps of 10 nm", "a handful of levels", DENSE, DENSE_LIMITS),
+        steps.beside(&stepped, &LOADS, (&in_metres, 1e9), [1e9, two_steps]),
         dense_case("chequerboard", "the shortest wave, all tops level", &chequer, &LOADS),
         dense_case("white noise", "nothing is resolved", &noise, &LOADS),
     ]
@@ -274,24 +251,21 @@ fn shapes_of_grids() -> Vec<Case> {
 fn profiles() -> Vec<Case> {
     let n = 4096;
     let grid = Grid::new([1, n], [1.0, 1.0 / n as f64]).expect("positive");
-    let wave = Westergaard::new(0.01, 1.0, modulus(1.0)).expect("positive");
-    let map = HeightMap::from_fn(grid, |_, x| wave.height(x)).expect("finite");
-    let mut cases = Vec::new();
-    for (extreme, m, limits) in [
+    let all = [
         ("1 × 4096, 1e−3 of the closing load", 1e-3, [3e-2, 1e-2, 1e-6]),
         ("1 × 4096, half the closing load", 0.5, [1e-2, 1e-3, 1e-7]),
         ("1 × 4096, 0.999 of the closing load", 0.999, [2e-5, 3e-4, 3e-8]),
         ("1 × 4096, twice the closing load", 2.0, [1e-11, 0.0, 1e-14]),
-    ] {
-        let load = m * wave.closing_pressure();
-        let known = wave.at_pressure(load).expect("positive");
-        let found = solve(&map, 1.0, load);
+    ];
+    let case = |(extreme, m, limits)| {
+        let known = Westergaard { amplitude: 0.01, wavelength: 1.0, modulus: modulus(1.0), m };
+        let map = HeightMap::from_fn(grid, |_, x| known.height(x)).expect("finite");
+        let found = solve(&map, 1.0, m * known.closing_pressure());
         let x = || (0..n).map(|i| i as f64 / n as f64);
-        let mut worst = Worst::default();
-        let pressure = x().map(|x| known.pressure(x));
-        let gap = x().map(|x| known.gap(x));
-        worst.compare(&map, &found, pressure, known.area_fraction(), gap);
-        cases.push(worst.case("one cosine", extreme, "Westergaard (1939)", limits));
-    }
-    cases
+        let (pressure, gap) = (x().map(|x| known.pressure(x)), x().map(|x| known.gap(x)));
+        let mut case = Case::new("one cosine", extreme, "Westergaard (1939)", limits);
+        case.compare(&map, &found, pressure, known.area_fraction(), gap);
+        case
+    };
+    all.map(case).into()
 }

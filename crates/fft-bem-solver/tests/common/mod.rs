@@ -4,8 +4,10 @@
 #![allow(clippy::unwrap_used, reason = "tests may stop where their input is wrong")]
 
 use contact_types::{ContactModulus, Grid, HeightMap};
-use fft_bem_solver::{Boundary, FreeHalfSpace, HalfSpace, Load, Solution, SolverBuilder};
+use fft_bem_solver::{Boundary, HalfSpace, Iteration, Load, Solution, Solver, SolverBuilder};
 use grid_fft::GridFft;
+use std::f64::consts::TAU;
+use std::ops::ControlFlow;
 
 /// Independent numbers, uniform in 0..1, from a seed (SplitMix64: the same on every machine).
 pub(crate) struct Uniform(pub(crate) u64);
@@ -22,7 +24,7 @@ impl Uniform {
     /// Standard normal (Box & Muller).
     pub(crate) fn normal(&mut self) -> f64 {
         let radius = (-2.0 * (1.0 - self.next()).ln()).sqrt();
-        radius * (std::f64::consts::TAU * self.next()).cos()
+        radius * (TAU * self.next()).cos()
     }
 }
 
@@ -45,23 +47,29 @@ pub(crate) fn self_affine(
     cutoff: f64,
     seed: u64,
 ) -> HeightMap {
-    use std::f64::consts::TAU;
     let mut random = Uniform(seed);
     let white: Vec<f64> = (0..grid.len()).map(|_| random.normal()).collect();
+    filtered(grid, &white, |wave| match grid.wavenumber(wave[0], wave[1]) {
+        q if q <= 0.0 || q > 1.0001 * TAU / cutoff => 0.0,
+        q => (q * rolloff / TAU).max(1.0).powf(-(hurst + 1.0)),
+    })
+}
+
+/// White noise whose waves `[ky, kx]` are multiplied by an amplitude each; rms gradient (from the spectrum) 1.
+pub(crate) fn filtered(
+    grid: Grid,
+    white: &[f64],
+    amplitude: impl Fn([usize; 2]) -> f64,
+) -> HeightMap {
     let mut fft = GridFft::new(grid.shape());
     let mut spectrum = fft.new_spectrum();
-    fft.forward(&white, &mut spectrum);
+    fft.forward(white, &mut spectrum);
     let [_, nq] = fft.spectrum_shape();
     let nx = grid.shape()[1];
     let mut gradient2 = 0.0;
     for (i, wave) in spectrum.iter_mut().enumerate() {
         let q = grid.wavenumber(i / nq, i % nq);
-        let amplitude = if q <= 0.0 || q > 1.0001 * TAU / cutoff {
-            0.0
-        } else {
-            (q * rolloff / TAU).max(1.0).powf(-(hurst + 1.0))
-        };
-        *wave *= amplitude;
+        *wave *= amplitude([i / nq, i % nq]);
         let twice = if i % nq == 0 || 2 * (i % nq) == nx { 1.0 } else { 2.0 };
         gradient2 += twice * q * q * wave.norm_sqr();
     }
@@ -83,10 +91,35 @@ pub(crate) fn measured_like(n: usize, seed: u64) -> HeightMap {
     HeightMap::new(unit_grid(n, n), heights).unwrap()
 }
 
+/// A solver for E* = 1 Pa.
+pub(crate) fn solver(grid: Grid, builder: SolverBuilder) -> Solver {
+    builder.build(grid, unit_modulus()).unwrap()
+}
+
 /// Solves for a mean pressure, E* = 1 Pa.
 pub(crate) fn solve(map: &HeightMap, builder: SolverBuilder, load: f64) -> Solution {
-    let mut solver = builder.build(map.grid(), unit_modulus()).unwrap();
+    let mut solver = solver(map.grid(), builder);
     solver.solve(map, Load::MeanPressure(load)).unwrap_or_else(|e| panic!("at {load:e}: {e}"))
+}
+
+/// The iterate after `count` iterations, if there are so many to 1e-13.
+pub(crate) fn iterate(
+    map: &HeightMap,
+    builder: SolverBuilder,
+    load: f64,
+    count: usize,
+) -> Solution {
+    let mut solver = solver(map.grid(), builder.tolerance(1e-13));
+    let watch = |now: &Iteration<'_>| {
+        if now.number < count { ControlFlow::Continue(()) } else { ControlFlow::Break(()) }
+    };
+    let found = solver.solve_observed(map, Load::MeanPressure(load), watch);
+    found.or_else(|e| e.solution().cloned().ok_or(e)).unwrap()
+}
+
+/// Solves for one mean pressure after the other, each from the one before.
+pub(crate) fn curve(solver: &mut Solver, map: &HeightMap, loads: &[f64]) -> Vec<Solution> {
+    loads.iter().map(|load| solver.solve(map, Load::MeanPressure(*load)).unwrap()).collect()
 }
 
 /// Relative rms difference of two pressures.
@@ -98,10 +131,7 @@ pub(crate) fn difference(found: &[f64], exact: &[f64]) -> f64 {
 /// The displacement of a pressure, made apart from the solver.
 pub(crate) fn displaced(grid: Grid, boundary: Boundary, pressure: &[f64]) -> Vec<f64> {
     let mut u = pressure.to_vec();
-    match boundary {
-        Boundary::Periodic => HalfSpace::new(grid, unit_modulus()).displace(&mut u).unwrap(),
-        _ => FreeHalfSpace::new(grid, unit_modulus()).displace(&mut u).unwrap(),
-    }
+    HalfSpace::new(grid, unit_modulus(), boundary).displace(&mut u);
     u
 }
 

@@ -1,33 +1,17 @@
 //! The standard normal numbers of `numpy.random.default_rng(1)`: PCG64 and the ziggurat on 256 levels. They agree to
 //! 1e-13: numpy keeps the ziggurat as a printed table.
 
-/// PCG XSL RR 128/64 (O'Neill, Harvey Mudd College HMC-CS-2014-0905, 2014).
-pub(crate) struct Pcg64 {
-    state: u128,
-    increment: u128,
+use rand_pcg::Pcg64;
+use rand_pcg::rand_core::Rng as _;
+
+/// The generator of the seed 1, from `SeedSequence(1).generate_state(4, uint64)`.
+pub(crate) fn numpy_seed_1() -> Pcg64 {
+    Pcg64::new(0x672d_8ee5_6d67_91ff_8ae1_9ca1_4eb1_072c, 0x4915_796d_1322_fc4a_d0cc_2bdc_aba0_49bd)
 }
 
-impl Pcg64 {
-    /// `numpy.random.default_rng(1).bit_generator.state`, printed by numpy 2.4.
-    pub(crate) const fn numpy_seed_1() -> Self {
-        Self {
-            state: 0x9c5b_484b_fedb_756c_2a6e_7d6f_320f_bc7e,
-            increment: 0x922a_f2da_2645_f895_a198_57b9_5740_937b,
-        }
-    }
-
-    /// The next 64 bits: a step of the congruential generator, its halves combined and rotated.
-    pub(crate) fn next_bits(&mut self) -> u64 {
-        const MULTIPLIER: u128 = 0x2360_ed05_1fc6_5da4_4385_df64_9fcc_f645;
-        self.state = self.state.wrapping_mul(MULTIPLIER).wrapping_add(self.increment);
-        let folded = (self.state >> 64) as u64 ^ self.state as u64;
-        folded.rotate_right((self.state >> 122) as u32)
-    }
-
-    /// Uniform in 0..1, 53 bits.
-    fn uniform(&mut self) -> f64 {
-        (self.next_bits() >> 11) as f64 / (1_u64 << 53) as f64
-    }
+/// Uniform in 0..1, 53 bits.
+fn uniform(random: &mut Pcg64) -> f64 {
+    (random.next_u64() >> 11) as f64 / (1_u64 << 53) as f64
 }
 
 /// Levels of the ziggurat.
@@ -67,7 +51,7 @@ impl Ziggurat {
     pub(crate) fn normal(&self, random: &mut Pcg64) -> f64 {
         loop {
             // From the lowest bit: 8 of the level, 1 of the sign, 52 of the place in the level.
-            let bits = random.next_bits();
+            let bits = random.next_u64();
             let level = (bits & 0xff) as usize;
             let place = ((bits >> 9) & 0xf_ffff_ffff_ffff) as f64;
             let sign = if bits >> 8 & 1 == 1 { -1.0 } else { 1.0 };
@@ -79,7 +63,7 @@ impl Ziggurat {
                 return tail(bits, random);
             }
             let [low, high] = [self.density[level], self.density[level - 1]];
-            if low + (high - low) * random.uniform() < (-0.5 * x * x).exp() {
+            if low + (high - low) * uniform(random) < (-0.5 * x * x).exp() {
                 return sign * x;
             }
         }
@@ -99,8 +83,8 @@ impl Ziggurat {
 /// sign bit.
 fn tail(bits: u64, random: &mut Pcg64) -> f64 {
     loop {
-        let beyond = -(-random.uniform()).ln_1p() / TAIL;
-        let other = -(-random.uniform()).ln_1p();
+        let beyond = -(-uniform(random)).ln_1p() / TAIL;
+        let other = -(-uniform(random)).ln_1p();
         if 2.0 * other > beyond * beyond {
             return if bits >> 17 & 1 == 1 { -(TAIL + beyond) } else { TAIL + beyond };
         }

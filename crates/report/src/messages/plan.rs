@@ -53,11 +53,10 @@ pub fn reason(reached: &Reached) -> Option<String> {
     })
 }
 
-/// "2 MPa", "a mean gap of 30 nm", "an approach of 30 nm".
+/// "2 MPa", "a mean gap of 30 nm".
 fn shown(load: Load) -> String {
     match load {
         Load::MeanGap(gap) => format!("a mean gap of {}", chosen(gap, METRES)),
-        Load::Approach(depth) => format!("an approach of {}", chosen(depth, METRES)),
         Load::MeanPressure(load) => chosen(load, PASCALS),
         _ => format!("{load:?}"),
     }

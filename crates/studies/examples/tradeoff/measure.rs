@@ -4,8 +4,8 @@
 use contact_compare::{Comparison, Inputs, Level, Settings, Surface, built_in, built_in_recipes};
 use contact_types::{ContactModulus, Grid, HeightMap};
 use fft_bem_solver::{
-    HalfSpace, Iteration, Load, Method, PERIMETER_CORRECTION, Precision, Real, Solution, Solver,
-    SolverError,
+    Boundary, HalfSpace, Iteration, Load, Method, PERIMETER_CORRECTION, Precision, Real, Solution,
+    Solver, SolverError,
 };
 use std::error::Error;
 use std::hint::black_box;
@@ -340,8 +340,8 @@ impl Job<'_> {
         let grid = Grid::new([ny, nx], [ly / ny as f64, lx / nx as f64])?;
         let budget = self.plan.seconds;
         for (precision, seconds) in [
-            (Precision::Double, one_pair::<f64>(grid, self.modulus, budget)?),
-            (Precision::Single, one_pair::<f32>(grid, self.modulus, budget)?),
+            (Precision::Double, one_pair::<f64>(grid, self.modulus, budget)),
+            (Precision::Single, one_pair::<f32>(grid, self.modulus, budget)),
         ] {
             let precision = Some(precision.to_string());
             let pair = TradeoffRow { method: PAIR.into(), precision, seconds, ..self.case.clone() };
@@ -351,16 +351,14 @@ impl Job<'_> {
     }
 }
 
-fn one_pair<T: Real>(grid: Grid, modulus: ContactModulus, budget: f64) -> RunResult<f64> {
-    let mut half_space = HalfSpace::<T>::new(grid, modulus);
+fn one_pair<T: Real>(grid: Grid, modulus: ContactModulus, budget: f64) -> f64 {
+    let mut half_space = HalfSpace::<T>::new(grid, modulus, Boundary::Periodic);
     let mut field = vec![T::of(1.0); grid.len()];
-    let mut trouble = None;
-    let best = shortest(budget, || {
+    shortest(budget, || {
         let clock = Instant::now();
-        trouble = half_space.displace(&mut field).err();
+        half_space.displace(&mut field);
         clock.elapsed().as_secs_f64()
-    });
-    trouble.map_or(Ok(best), |error| Err(error.into()))
+    })
 }
 
 /// Rms difference over the rms of the exact field.

@@ -222,7 +222,7 @@ impl<T: Real, C: Ceiling<T>> Run<'_, T, C> {
         if kind == StepKind::FaceCg {
             self.transforms += face_cg::step(self, proposal.level);
             (self.memory.is_first, self.memory.has_before) = (false, true);
-            self.fallbacks.face_cg_steps += 1;
+            self.fallbacks += 1;
             return;
         }
         let products = loop {
@@ -250,7 +250,7 @@ impl<T: Real, C: Ceiling<T>> Run<'_, T, C> {
             kind = StepKind::Gradient; // the chord does not descend: projected gradients always do
         };
         if kind != StepKind::Chord {
-            self.fallbacks.gradient_steps += 1;
+            self.fallbacks += 1;
         }
         self.advance(kind, &products, proposal.level);
     }

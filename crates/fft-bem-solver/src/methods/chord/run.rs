@@ -6,7 +6,7 @@ use crate::methods::ceiling::Ceiling;
 use crate::methods::compliance::Compliance;
 use crate::methods::contract::{ContactTask, Start, State, Target};
 use crate::methods::level_control::LevelControl;
-use crate::{Boundary, Fallbacks, Real, fields, projection};
+use crate::{Boundary, Real, fields, projection};
 
 /// A run in progress. Its steps are in files of their own, in the order in which the
 /// [loop](super::iteration) takes them.
@@ -26,7 +26,7 @@ pub(crate) struct Run<'a, T: Real, C: Ceiling<T>> {
     pub(super) first_level: Option<f64>,
     /// Pairs spent.
     pub(super) transforms: f64,
-    pub(super) fallbacks: Fallbacks,
+    pub(super) fallbacks: usize,
 }
 
 impl<'a, T: Real, C: Ceiling<T>> Run<'a, T, C> {
@@ -43,8 +43,7 @@ impl<'a, T: Real, C: Ceiling<T>> Run<'a, T, C> {
         let (load, control) = match task.target {
             Target::Pressure(load) | Target::OpenGap(_, load) => (load, None),
             Target::Level(level, guess) => {
-                let mean_height = task.problem.mean_height;
-                (guess, Some(LevelControl::new(level, mean_height, operator.boundary())))
+                (guess, Some(LevelControl::new(level, task.problem.mean_height)))
             }
         };
         Self {
@@ -59,7 +58,7 @@ impl<'a, T: Real, C: Ceiling<T>> Run<'a, T, C> {
             memory: Memory::new(start == Start::Cold, forced),
             first_level: None,
             transforms: 0.0,
-            fallbacks: Fallbacks::default(),
+            fallbacks: 0,
         }
     }
 
@@ -70,15 +69,9 @@ impl<'a, T: Real, C: Ceiling<T>> Run<'a, T, C> {
 
     /// Begins with the constant pressure; its displacement is zero on a periodic half space.
     pub(super) fn begin_constant(&mut self) {
-        let state = &mut *self.iterate;
-        fields::fill(self.load, &mut state.pressure);
-        if self.operator.boundary() == Boundary::Periodic {
-            fields::fill(0.0, &mut state.displacement);
-            self.first_level = Some(-self.mean_height);
-        } else {
-            self.operator.apply(&state.pressure, &mut state.displacement);
-            self.transforms += 1.0;
-        }
+        self.transforms += self.iterate.fill(self.load, self.operator);
+        let is_periodic = self.operator.boundary() == Boundary::Periodic;
+        self.first_level = is_periodic.then_some(-self.mean_height);
     }
 
     /// Begins with the iterate there is, scaled to the load: K is linear. Where the level is prescribed, the

@@ -8,7 +8,7 @@ use crate::methods::extension::{Pyramid, PyramidLevel};
 use crate::methods::node::NodeState;
 use crate::methods::sweep::{self, Sweep};
 use crate::row_work::{Partial, total};
-use crate::simd::{LANES, Lane, four, rest, vectorised};
+use crate::simd::{LANES, four, rest, vectorised};
 use crate::{Real, fields, projection};
 use fearless_simd::{Simd, SimdBase, f64x4};
 use grid_fft::parallel::prelude::*;

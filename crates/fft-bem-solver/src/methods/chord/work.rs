@@ -50,8 +50,8 @@ impl<T: Real> Work<T> {
         Self {
             rows,
             columns: shape[1],
-            elongation: thin_pixels::ratio(scaled),
-            slenderness: thin_pixels::ratio_of_sides(scaled),
+            elongation: thin_pixels::ratio(shape, scaled.pixel()),
+            slenderness: thin_pixels::ratio(shape, scaled.size()),
             longest: scaled.size().into_iter().fold(1.0, f64::max),
             nodes: vec![NodeState::Gap; n],
             residual: vec![0.0; n],

@@ -1,11 +1,11 @@
-//! Iterations allocate nothing: a solve of many iterations makes as many allocations as one of few.
+//! What concerns the whole process: allocations, and the global pool of rayon. In a program of their own.
 
 #![cfg(feature = "parallel")]
 #![allow(clippy::unwrap_used, reason = "tests may stop where their input is wrong")]
 
 mod common;
 
-use common::{self_affine, unit_grid, unit_modulus};
+use common::{self_affine, solver, unit_grid};
 use fft_bem_solver::{Boundary, Load, Maps, Method, Precision, Solver, SolverBuilder};
 
 /// Allocations and iterations of a cold solve, everything on the thread that counts.
@@ -14,8 +14,7 @@ fn cold_solve(builder: SolverBuilder, tolerance: f64, load: Load) -> (u64, usize
     let surface = self_affine(grid, 0.8, 20.0, 4.0, 1);
     let pool = rayon::ThreadPoolBuilder::new().num_threads(1).build().unwrap();
     pool.install(|| {
-        let mut solver =
-            builder.maps(Maps::None).tolerance(tolerance).build(grid, unit_modulus()).unwrap();
+        let mut solver = solver(grid, builder.maps(Maps::None).tolerance(tolerance));
         solver.solve(&surface, load).unwrap(); // threads and queues warm up
         solver.forget();
         let mut iterations = 0;
@@ -26,6 +25,7 @@ fn cold_solve(builder: SolverBuilder, tolerance: f64, load: Load) -> (u64, usize
     })
 }
 
+/// A solve of many iterations makes as many allocations as one of few.
 #[test]
 fn iterations_allocate_nothing() {
     let pressure = Load::MeanPressure(0.05);
@@ -46,4 +46,22 @@ fn iterations_allocate_nothing() {
         assert!(few > 0, "{name}: what this thread allocates is counted");
         assert_eq!(few, many, "{name}: allocations in {first} and in {last} iterations");
     }
+}
+
+/// A solver does not start rayon's global pool, whose threads a forked child would wait for in vain.
+#[test]
+fn the_global_pool_is_left_alone() {
+    let map = self_affine(unit_grid(96, 100), 0.8, 16.0, 4.0, 3);
+    // What made the map may use it; what solves may not.
+    let is_untouched = || rayon::ThreadPoolBuilder::new().num_threads(1).build_global().is_ok();
+    for boundary in [Boundary::Periodic, Boundary::Free] {
+        for method in [Method::Auto, Method::PolonskyKeer, Method::StanleyKato] {
+            let builder = Solver::builder().method(method).boundary(boundary).certified(true);
+            let mut solver = solver(map.grid(), builder);
+            solver.solve(&map, Load::MeanPressure(0.05)).unwrap();
+            solver.solve(&map, Load::MeanPressure(0.02)).unwrap();
+        }
+    }
+    assert!(is_untouched(), "a solver has started the global pool");
+    assert!(!is_untouched(), "this would not be seen");
 }
