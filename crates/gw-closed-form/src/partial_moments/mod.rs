@@ -35,5 +35,5 @@ mod function;
 mod nodes;
 mod orders;
 
-pub use function::{density, times_gaussian};
+pub use function::times_gaussian;
 pub use orders::{Order, ln, ln_derivative, scaled, value};

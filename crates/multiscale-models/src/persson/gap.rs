@@ -1,10 +1,9 @@
-//! Mean gap and stiffness.
+//! Mean gap.
 
 use super::scales::Scales;
 use super::span::MODEL;
 use super::theory::Persson;
-use crate::special::{erf, half_e1_of_square, squared_erf_tail};
-use crate::wide::Wide;
+use crate::special::{half_e1_of_square, squared_erf_tail};
 use contact_types::{ModelError, require};
 use std::f64::consts::FRAC_2_SQRT_PI;
 
@@ -47,39 +46,6 @@ impl Persson {
         }
         let length = self.slope / scales.smallest_wavenumber();
         require::representable(MODEL, "mean gap", (length * FRAC_2_SQRT_PI * integral).value())
-    }
-
-    /// Normal contact stiffness per nominal area, `-dp/du` \[Pa/m\], at nominal pressure `p` \[Pa\]:
-    ///
-    /// ```math
-    /// -\frac{dp}{d\bar u} = \frac{p}{\sqrt\pi\int dq\,q^2 C w
-    ///   [\gamma+3(1-\gamma)\operatorname{erf}^2(wp/E^*)]\, e^{-(wp/E^*)^2}}
-    /// ```
-    ///
-    /// # Errors
-    /// [`ModelError::InvalidInput`] unless the pressure is finite and positive, or if the model was made from moments;
-    /// [`ModelError::OutsideDomain`] where the stiffness exceeds the largest double: the contact is full.
-    pub fn stiffness(&self, pressure: f64) -> Result<f64, ModelError> {
-        require::positive(MODEL, "mean pressure", pressure)?;
-        let requirement =
-            "it needs more than moments: use Persson::from_spectrum or Persson::from_self_affine";
-        let scales = self.scales.as_deref().ok_or_else(|| {
-            require::refused(MODEL, "number of shells of the spectrum", 0.0, requirement)
-        })?;
-        let x = self.load(pressure).map_or(f64::INFINITY, Wide::value);
-        let integral = if x > FULL {
-            0.0
-        } else {
-            let (x, gamma) = (x.max(LIGHT), self.gamma);
-            scales.integrate(x, |rho| {
-                let y = x / rho;
-                (gamma + 3.0 * (1.0 - gamma) * erf(y).powi(2)) * (-y * y).exp()
-            })
-        };
-        let length = self.slope / scales.smallest_wavenumber() * FRAC_2_SQRT_PI * integral;
-        let stiffness =
-            if length.is_zero() { f64::INFINITY } else { (Wide::from(pressure) / length).value() };
-        require::representable(MODEL, "stiffness", stiffness)
     }
 }
 

@@ -4,6 +4,7 @@ use super::scales::Scales;
 use super::self_affine::SelfAffineSpectrum;
 use super::span::MODEL;
 use crate::answer::{citation, saturated, steep, underflow};
+use crate::special::erf;
 use crate::wide::Wide;
 use contact_types::{
     Citation, ContactModel, ContactModulus, ContactState, ModelError, RoughnessSpectrum,
@@ -11,18 +12,6 @@ use contact_types::{
 };
 use std::borrow::Borrow;
 use std::sync::Arc;
-
-/// How the area follows from the spectrum.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
-pub enum AreaLaw {
-    /// `A/A_0 = erf(p / (E* sqrt(m2)))`, Persson's law.
-    #[default]
-    Diffusion,
-    /// The variance is reduced where the contact is already partial,
-    /// `dV_eff = [gamma + (1 - gamma) A^2] dV`; `A/A_0 = erf(p / sqrt(2 V_eff))`. The mean gap stays the
-    /// same, and with gamma = 1 the area.
-    ReducedDiffusion,
-}
 
 /// Persson's theory of elastic contact between a rough surface and a flat.
 ///
@@ -37,7 +26,7 @@ pub enum AreaLaw {
 /// - `g_rms`: rms gradient of the surface, `g_rms^2 = 2 m2` \[-\];
 /// - `V`: variance of the pressure in full contact \[Pa²\].
 ///
-/// Made from moments it knows the area only; made from a spectrum also the mean gap and its stiffness.
+/// Made from moments it knows the area only; made from a spectrum also the mean gap.
 ///
 /// ```
 /// use contact_types::{ContactModel, ContactModulus, SpectralMoments};
@@ -61,7 +50,6 @@ pub struct Persson {
     /// The spectrum, in units of `sqrt(m2)`; `None` if only the moments are known.
     pub(super) scales: Option<Arc<Scales>>,
     pub(super) gamma: f64,
-    pub(super) area_law: AreaLaw,
 }
 
 impl Persson {
@@ -101,13 +89,7 @@ impl Persson {
     }
 
     fn with_scales(modulus: ContactModulus, slope: Wide, scales: Option<Scales>) -> Self {
-        Self {
-            modulus,
-            slope,
-            scales: scales.map(Arc::new),
-            gamma: Self::GAMMA,
-            area_law: AreaLaw::Diffusion,
-        }
+        Self { modulus, slope, scales: scales.map(Arc::new), gamma: Self::GAMMA }
     }
 
     /// Sets the factor gamma of the elastic energy in partial contact,
@@ -127,13 +109,6 @@ impl Persson {
         Ok(self)
     }
 
-    /// Sets how the area follows from the spectrum; the default is Persson's law.
-    #[must_use]
-    pub fn with_area_law(mut self, area_law: AreaLaw) -> Self {
-        self.area_law = area_law;
-        self
-    }
-
     /// `x = p / (E* sqrt(m2))`; `None` for a flat surface.
     pub(super) fn load(&self, pressure: f64) -> Option<Wide> {
         let stiffness = self.slope * self.modulus.pascals();
@@ -148,7 +123,12 @@ impl ContactModel for Persson {
     }
 
     fn at_pressure(&self, mean_pressure: f64) -> Result<ContactState, ModelError> {
-        let area_fraction = self.area_fraction(mean_pressure)?;
+        require::pressure(MODEL, mean_pressure)?;
+        let area_fraction = match self.load(mean_pressure) {
+            Some(x) => erf(x.value()),
+            None if mean_pressure > 0.0 => 1.0, // flat: all or nothing
+            None => 0.0,
+        };
         let mean_gap = match self.scales.as_deref() {
             Some(scales) if mean_pressure > 0.0 => Some(self.mean_gap(scales, mean_pressure)?),
             _ => None,
