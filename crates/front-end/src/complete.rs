@@ -9,7 +9,7 @@ use std::path::Path;
 use surface_io::{Fill, FillError, HeightUnit, Measurement, Need, ReadError, ReadOptions};
 use surface_stats::clean::{self, Record};
 use surface_stats::profile::Trace;
-use surface_stats::{Edges, StatsError, height_step};
+use surface_stats::{StatsError, height_step};
 
 /// A surface that is asked about.
 #[derive(Debug)]
@@ -197,7 +197,6 @@ fn clean(
     }
     cleaning.check(measurement.grid())?;
     let steps = cleaning.steps();
-    // A measured map ends at its edges, whatever is assumed beyond them later.
-    let clean = |grid, heights: &mut Vec<f64>| clean::apply(grid, heights, &steps, Edges::Open);
+    let clean = |grid, heights: &mut Vec<f64>| clean::apply(grid, heights, &steps);
     Ok(measurement.edit(clean)?)
 }

@@ -42,7 +42,7 @@ pub use heights::HeightStatistics;
 pub use level::{Level, level, tilted};
 pub use options::StatsOptions;
 pub use seam::{repeats, seam_jump};
-pub use spectral_scales::SpectralScales;
+use spectral_scales::SpectralScales;
 pub use statistics::{STATISTICS, Spectra, Statistic, SurfaceStatistics};
 pub use steps::height_step;
 pub use summits::Summits;

@@ -4,10 +4,10 @@ use crate::clean::{RowOffsets, row_offsets};
 use crate::level::{tilted, without_form};
 use crate::options::{StatsOptions, check_range};
 use crate::seam::{MOST_SEAM_JUMP, seam_jump};
-use crate::spectral_scales::SpectralScales;
-use crate::spectrum::{PowerSpectrum, Window, amplitudes};
+use crate::spectrum::{PowerSpectrum, amplitudes, apply_window};
 use crate::{
-    DirectionalMoments, Edges, HeightStatistics, Level, StatsError, Summits, Warning, scale, steps,
+    DirectionalMoments, Edges, HeightStatistics, Level, SpectralScales, StatsError, Summits,
+    Warning, scale, steps,
 };
 use contact_types::{
     AmplitudeSpectrum, AsperityStatistics, Clock, FractalParameters, HeightMap, SpectralMoments,
@@ -113,23 +113,13 @@ pub struct Statistic {
     pub name: &'static str,
     /// SI; empty for a pure number.
     pub unit: &'static str,
-    value: Value,
+    value: fn(&SurfaceStatistics) -> Option<f64>,
 }
-
-#[derive(Debug)]
-enum Value {
-    Always(fn(&SurfaceStatistics) -> f64),
-    Maybe(fn(&SurfaceStatistics) -> Option<f64>),
-}
-use Value::{Always, Maybe};
 
 impl Statistic {
     /// The number of a surface, if it has one.
     pub fn of(&self, statistics: &SurfaceStatistics) -> Option<f64> {
-        match self.value {
-            Always(value) => Some(value(statistics)),
-            Maybe(value) => value(statistics),
-        }
+        (self.value)(statistics)
     }
 }
 
@@ -138,48 +128,44 @@ const fn number(
     symbol: &'static str,
     name: &'static str,
     unit: &'static str,
-    value: Value,
+    value: fn(&SurfaceStatistics) -> Option<f64>,
 ) -> Statistic {
     Statistic { key, symbol, name, unit, value }
 }
 
 /// The numbers of [`SurfaceStatistics`], in its order. `cargo xtask study tables` writes those of Python from here.
 pub const STATISTICS: [Statistic; 29] = [
-    number("rms_height", "Sq", "rms height", "m", Always(|s| s.rms_height)),
-    number("mean_abs_height", "Sa", "mean absolute height", "m", Always(|s| s.mean_abs_height)),
-    number("skewness", "Ssk", "skewness", "", Maybe(|s| s.skewness)),
-    number("kurtosis", "Sku", "kurtosis", "", Maybe(|s| s.kurtosis)),
-    number("peak_height", "Sp", "highest peak", "m", Always(|s| s.peak_height)),
-    number("pit_depth", "Sv", "deepest pit", "m", Always(|s| s.pit_depth)),
-    number("rms_gradient", "Sdq", "rms gradient", "", Always(|s| s.rms_gradient)),
-    number("m0", "m0", "height variance", "m²", Always(|s| s.m0)),
-    number("m2", "m2", "slope variance", "", Always(|s| s.m2)),
-    number("m4", "m4", "curvature variance", "m⁻²", Always(|s| s.m4)),
-    number("m2_x", "m2x", "slope variance by axis", "", Always(|s| s.m2_x)),
-    number("m2_y", "m2y", "slope variance by axis", "", Always(|s| s.m2_y)),
-    number("m4_x", "m4x", "curvature variance by axis", "m⁻²", Always(|s| s.m4_x)),
-    number("m4_y", "m4y", "curvature variance by axis", "m⁻²", Always(|s| s.m4_y)),
-    number("m0_spectral", "m0", "by spectrum", "m²", Always(|s| s.m0_spectral)),
-    number("m2_spectral", "m2", "by spectrum", "", Always(|s| s.m2_spectral)),
-    number("m4_spectral", "m4", "by spectrum", "m⁻²", Always(|s| s.m4_spectral)),
-    number("bandwidth", "m0 m4/m2²", "bandwidth", "", Maybe(|s| s.bandwidth)),
-    number("anisotropy", "a2", "slope anisotropy", "", Maybe(|s| s.anisotropy)),
-    number("hurst", "H", "Hurst exponent", "", Maybe(|s| s.hurst)),
-    number("dimension", "D", "profile dimension", "", Maybe(|s| s.dimension)),
-    number("roughness", "G", "fractal roughness", "m", Maybe(|s| s.roughness)),
-    number("rolloff", "λr", "roll-off", "m", Maybe(|s| s.rolloff)),
-    number("cutoff", "λs", "cut-off", "m", Maybe(|s| s.cutoff)),
-    number(
-        "max_amplitude_ratio",
-        "B_max",
-        "amplitude / length",
-        "",
-        Always(|s| s.max_amplitude_ratio),
-    ),
-    number("record_length", "", "length of the rows", "m", Always(|s| s.record_length)),
-    number("height_step", "", "height step", "m", Maybe(|s| s.height_step)),
-    number("noise_rms", "", "noise rms", "m", Maybe(|s| s.noise_rms)),
-    number("reliable_wavelength", "", "reliable wavelength", "m", Maybe(|s| s.reliable_wavelength)),
+    number("rms_height", "Sq", "rms height", "m", |s| Some(s.rms_height)),
+    number("mean_abs_height", "Sa", "mean absolute height", "m", |s| Some(s.mean_abs_height)),
+    number("skewness", "Ssk", "skewness", "", |s| s.skewness),
+    number("kurtosis", "Sku", "kurtosis", "", |s| s.kurtosis),
+    number("peak_height", "Sp", "highest peak", "m", |s| Some(s.peak_height)),
+    number("pit_depth", "Sv", "deepest pit", "m", |s| Some(s.pit_depth)),
+    number("rms_gradient", "Sdq", "rms gradient", "", |s| Some(s.rms_gradient)),
+    number("m0", "m0", "height variance", "m²", |s| Some(s.m0)),
+    number("m2", "m2", "slope variance", "", |s| Some(s.m2)),
+    number("m4", "m4", "curvature variance", "m⁻²", |s| Some(s.m4)),
+    number("m2_x", "m2x", "slope variance by axis", "", |s| Some(s.m2_x)),
+    number("m2_y", "m2y", "slope variance by axis", "", |s| Some(s.m2_y)),
+    number("m4_x", "m4x", "curvature variance by axis", "m⁻²", |s| Some(s.m4_x)),
+    number("m4_y", "m4y", "curvature variance by axis", "m⁻²", |s| Some(s.m4_y)),
+    number("m0_spectral", "m0", "by spectrum", "m²", |s| Some(s.m0_spectral)),
+    number("m2_spectral", "m2", "by spectrum", "", |s| Some(s.m2_spectral)),
+    number("m4_spectral", "m4", "by spectrum", "m⁻²", |s| Some(s.m4_spectral)),
+    number("bandwidth", "m0 m4/m2²", "bandwidth", "", |s| s.bandwidth),
+    number("anisotropy", "a2", "slope anisotropy", "", |s| s.anisotropy),
+    number("hurst", "H", "Hurst exponent", "", |s| s.hurst),
+    number("dimension", "D", "profile dimension", "", |s| s.dimension),
+    number("roughness", "G", "fractal roughness", "m", |s| s.roughness),
+    number("rolloff", "λr", "roll-off", "m", |s| s.rolloff),
+    number("cutoff", "λs", "cut-off", "m", |s| s.cutoff),
+    number("max_amplitude_ratio", "B_max", "amplitude / length", "", |s| {
+        Some(s.max_amplitude_ratio)
+    }),
+    number("record_length", "", "length of the rows", "m", |s| Some(s.record_length)),
+    number("height_step", "", "height step", "m", |s| s.height_step),
+    number("noise_rms", "", "noise rms", "m", |s| s.noise_rms),
+    number("reliable_wavelength", "", "reliable wavelength", "m", |s| s.reliable_wavelength),
 ];
 
 /// The spectra that [`SurfaceStatistics`] are taken from, of the levelled map.
@@ -254,7 +240,7 @@ impl SurfaceStatistics {
         } else {
             drop(power);
             let mut heights = surface.into_heights();
-            Window::Hann.apply(grid, &mut heights);
+            apply_window(grid, &mut heights, Edges::Open);
             PowerSpectrum::of_field(grid, &heights)
         };
         let (resolved, rings) = join(|| power.resolved_gradient(), || power.rings());

@@ -1,5 +1,6 @@
 //! Scan lines: rows of a probe microscope that stand at heights of their own.
 
+use super::outliers::select;
 use crate::{StatsError, Warning, scale};
 use contact_types::Grid;
 
@@ -111,6 +112,9 @@ fn jumps(lines: usize, points: usize, at: impl Fn(usize, usize) -> f64) -> (Vec<
     let mut differences = Vec::with_capacity(points);
     let mut medians = Vec::with_capacity(lines);
     let (mut sums, mut count) = ([0.0; 2], 0.0);
+    // The lower one of two; of none 0.
+    let median =
+        |values: &mut [f64]| select(values, values.len().saturating_sub(1) / 2).unwrap_or(0.0);
     for line in 1..lines {
         differences.clear();
         let pairs = (0..points).map(|i| at(line, i) - at(line - 1, i));
@@ -121,9 +125,9 @@ fn jumps(lines: usize, points: usize, at: impl Fn(usize, usize) -> f64) -> (Vec<
         }
         count += differences.len() as f64;
         // A row without a neighbour stays where it is.
-        medians.push(median(&mut differences).unwrap_or(0.0));
+        medians.push(median(&mut differences));
     }
-    let tilt = median(&mut medians.clone()).unwrap_or(0.0);
+    let tilt = median(&mut medians.clone());
     let jumps: Vec<f64> = medians.iter().map(|m| m - tilt).collect();
     let square = jumps.iter().map(|j| j * j).sum::<f64>() / jumps.len().max(1) as f64;
     // Mean square of all differences about the tilt.
@@ -133,16 +137,9 @@ fn jumps(lines: usize, points: usize, at: impl Fn(usize, usize) -> f64) -> (Vec<
     (jumps, share)
 }
 
-/// The median, the lower one of two; the order is lost.
-fn median(values: &mut [f64]) -> Option<f64> {
-    let middle = values.len().checked_sub(1)? / 2;
-    Some(*values.select_nth_unstable_by(middle, f64::total_cmp).1)
-}
-
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::Edges;
     use crate::clean::{Record, Step, apply};
     use crate::synthesis::rough;
     use approx::assert_abs_diff_eq;
@@ -166,7 +163,7 @@ mod tests {
         let (grid, mut heights) = relief(3);
         assert!(row_offsets(grid, &heights).unwrap().warning().is_none());
         let align = |heights: &mut Vec<f64>| {
-            let records = apply(grid, heights, &[Step::Rows], Edges::Open).unwrap();
+            let records = apply(grid, heights, &[Step::Rows]).unwrap();
             let Record::Rows { jump, largest } = records[0] else { panic!("{records:?}") };
             [jump, largest]
         };
