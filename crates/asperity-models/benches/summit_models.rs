@@ -30,12 +30,5 @@ fn summit_models(c: &mut Criterion) {
     }
 }
 
-criterion_group! {
-    name = benches;
-    config = Criterion::default()
-        .sample_size(20)
-        .warm_up_time(std::time::Duration::from_millis(300))
-        .measurement_time(std::time::Duration::from_millis(800));
-    targets = summit_models
-}
+criterion_group!(benches, summit_models);
 criterion_main!(benches);

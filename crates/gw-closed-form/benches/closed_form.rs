@@ -53,12 +53,5 @@ fn model(c: &mut Criterion) {
     });
 }
 
-criterion_group! {
-    name = benches;
-    config = Criterion::default()
-        .sample_size(30)
-        .warm_up_time(std::time::Duration::from_millis(300))
-        .measurement_time(std::time::Duration::from_millis(800));
-    targets = load_integral, model
-}
+criterion_group!(benches, load_integral, model);
 criterion_main!(benches);

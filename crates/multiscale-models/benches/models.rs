@@ -45,11 +45,5 @@ fn persson_gap(c: &mut Criterion) {
     }
 }
 
-criterion_group! {
-    name = benches;
-    config = Criterion::default()
-        .warm_up_time(std::time::Duration::from_millis(300))
-        .measurement_time(std::time::Duration::from_secs(1));
-    targets = persson_area, persson_gap
-}
+criterion_group!(benches, persson_area, persson_gap);
 criterion_main!(benches);

@@ -1,18 +1,35 @@
 //! The one call most users need.
 
 use crate::clean::{RowOffsets, row_offsets};
+use crate::fractal::{SpectralScales, check_range};
 use crate::level::{tilted, without_form};
-use crate::options::{StatsOptions, check_range};
 use crate::seam::{MOST_SEAM_JUMP, seam_jump};
 use crate::spectrum::{PowerSpectrum, amplitudes, apply_window};
 use crate::{
-    DirectionalMoments, Edges, HeightStatistics, Level, SpectralScales, StatsError, Summits,
-    Warning, scale, steps,
+    DirectionalMoments, Edges, HeightStatistics, Level, StatsError, Summits, Warning, scale, steps,
 };
 use contact_types::{
     AmplitudeSpectrum, AsperityStatistics, Clock, FractalParameters, HeightMap, SpectralMoments,
 };
 use grid_fft::parallel::join;
+
+/// How statistics are taken.
+#[derive(Debug, Clone, Copy, PartialEq, Default)]
+pub struct StatsOptions {
+    /// What is removed by least squares first. The mean is always taken off: `None` is the same as `Mean` here, and so
+    /// is `Auto` where `edges` say that the map repeats.
+    pub level: Level,
+    /// What lies beyond the edges.
+    pub edges: Edges,
+    /// Shortest and longest wavelength of the fractal fit (m); by default from the cut-off to the
+    /// roll-off, as found among the waves that stand out of the noise.
+    pub fractal_range: Option<[f64; 2]>,
+    /// Points of the map that were filled in, as its reader counted; passed through.
+    pub missing: usize,
+    /// Height step of the data as measured (m), where filling or removing a form has hidden it;
+    /// by default it is looked for in the map.
+    pub height_step: Option<f64>,
+}
 
 /// Everything a contact model can ask of a surface. SI units; absent where undefined.
 #[derive(Debug, Clone, PartialEq)]
@@ -201,7 +218,10 @@ impl SurfaceStatistics {
         scale::check(map)?;
         check_range(options.fractal_range)?;
         let (grid, periodic) = (map.grid(), options.edges == Edges::Periodic);
-        let level = options.level_on(map)?;
+        let level = match options.level {
+            Level::Auto if periodic => Level::Mean,
+            level => level.on(map)?,
+        };
         let degree = level.degree().unwrap_or(0);
         let tilted = if periodic { None } else { tilted(map, options.level)? };
         let height_step = options.height_step.or_else(|| steps::height_step(map.heights()));
@@ -249,7 +269,7 @@ impl SurfaceStatistics {
         let moments = differences.isotropic(rms_height * rms_height);
         let scales = SpectralScales::of_map(&rings, grid, rms_height, options.fractal_range);
         let of_spectrum = seconds(start) + if periodic { of_power } else { 0.0 };
-        let (dimension, fractal) = scales.fractal_of_surface();
+        let fractal = scales.power_law.map(|law| law.fractal_of_surface());
 
         let mut statistics = Self {
             shape: grid.shape(),
@@ -279,8 +299,8 @@ impl SurfaceStatistics {
             asperities: AsperityStatistics::from_moments(moments).ok(),
             summits,
             hurst: scales.power_law.map(|fit| fit.hurst()),
-            dimension,
-            roughness: fractal.map(|g| g.roughness),
+            dimension: fractal.map(|(dimension, _)| dimension),
+            roughness: fractal.and_then(|(_, found)| Some(found?.roughness)),
             fractal_range: scales.fractal_range,
             rolloff: scales.rolloff,
             cutoff: scales.cutoff,

@@ -1,6 +1,5 @@
 //! Persson's theory: the pressure distribution diffuses as finer roughness comes into view.
 
-mod gap;
 mod profile_amplitudes;
 mod scales;
 mod self_affine;
