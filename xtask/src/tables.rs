@@ -26,7 +26,7 @@ fn python_numbers(source: &str) -> String {
         let mut texts = call.split('"').skip(1).step_by(2);
         let (key, unit) = (texts.next().unwrap_or_default(), texts.nth(2).unwrap_or_default());
         let unit = if unit.is_empty() { "1" } else { &unit.replace('²', "2").replace('⁻', "-") };
-        let absent = if call.contains("Maybe(") { " | None" } else { "" };
+        let absent = if call.contains("Some(") { "" } else { " | None" };
         let _ =
             writeln!(lines, "    {key}: float{absent} = field(metadata={{\"unit\": \"{unit}\"}})");
     }

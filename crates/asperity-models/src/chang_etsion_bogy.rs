@@ -116,7 +116,11 @@ fn elastic_load(alpha: f64, w: f64) -> f64 {
     // Above the mean summit what is common to all summits is taken out: exp(-α²/2) loses digits.
     let is_above = alpha >= 0.0;
     let height = |s: f64| {
-        if is_above { (-s * (alpha + 0.5 * s)).exp() } else { partial_moments::density(alpha + s) }
+        if is_above {
+            (-s * (alpha + 0.5 * s)).exp()
+        } else {
+            partial_moments::times_gaussian(FRAC_1_SQRT_2PI, alpha + s)
+        }
     };
     let mut ends: Vec<f64> = BREAKS.iter().map(|b| b / alpha.max(1.0)).collect();
     if !is_above {

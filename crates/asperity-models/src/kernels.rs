@@ -20,26 +20,3 @@ impl Kernel {
         (self.coefficients[0] + (y * b1 - b2)) / (self.lead * (x + self.shift))
     }
 }
-
-/// t² - 1 + e^{-t²}; starts as t⁴/2.
-pub(crate) fn summit_weight(t: f64) -> f64 {
-    let x = t * t;
-    if x > 1.0 { x - 1.0 + (-x).exp() } else { x * x * weight_series(x) }
-}
-
-/// W_N = (t² - 1 + e^{-t²})/(2t⁴): the contact of a sphere of the mean curvature, averaged over the
-/// curvature ellipses at t.
-pub(crate) fn mean_kernel(t: f64) -> f64 {
-    let x = t * t;
-    if x > 1.0 { (x - 1.0 + (-x).exp()) / (2.0 * x * x) } else { 0.5 * weight_series(x) }
-}
-
-/// (x - 1 + e^{-x})/x² = 1/2! - x/3! + x²/4! - ..., x ≤ 1.
-fn weight_series(x: f64) -> f64 {
-    let (mut term, mut sum) = (0.5, 0.0);
-    for k in 3..22 {
-        sum += term;
-        term *= -x / f64::from(k);
-    }
-    sum
-}

@@ -1,9 +1,7 @@
 //! The laws of one summit.
 
 use crate::kernel_tables::{ELLIPTIC_AREA, ELLIPTIC_LOAD, GEOMETRIC_AREA, GEOMETRIC_LOAD};
-use crate::kernels::mean_kernel;
 use contact_types::Citation;
-use std::f64::consts::PI;
 
 /// How a single summit carries load: the only thing in which the models differ.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -39,11 +37,6 @@ pub enum SummitLaw {
     ///
     /// Greenwood (2006), doi:10.1016/j.wear.2005.09.031.
     GreenwoodElliptical,
-    /// Each summit is a sphere of curvature (κ₁+κ₂)/2: `W_A = (t² - 1 + e^{-t²})/(2t⁴)`,
-    /// `W_P = (2/π) W_A`. Area 11 % below the full model at moderate loads.
-    ///
-    /// Nayak (1971), doi:10.1115/1.3451608, in the form that Bush, Gibson & Thomas generalise.
-    MeanCurvature,
 }
 
 impl SummitLaw {
@@ -52,7 +45,6 @@ impl SummitLaw {
         match self {
             Self::BushGibsonThomas => "Bush-Gibson-Thomas",
             Self::GreenwoodElliptical => "Greenwood simplified elliptical",
-            Self::MeanCurvature => "mean curvature",
         }
     }
 
@@ -72,13 +64,6 @@ impl SummitLaw {
                 "Wear 261, 191-200",
                 "10.1016/j.wear.2005.09.031",
             ),
-            Self::MeanCurvature => (
-                "Nayak",
-                1971,
-                "Random process model of rough surfaces",
-                "Journal of Lubrication Technology 93, 398-407",
-                "10.1115/1.3451608",
-            ),
         };
         let [authors, title, journal, doi] = [authors, title, journal, doi].map(Into::into);
         Citation { authors, year, title, journal, doi }
@@ -89,7 +74,6 @@ impl SummitLaw {
         match self {
             Self::BushGibsonThomas => 0.85,
             Self::GreenwoodElliptical => 0.83,
-            Self::MeanCurvature => 0.75,
         }
     }
 
@@ -98,7 +82,6 @@ impl SummitLaw {
         let kernel = match self {
             Self::BushGibsonThomas => ELLIPTIC_AREA.at(t),
             Self::GreenwoodElliptical => GEOMETRIC_AREA.at(t),
-            Self::MeanCurvature => mean_kernel(t),
         };
         4.0 * t * t * t * kernel
     }
@@ -108,7 +91,6 @@ impl SummitLaw {
         let kernel = match self {
             Self::BushGibsonThomas => ELLIPTIC_LOAD.at(t),
             Self::GreenwoodElliptical => GEOMETRIC_LOAD.at(t),
-            Self::MeanCurvature => 2.0 / PI * mean_kernel(t),
         };
         4.0 * t * t * t * t.sqrt() * kernel
     }

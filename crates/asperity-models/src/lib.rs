@@ -6,7 +6,7 @@
 //! that above the *mean plane of the surface*, not above the mean summit.
 //!
 //! [`ChangEtsionBogy`] are spheres of Greenwood and Williamson that yield; [`thermal_conductance`] has the
-//! correlations of contact conductance and the plasticity indices, [`adhesion`] the numbers that say whether bodies stick.
+//! correlations of contact conductance, [`adhesion`] the numbers that say whether bodies stick.
 
 pub mod adhesion;
 mod chang_etsion_bogy;

@@ -1,6 +1,5 @@
-//! The integral that Bush-Gibson-Thomas, Greenwood and the mean-curvature model share.
+//! The integral that Bush-Gibson-Thomas and Greenwood's model share.
 
-use crate::kernels::summit_weight;
 use crate::laws::SummitLaw;
 use crate::quadrature::{Correlation, Summit};
 use contact_types::{
@@ -96,54 +95,6 @@ impl SummitModel {
             s: ((bandwidth - 1.5) / bandwidth).sqrt(),
         };
         Ok(Self { law, moments, modulus, bandwidth, correlation })
-    }
-
-    /// Normal stiffness per nominal area, -dp/dd in Pa/m, at `separation` (m).
-    ///
-    /// # Errors
-    /// [`ModelError::InvalidInput`] if the separation is not finite,
-    /// [`ModelError::OutsideDomain`] if the result exceeds the largest double.
-    pub fn stiffness(&self, separation: f64) -> Result<f64, ModelError> {
-        let h = self.dimensionless(separation)?;
-        let [_, slope] = self.correlation.integrate(h, |summit| self.load(summit));
-        let scale = self.pressure_scale() / self.moments.rms_height();
-        require::answer(self.law.name(), gaussian(scale * slope, h), "separation", separation)
-    }
-
-    /// Contacts per nominal area in m⁻² at `separation` (m).
-    ///
-    /// # Errors
-    /// [`ModelError::InvalidInput`] if the separation is not finite.
-    pub fn contact_density(&self, separation: f64) -> Result<f64, ModelError> {
-        let h = self.dimensionless(separation)?;
-        // 4 t⁴ W_N = 2 (t² - 1 + e^{-t²})
-        let [fraction] = self
-            .correlation
-            .integrate(h, |summit| [2.0 * summit_weight(summit.t) * summit.overlap(Order::Zero)]);
-        let SpectralMoments { m2, m4, .. } = self.moments;
-        // eta = (m4/m2) / (6 pi sqrt 3); the sqrt 3 of the fraction cancels that of the density
-        Ok(gaussian(m4 / m2 / (6.0 * PI) * fraction, h))
-    }
-
-    /// ln of the mean pressure in Pa at `separation` (m), where the pressure itself may be below
-    /// the smallest double.
-    ///
-    /// # Errors
-    /// [`ModelError::InvalidInput`] if the separation is not finite,
-    /// [`ModelError::OutsideDomain`] beyond 1e60 rms heights.
-    pub fn ln_mean_pressure(&self, separation: f64) -> Result<f64, ModelError> {
-        let h = self.dimensionless(separation)?;
-        if h.abs() > FARTHEST {
-            let (quantity, domain) = ("separation / rms height", -FARTHEST..=FARTHEST);
-            let reason = "powers of it leave the range of doubles";
-            return Err(require::outside(self.law.name(), quantity, h, domain, reason));
-        }
-        let [load, _] = self.correlation.integrate(h, |summit| self.load(summit));
-        Ok(self.dimensionless_scale().ln()
-            + self.modulus.pascals().ln()
-            + 0.5 * self.moments.m2.ln()
-            + load.ln()
-            + ln_gaussian(h))
     }
 
     /// Integrand of the load, 4 t^{7/2} W_P s^{3/2} J_3/2, and its slope -d/dh, where s^{3/2} J_3/2 becomes

@@ -6,32 +6,14 @@
 mod common;
 
 use asperity_models::{SummitLaw, SummitModel};
-use common::{ReferenceRow, ReferenceTable};
+use common::{Case, ReferenceRow, reference_rows};
 use contact_types::{ContactModel, ContactModulus, SeparationModel, SpectralMoments};
 
-/// One input at the end of its range.
-pub(crate) struct Case {
-    pub(crate) place: String,
-    answer: f64,
-    reference: f64,
-}
-
-impl Case {
-    /// Relative error, for separations in units of max(1, |h|); `None` where the reference is no
-    /// normal double.
-    pub(crate) fn error(&self) -> Option<f64> {
-        let Self { place, answer, reference } = self;
-        let least = if place.starts_with("separation") { 1.0 } else { 0.0 };
-        let is_normal = reference.is_normal();
-        is_normal.then(|| ((answer - reference) / reference.abs().max(least)).abs())
-    }
-}
-
 pub(crate) fn cases() -> Vec<Case> {
-    ReferenceTable::read("extremes_summit_models.csv").rows().map(|row| case(&row)).collect()
+    reference_rows("extremes_summit_models.csv").iter().map(case).collect()
 }
 
-fn case(row: &ReferenceRow<'_>) -> Case {
+fn case(row: &ReferenceRow) -> Case {
     // m0 = m2 = E* = 1: separation and pressure are dimensionless.
     let moments = SpectralMoments { m0: 1.0, m2: 1.0, m4: row.number("bandwidth") };
     let modulus = ContactModulus::from_pascals(1.0).expect("positive");
@@ -43,26 +25,26 @@ fn case(row: &ReferenceRow<'_>) -> Case {
     let answer = match quantity {
         "area" => at_separation().area_fraction,
         "pressure" => at_separation().mean_pressure,
-        "stiffness" => model.stiffness(x).expect("finite"),
-        "ln pressure" => model.ln_mean_pressure(x).expect("finite"),
         "separation at pressure" => at_pressure().separation.expect("pressure above 0"),
         "area at pressure" => at_pressure().area_fraction,
         other => unreachable!("{other} in the table"),
     };
     let place =
         format!("{quantity}, bandwidth {}, at {}", row.text("bandwidth"), row.text("argument"));
-    Case { place, answer, reference: row.number("reference") }
+    let least = if quantity.starts_with("separation") { 1.0 } else { 0.0 };
+    Case { place, answer: Some(answer), reference: Some(row.number("reference")), least }
 }
 
 #[test]
 fn every_extreme_has_an_answer() {
     let cases = cases();
-    assert!(cases.len() > 100);
+    assert!(cases.len() > 60);
     for case in cases {
-        assert!(case.answer.is_finite(), "{}", case.place);
+        let (place, answer) = (&case.place, case.answer.expect("never refused"));
+        assert!(answer.is_finite(), "{place}");
         match case.error() {
-            Some(error) => assert!(error < 1e-14, "{}: {error:e}", case.place),
-            None => assert!(case.answer.abs() < f64::MIN_POSITIVE, "{}", case.place),
+            Some(error) => assert!(error < 1e-14, "{place}: {error:e}"),
+            None => assert!(answer.abs() < f64::MIN_POSITIVE, "{place}"),
         }
     }
 }

@@ -3,7 +3,6 @@
 use crate::reason::Reason;
 use crate::result::{DeterministicPoint, SurfaceComparison};
 use crate::scene::typical_hardness;
-use asperity_models::thermal_conductance::summit_plasticity_index;
 use contact_types::{AsperityStatistics, ContactModulus};
 use serde::Serialize;
 use std::f64::consts::PI;
@@ -37,9 +36,9 @@ impl Hardness {
         let slope = gradient.map(|g| g / PI.sqrt());
         PlasticityIndices {
             modulus_gradient_over_hardness: gradient.map(|g| modulus * g / pascals),
-            greenwood_williamson: asperities.and_then(|a| {
-                summit_plasticity_index(modulus, pascals, a.height_std, a.radius).ok()
-            }),
+            greenwood_williamson: asperities
+                .map(|a| modulus / pascals * (a.height_std / a.radius).sqrt())
+                .filter(|index| index.is_finite() && *index > 0.0),
             mikic: slope.map(|slope| modulus * slope / pascals),
         }
     }
@@ -59,7 +58,8 @@ impl Hardness {
 pub struct PlasticityIndices {
     /// `E* g / H`: up to 1 the area of elastic contact is right to 2 %, whatever the load.
     pub modulus_gradient_over_hardness: Option<f64>,
-    /// Greenwood and Williamson's `(E*/H) √(σ_s/R)`.
+    /// Greenwood and Williamson's `(E*/H) √(σ_s/R)` (1966), doi:10.1098/rspa.1966.0242: below 0.6 summits stay elastic at
+    /// ordinary loads, above 1 they yield at any.
     pub greenwood_williamson: Option<f64>,
     /// Mikic's `E* m_a / H` with the mean absolute slope m_a = g/√π of a Gaussian surface.
     pub mikic: Option<f64>,

@@ -9,7 +9,7 @@ use std::path::Path;
 use surface_io::{Fill, FillError, HeightUnit, Measurement, Need, ReadError, ReadOptions};
 use surface_stats::clean::{self, Record};
 use surface_stats::profile::Trace;
-use surface_stats::{Edges, StatsError, height_step};
+use surface_stats::{StatsError, height_step};
 
 /// A surface that is asked about.
 #[derive(Debug)]
@@ -196,7 +196,6 @@ fn clean(
     if steps.is_empty() {
         return Ok((measurement, Vec::new()));
     }
-    // A measured map ends at its edges, whatever is assumed beyond them later.
-    let clean = |grid, heights: &mut Vec<f64>| clean::apply(grid, heights, &steps, Edges::Open);
+    let clean = |grid, heights: &mut Vec<f64>| clean::apply(grid, heights, &steps);
     Ok(measurement.edit(clean)?)
 }

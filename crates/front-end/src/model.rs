@@ -18,7 +18,7 @@ use std::path::Path;
 use surface_stats::clean::{Record, RowOffsets, row_offsets};
 use surface_stats::profile::ProfileStatistics;
 use surface_stats::spectrum::{amplitudes, radial};
-use surface_stats::{Edges, SpectralScales, StatsError, StatsOptions, level, moments};
+use surface_stats::{Edges, StatsError, StatsOptions, SurfaceStatistics, level, moments};
 
 /// What is asked of the model.
 #[derive(Clone, Copy, Debug)]
@@ -219,8 +219,8 @@ impl ModelSubject {
                 let missing = origin.missing();
                 let options =
                     StatsOptions { level: form, edges, missing, ..StatsOptions::default() };
-                let scales = SpectralScales::of(&heights, &options).map_err(refused)?;
-                (inputs.dimension, inputs.fractal) = scales.fractal_of_surface();
+                let all = SurfaceStatistics::of(&heights, &options).map_err(refused)?;
+                (inputs.dimension, inputs.fractal) = (all.dimension, all.fractal());
             }
             OfMap::Spectrum => {
                 drop(heights);
@@ -246,7 +246,8 @@ impl ModelSubject {
         asked: Level,
     ) -> Result<Self, Failure> {
         let refused = |e: StatsError| Failure::in_file(path, &e);
-        let level = asked.of_profile();
+        // The ends of a profile need not meet.
+        let level = if asked == Level::Auto { Level::Plane } else { asked };
         let options = traces.options(&Settings { level, ..Settings::default() });
         let (statistics, _, spectrum) =
             ProfileStatistics::of(&traces.traces, &options).map_err(refused)?;

@@ -4,7 +4,9 @@ use contact_compare::{Adhesion, Inputs, Level, Scene, WorkOfAdhesion};
 use contact_types::{AsperityStatistics, ContactModulus, HeightMap};
 use surface_stats::clean::row_offsets;
 use surface_stats::profile::{self, Trace};
-use surface_stats::{Edges, HeightStatistics, SpectralScales, StatsError, StatsOptions, moments};
+use surface_stats::{
+    Edges, HeightStatistics, StatsError, StatsOptions, SurfaceStatistics, moments,
+};
 
 /// The scene of a map, or of the section of ridges.
 ///
@@ -52,5 +54,5 @@ pub(crate) fn adhesion(
         spectrum: surface_stats::spectrum::radial(map).ok(),
         ..Inputs::new(modulus)
     };
-    Ok(Adhesion::of(given, &inputs, SpectralScales::of(map, &as_it_is)?.cutoff, contacts))
+    Ok(Adhesion::of(given, &inputs, SurfaceStatistics::of(map, &as_it_is)?.cutoff, contacts))
 }

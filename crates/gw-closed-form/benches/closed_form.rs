@@ -10,27 +10,10 @@ use contact_types::{ContactModel, ContactModulus, SeparationModel, SpectralMomen
 use criterion::{BenchmarkId, Criterion, Throughput, criterion_group, criterion_main};
 use gw_closed_form::partial_moments::{Order, value};
 use gw_closed_form::{GreenwoodWilliamson, inverse};
-use std::f64::consts::TAU;
 use std::hint::black_box;
 
 #[path = "../tests/literal.rs"]
 mod literal;
-
-/// ∫_0^∞ u^n φ(α+u) du with u = y², composite Simpson on [0, √10]: what one writes without a
-/// closed form.
-fn simpson(n: f64, alpha: f64, intervals: u32) -> f64 {
-    let step = 10f64.sqrt() / f64::from(intervals);
-    let at = |k: u32| {
-        let y = f64::from(k) * step;
-        let t = alpha + y * y;
-        2.0 * y * y.powf(2.0 * n) * (-0.5 * t * t).exp()
-    };
-    let mut sum = at(0) + at(intervals);
-    for k in 1..intervals {
-        sum += if k % 2 == 1 { 4.0 } else { 2.0 } * at(k);
-    }
-    sum * step / 3.0 / TAU.sqrt()
-}
 
 /// A name and a way to the answer.
 type Route = (&'static str, fn(f64) -> f64);
@@ -39,11 +22,9 @@ fn load_integral(c: &mut Criterion) {
     // Separations of practical contacts, α = -1 to 4.
     let arguments: Vec<f64> = (0..100).map(|k| -1.0 + 0.05 * f64::from(k) + 1e-3).collect();
     let exact = |alpha: f64| value(Order::ThreeHalves, alpha);
-    let routes: [Route; 4] = [
+    let routes: [Route; 2] = [
         ("closed form, stable", |a| value(Order::ThreeHalves, a)),
         ("closed form, literal (A1)", literal::load_a1),
-        ("Simpson, 40 intervals", |a| simpson(1.5, a, 40)),
-        ("Simpson, 200 intervals", |a| simpson(1.5, a, 200)),
     ];
     let mut group = c.benchmark_group("J_3div2 per point, alpha -1 to 4");
     group.throughput(Throughput::Elements(arguments.len() as u64));
@@ -72,12 +53,5 @@ fn model(c: &mut Criterion) {
     });
 }
 
-criterion_group! {
-    name = benches;
-    config = Criterion::default()
-        .sample_size(30)
-        .warm_up_time(std::time::Duration::from_millis(300))
-        .measurement_time(std::time::Duration::from_millis(800));
-    targets = load_integral, model
-}
+criterion_group!(benches, load_integral, model);
 criterion_main!(benches);

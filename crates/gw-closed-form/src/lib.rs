@@ -7,7 +7,7 @@
 //! - [`inverse`]: α from a load or an area, or the logarithm of one.
 #![cfg_attr(
     feature = "model",
-    doc = "- [`GreenwoodWilliamson`]: the model with units: pressure, area, stiffness, contacts."
+    doc = "- [`GreenwoodWilliamson`]: the model with units: pressure, area, stiffness."
 )]
 //!
 //! # Source

@@ -2,7 +2,7 @@
 
 use crate::inverse;
 use crate::partial_moments::{self, Order};
-use crate::products::{Quotient, factors, ln_load, powers, product};
+use crate::products::{Quotient, factors, powers, product};
 use contact_types::{
     AsperityStatistics, Caveat, Citation, ContactModel, ContactModulus, ContactState, ModelError,
     SeparationModel, SpectralMoments, require,
@@ -85,16 +85,6 @@ impl GreenwoodWilliamson {
         Ok(Self { bandwidth: Some(moments.bandwidth()), ..model })
     }
 
-    /// Contacts per nominal area [m⁻²] at `separation` (m): η J_0(α).
-    ///
-    /// # Errors
-    /// [`ModelError::InvalidInput`] if the separation is not finite.
-    pub fn contact_density(&self, separation: f64) -> Result<f64, ModelError> {
-        let a = self.height_above_summit_mean(separation)?;
-        let fraction = partial_moments::value(Order::Zero, a / self.asperities.height_std);
-        Ok(self.asperities.density * fraction)
-    }
-
     /// Normal stiffness per nominal area, -dp/dd [Pa/m], at `separation` (m):
     /// `2 E* η √R √σ_s J_1/2(α)`.
     ///
@@ -107,21 +97,6 @@ impl GreenwoodWilliamson {
         let [_, root, j] = factors(Order::Half, a, self.asperities.height_std);
         let stiffness = self.scaled(Order::ThreeHalves, [1.5, root, j]);
         require::answer(MODEL, stiffness, "separation", separation)
-    }
-
-    /// ln of the mean pressure in Pa at `separation` (m), where the pressure itself may be below
-    /// the smallest double.
-    ///
-    /// # Errors
-    /// [`ModelError::InvalidInput`] if the separation is not finite.
-    pub fn ln_mean_pressure(&self, separation: f64) -> Result<f64, ModelError> {
-        let a = self.height_above_summit_mean(separation)?;
-        let AsperityStatistics { density, radius, height_std, .. } = self.asperities;
-        let scale = libm::log(4.0 / 3.0)
-            + libm::log(self.modulus.pascals())
-            + libm::log(density)
-            + 0.5 * libm::log(radius);
-        Ok((scale + ln_load(a, height_std)).max(-f64::MAX))
     }
 
     /// a = d - y_s [m].

@@ -3,17 +3,7 @@
 //! `a` is the distance of the flat from the mean summit plane, `height_std` the deviation σ_s > 0 of summit
 //! heights.
 
-use crate::arithmetic::clamp_to_finite;
 use crate::partial_moments::{self, Order};
-
-/// ln I_ep, where I_ep itself would under- or overflow.
-pub(crate) fn ln_load(a: f64, height_std: f64) -> f64 {
-    let alpha = a / height_std;
-    if alpha < DEEP {
-        return 1.5 * libm::log(-a);
-    }
-    clamp_to_finite(1.5 * libm::log(height_std) + partial_moments::ln(Order::ThreeHalves, alpha))
-}
 
 /// σ_s^n J_n(a/σ_s), n = 3/2 for I_ep and 1 for I_ea, as factors that a caller multiplies on.
 pub(crate) fn factors(order: Order, a: f64, height_std: f64) -> [f64; 3] {

@@ -38,12 +38,13 @@ def split(x):
     return double(hi), double(x - hi)
 
 
-nodes = [HEAD + "Value, its rounding error, and slope of `J_n` every quarter from -10 to 8.\n"]
+nodes = [HEAD + "Value, its rounding error, and slope of `J_n` every quarter from -10, of `J_0` from 0, to 8.\n"]
 nodes.append("pub(super) type Node = [f64; 3];\n")
 roots = []
 for name, n in ORDERS:
-    nodes.append(f"pub(super) static {name}: [Node; {4 * (10 + FAR) + 1}] = [")
-    for k in range(-40, 4 * FAR + 1):
+    first = 0 if n == 0 else -10
+    nodes.append(f"pub(super) static {name}: [Node; {4 * (FAR - first) + 1}] = [")
+    for k in range(4 * first, 4 * FAR + 1):
         a = mpf(k) / 4
         hi, lo = split(j(n, a))
         nodes.append(f"    [{hi}, {lo}, {double(slope(n, a))}],")

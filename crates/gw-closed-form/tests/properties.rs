@@ -98,9 +98,6 @@ proptest! {
                 Err(_) => {}
             }
         }
-        let finite = |r: Result<f64, ModelError>| r.is_ok_and(f64::is_finite) ;
-        prop_assert!(finite(model.contact_density(separation)));
-        prop_assert!(finite(model.ln_mean_pressure(separation)));
         match model.stiffness(separation) {
             Ok(stiffness) => prop_assert!(stiffness.is_finite() && stiffness >= 0.0),
             Err(error) => {
@@ -110,7 +107,7 @@ proptest! {
         }
     }
 
-    /// Area, pressure, stiffness and contacts never rise with the separation, to the last bit.
+    /// Area, pressure and stiffness never rise with the separation, to the last bit.
     #[test]
     fn the_model_falls_with_separation(h in -8.0..40.0f64, m4 in 1e6..1e12f64) {
         let moments = SpectralMoments { m0: 1e-13, m2: 1e-3, m4: 1e7 + m4 };
@@ -122,7 +119,6 @@ proptest! {
         prop_assert!(far.mean_pressure <= near.mean_pressure);
         prop_assert!(far.area_fraction <= near.area_fraction);
         prop_assert!(model.stiffness(d.next_up()).unwrap() <= model.stiffness(d).unwrap());
-        prop_assert!(model.contact_density(d.next_up()).unwrap() <= model.contact_density(d).unwrap());
     }
 }
 
@@ -199,4 +195,28 @@ fn caveats_say_what_is_strained() {
     assert!(matches!(at(2.0, 60.0).caveat, Some(Caveat::Underflow { .. })));
     // One wavelength has bandwidth 3/2 exactly; rounding must not flag it.
     assert_eq!(at(1.5f64.next_down(), 3.0).caveat, None);
+}
+
+/// Neighbouring doubles never come out in the wrong order: half a million pairs for each order and
+/// kind of place, anywhere in use, around 0, at every magnitude, and on both sides of every join
+/// between two Taylor series.
+#[test]
+fn falls_to_the_last_bit() {
+    for order in [Order::Zero, Order::Half, Order::One, Order::ThreeHalves] {
+        for k in 0..2_000_000 {
+            let u = (f64::from(k) * 0.618_033_988_749_894_9).fract();
+            let alpha = match k % 4 {
+                0 => -12.0 + 52.0 * u,
+                1 => -1.0 + 2.0 * u,
+                2 => (600.0 * (2.0 * u).fract() - 300.0).exp2().copysign(u - 0.5),
+                _ => {
+                    // Nodes are a quarter apart, joins halfway between them.
+                    let join = 0.125 * ((160.0 * u).floor() - 82.0);
+                    (0..k / 4 % 3).fold(join, |alpha, _| alpha.next_down())
+                }
+            };
+            let (near, far) = (value(order, alpha), value(order, alpha.next_up()));
+            assert!(far <= near, "{order:?} at {alpha:e}: {near:e} then {far:e}");
+        }
+    }
 }

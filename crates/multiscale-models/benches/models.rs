@@ -1,8 +1,7 @@
-//! What an answer costs, beside the literal formulas and fits that others use.
+//! What an answer costs.
 
 use contact_types::{ContactModel, ContactModulus, RoughnessSpectrum, Shell, SpectralMoments};
 use criterion::{Criterion, criterion_group, criterion_main};
-use libm::erf;
 use multiscale_models::{Persson, SelfAffineSpectrum};
 use std::hint::black_box;
 
@@ -14,20 +13,11 @@ fn point(c: &mut Criterion, group: &str, name: &str, x: f64, f: impl Fn(f64) -> 
     c.benchmark_group(group).bench_function(name, |b| b.iter(|| f(black_box(x))));
 }
 
-/// erf by Abramowitz & Stegun 7.1.26.
-fn erf_fit(x: f64) -> f64 {
-    let t = 1.0 / (1.0 + 0.3275911 * x);
-    let c = [0.254829592, -0.284496736, 1.421413741, -1.453152027, 1.061405429];
-    1.0 - t * c.iter().rev().fold(0.0, |sum, c| sum * t + c) * (-x * x).exp()
-}
-
 fn persson_area(c: &mut Criterion) {
     let moments = SpectralMoments { m0: 1.0, m2: 0.5, m4: 1.0 };
     let model = Persson::from_moments(moments, unit()).expect("moments");
     let group = "Persson area";
     point(c, group, "model", 0.1, |p| model.at_pressure(p).map_or(0.0, |s| s.area_fraction));
-    point(c, group, "literal erf", 0.1, |p| erf(2.0_f64.sqrt() * p));
-    point(c, group, "fit of erf", 0.1, |p| erf_fit(2.0_f64.sqrt() * p));
 }
 
 fn gap(model: &Persson, pressure: f64) -> f64 {
@@ -55,11 +45,5 @@ fn persson_gap(c: &mut Criterion) {
     }
 }
 
-criterion_group! {
-    name = benches;
-    config = Criterion::default()
-        .warm_up_time(std::time::Duration::from_millis(300))
-        .measurement_time(std::time::Duration::from_secs(1));
-    targets = persson_area, persson_gap
-}
+criterion_group!(benches, persson_area, persson_gap);
 criterion_main!(benches);

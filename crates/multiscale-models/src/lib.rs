@@ -5,8 +5,8 @@
 //!
 //! | model | from | knows |
 //! |---|---|---|
-//! | [`Persson`] | moments, or a spectrum | area; with a spectrum also mean gap and stiffness |
-//! | [`PerssonWithYield`] | rms gradient and hardness | elastic and plastic area |
+//! | [`Persson`] | moments, or a spectrum | area; with a spectrum also mean gap |
+//! | [`PerssonWithYield`] | rms gradient and hardness | area |
 //! | [`Equation`] | moments | area, with an interval |
 //! | [`Stacked`] | largest amplitude over wavelength | area |
 //! | [`JacksonStreator`] | amplitude by frequency | area |
@@ -35,7 +35,7 @@ pub use archard::{Archard, SphereLevel};
 pub use equation::Equation;
 pub use jackson_streator::JacksonStreator;
 pub use majumdar_bhushan::MajumdarBhushan;
-pub use persson::{AreaLaw, Persson, PerssonWithYield, SelfAffineSpectrum, YieldShares};
+pub use persson::{Persson, PerssonWithYield, SelfAffineSpectrum};
 pub use spots::PlasticSpots;
 pub use stacked::Stacked;
 pub use yan_komvopoulos::YanKomvopoulos;

@@ -3,7 +3,7 @@
 #[path = "../../gw-closed-form/tests/common/mod.rs"]
 mod common;
 
-use common::ReferenceTable;
+use common::reference_rows;
 use multiscale_models::{ContactModel, ContactModulus, Equation, ModelError, SpectralMoments};
 use std::f64::consts::PI;
 
@@ -91,7 +91,7 @@ fn a_caveat_outside_the_range() {
 #[test]
 fn evaluation_is_exact_to_rounding() {
     let mut worst = 0.0f64;
-    for row in ReferenceTable::read("equation.csv").rows() {
+    for row in reference_rows("equation.csv") {
         let [x, bandwidth, wanted] = row.numbers(["x", "alpha", "area"]);
         let law = Equation::from_moments(moments(bandwidth), one()).expect("a law");
         let error = (law.at_pressure(x).expect("an area").area_fraction / wanted - 1.0).abs();

@@ -92,8 +92,7 @@ fn divergent_fractal_loads_name_the_way_out() {
 }
 
 #[test]
-fn persson_refuses_what_only_a_spectrum_knows() {
-    invalid(persson().stiffness(1e6), &["spectrum", "from_spectrum"]);
+fn persson_of_moments_has_no_gap_and_refuses_a_gamma_beyond_those_published() {
     assert!(persson().at_pressure(1e6).unwrap().mean_gap.is_none());
     outside(persson().with_gamma(0.0), &["gamma = 0", "0.01 to 1"]);
     let moments = SpectralMoments { m0: 1.0, m2: -1e-3, m4: 1.0 };

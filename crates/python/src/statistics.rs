@@ -6,9 +6,8 @@ use crate::watched::quietly;
 use contact_front_end::{Failure, StatisticsRequest};
 use numpy::{PyArray1, PyReadonlyArray2};
 use pyo3::prelude::*;
-use surface_stats::Edges;
 use surface_stats::StatsError;
-use surface_stats::spectrum::{PowerSpectrum, Ring, Window};
+use surface_stats::spectrum::{PowerSpectrum, Ring};
 
 /// What `rough-contact stats` answers, as JSON.
 #[pyfunction]
@@ -42,14 +41,10 @@ pub(crate) fn psd<'py>(
 ) -> PyResult<[Bound<'py, PyArray1<f64>>; 2]> {
     let (surface, facts) = surface_of(&heights, facts)?;
     let form = form(level)?;
-    let window = match surface.origin.edges() {
-        Edges::Periodic => Window::None,
-        Edges::Open => Window::Hann,
-    };
     let rings = quietly(py, threads, move || {
         let form = surface.origin.level(form).on(&surface.heights)?;
         let levelled = surface_stats::level(&surface.heights, form)?;
-        Ok::<_, StatsError>(PowerSpectrum::of(&levelled, window)?.rings())
+        Ok::<_, StatsError>(PowerSpectrum::of(&levelled, surface.origin.edges())?.rings())
     })?;
     let rings = rings.map_err(|e| raise(&Failure::in_file(facts.path(), &e)))?;
     let of = |one: fn(&Ring) -> f64| PyArray1::from_vec(py, rings.iter().map(one).collect());

@@ -11,7 +11,7 @@ use contact_compare::{
 };
 use contact_types::{ContactState, ModelError, Named};
 use serde_json::{Value, json};
-use surface_stats::clean::{FormParameters, Record};
+use surface_stats::clean::Record;
 use surface_stats::{SurfaceStatistics, Warning};
 
 /// The results as one object.
@@ -244,52 +244,18 @@ pub fn accuracy(reached: &Reached) -> Value {
     })
 }
 
-/// What cleaning did, one object per step in the order in which it was done.
+/// What cleaning did, one object per step in the order in which it was done. A radius is positive if convex and `null`
+/// for a plane.
 pub fn cleaning(records: &[Record]) -> Value {
-    records.iter().map(cleaning_step).collect()
-}
-
-fn cleaning_step(record: &Record) -> Value {
-    let mut object = match *record {
-        Record::Outliers { threshold, count, limit, largest } => json!({
-            "step": "outliers",
-            "threshold": threshold,
-            "window": 5,
-            "count": count,
-            "limit": limit,
-            "largest": largest,
-        }),
-        Record::Rows { jump, largest } => {
-            json!({ "step": "rows", "jump": jump, "largest": largest })
+    let step = |record: &Record| {
+        let mut object = json!(record);
+        if matches!(record, Record::Outliers { .. }) {
+            object["window"] = json!(5);
         }
-        Record::Form { parameters, points } => {
-            let mut form = form(parameters);
-            form["step"] = json!("form");
-            form["points"] = json!(points);
-            form
-        }
-        Record::SFilter { nesting_index } => {
-            json!({ "step": "s_filter", "nesting_index": nesting_index })
-        }
-        Record::LFilter { nesting_index } => {
-            json!({ "step": "l_filter", "nesting_index": nesting_index })
-        }
+        object["message"] = json!(record.to_string());
+        object
     };
-    object["message"] = json!(record.to_string());
-    object
-}
-
-/// A radius is positive if convex and `null` for a plane.
-fn form(parameters: FormParameters) -> Value {
-    match parameters {
-        FormParameters::Polynomial { degree } => json!({ "form": "polynomial", "degree": degree }),
-        FormParameters::Sphere { radius, apex } => {
-            json!({ "form": "sphere", "radius": radius, "apex": apex })
-        }
-        FormParameters::Cylinder { radius, direction, tilt } => json!({
-            "form": "cylinder", "radius": radius, "direction": direction, "tilt": tilt,
-        }),
-    }
+    records.iter().map(step).collect()
 }
 
 /// A warning of the statistics, in the words of the page.

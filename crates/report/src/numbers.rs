@@ -1,8 +1,8 @@
 //! Numbers with their uncertainty, to the digits that it supports.
 
 pub use surface_stats::numbers::{
-    METRES, MINUS, SPACE, Unit, counted, fixed, percent, plain, power_of_ten, quantity,
-    significant, unit_for,
+    METRES, SPACE, Unit, counted, fixed, percent, plain, power_of_ten, quantity, significant,
+    unit_for,
 };
 use surface_stats::numbers::{exponent, fixed_significant};
 
@@ -82,7 +82,7 @@ pub fn relative_interval(value: f64, [low, high]: [f64; 2]) -> String {
     match (low > 0.0, high.is_finite()) {
         (false, false) => "–".into(),
         (false, true) => format!("at most +{}", percent(above)),
-        (true, false) => format!("at least {MINUS}{}", percent(below)),
+        (true, false) => format!("at least \u{2212}{}", percent(below)),
         _ if is_even([-below, above]) => {
             let shown = percent(above.max(-below));
             shown.strip_prefix('<').map_or_else(

@@ -1,7 +1,9 @@
-//! Self-affine scaling: Hurst exponent, roll-off, cut-off, and D and G of a profile.
+//! What a spectrum says of the scales of a map: noise, cut-off, roll-off, Hurst exponent, and D and G of a profile.
 
+use crate::StatsError;
+use crate::noise::NoiseFloor;
 use crate::spectrum::{ProfileBin, Ring};
-use contact_types::FractalParameters;
+use contact_types::{FractalParameters, Grid};
 use std::f64::consts::TAU;
 
 /// Ratio of frequencies in the Weierstrass–Mandelbrot function that defines G.
@@ -16,6 +18,69 @@ const MIN_SPAN: f64 = 2.0;
 
 /// Share of the gradient variance at wavelengths longer than the cut-off.
 const CUTOFF_SHARE: f64 = 0.999;
+
+/// Scales and power law of a PSD.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub(crate) struct SpectralScales {
+    /// Noise at the level where the PSD stops falling; absent if it falls to the end.
+    pub(crate) noise: Option<NoiseFloor>,
+    /// 99.9 % of the gradient variance that stands out of the noise is at longer wavelengths (m);
+    /// two pixels at least.
+    pub(crate) cutoff: Option<f64>,
+    /// Wavelength beyond which the PSD is flat (m); absent if the map shows none.
+    pub(crate) rolloff: Option<f64>,
+    /// Power law between the wavelengths of `fractal_range`; absent if they hold less than four
+    /// bins or an octave.
+    pub(crate) power_law: Option<PowerLaw>,
+    /// Shortest and longest wavelength of the power law (m).
+    pub(crate) fractal_range: Option<[f64; 2]>,
+}
+
+impl SpectralScales {
+    /// From the radial PSD of a map of known rms height (m).
+    pub(crate) fn of_map(
+        rings: &[Ring],
+        grid: Grid,
+        rms_height: f64,
+        fractal_range: Option<[f64; 2]>,
+    ) -> Self {
+        let ([dy, dx], [ly, lx]) = (grid.pixel(), grid.size());
+        // A floor at the rounding of the transform is no noise.
+        let noise = NoiseFloor::of(rings, [dy, dx]).filter(|n| n.rms > 1e-9 * rms_height);
+        let limits = [2.0 * dy.min(dx), 0.5 * ly.min(lx)];
+        Self::of_rings(rings, noise, limits, fractal_range, |r| fit_radial(rings, r))
+    }
+
+    /// From a PSD with this noise. `limits` are the shortest cut-off and, without a roll-off, the
+    /// longest wavelength of the power law (m).
+    pub(crate) fn of_rings(
+        rings: &[Ring],
+        noise: Option<NoiseFloor>,
+        [shortest, longest]: [f64; 2],
+        fractal_range: Option<[f64; 2]>,
+        fit: impl Fn([f64; 2]) -> Option<PowerLaw>,
+    ) -> Self {
+        // The wave at which the reliable ones end is one of them, whatever its last digit says.
+        let reliable = noise.and_then(|n| n.reliable).unwrap_or(0.0) * (1.0 - 1e-12);
+        let end = rings.partition_point(|r| TAU / r.wavenumber >= reliable);
+        let cutoff = cutoff(&rings[..end], shortest);
+        let rolloff = cutoff.and_then(|short| rolloff(rings, short));
+        let found = cutoff.map(|short| [short, rolloff.unwrap_or(longest)]);
+        let range = fractal_range.or(found);
+        let power_law = range.and_then(fit);
+        Self { noise, cutoff, rolloff, power_law, fractal_range: power_law.and(range) }
+    }
+}
+
+/// Whether the wavelengths of a fit make a range.
+pub(crate) fn check_range(range: Option<[f64; 2]>) -> Result<(), StatsError> {
+    let Some([short, long]) = range else { return Ok(()) };
+    let requirement = "wavelengths must be finite and greater than 0, the shorter one first";
+    let positive = short.is_finite() && short > 0.0;
+    StatsError::require("shortest wavelength of the fractal fit", short, positive, requirement)?;
+    let longer = long.is_finite() && long > short;
+    StatsError::require("longest wavelength of the fractal fit", long, longer, requirement)
+}
 
 /// A power law fitted to a spectrum.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -104,7 +169,7 @@ impl PowerLaw {
 }
 
 /// Fits a power law to the radial PSD between two wavelengths (m), over logarithmic bins.
-pub(crate) fn fit_radial(rings: &[Ring], range: [f64; 2]) -> Option<PowerLaw> {
+fn fit_radial(rings: &[Ring], range: [f64; 2]) -> Option<PowerLaw> {
     PowerLaw::of(&radial_points(rings, range))
 }
 
@@ -119,7 +184,7 @@ pub(crate) fn fit_profile(bins: &[ProfileBin], [short, long]: [f64; 2]) -> Optio
 
 /// Shortest wavelength that matters: 99.9 % of the gradient variance belongs to longer ones (m).
 /// Never shorter than `shortest`. `None` for a flat map.
-pub(crate) fn cutoff(rings: &[Ring], shortest: f64) -> Option<f64> {
+fn cutoff(rings: &[Ring], shortest: f64) -> Option<f64> {
     let gradient = |r: &Ring| r.variance * r.wavenumber * r.wavenumber;
     let total: f64 = rings.iter().map(gradient).sum();
     let mut below = 0.0;
@@ -135,7 +200,7 @@ pub(crate) fn cutoff(rings: &[Ring], shortest: f64) -> Option<f64> {
 /// Roll-off wavelength (m), beyond which the PSD is flat: least squares of
 /// `ln C = c - 2 (1 + H) max(0, ln q/q0)` over c, H and q0, down to the wavelength `shortest`. `None` unless
 /// the bend improves the fit by more than three standard deviations and leaves three bins on its flat side.
-pub(crate) fn rolloff(rings: &[Ring], shortest: f64) -> Option<f64> {
+fn rolloff(rings: &[Ring], shortest: f64) -> Option<f64> {
     let points = radial_points(rings, [shortest, f64::INFINITY]);
     let (first, last) = (points.first()?.ln_frequency, points.last()?.ln_frequency);
     if points.len() < 2 * MIN_BINS {

@@ -52,12 +52,6 @@ impl Level {
         }
     }
 
-    /// What it is for a profile, whose ends need not meet: [`Auto`](Self::Auto) is the line.
-    #[must_use]
-    pub fn of_profile(self) -> Self {
-        if self == Self::Auto { Self::Plane } else { self }
-    }
-
     /// Total degree of the polynomial taken off; `None` if nothing is. Of [`Auto`](Self::Auto) that of a profile, the line.
     pub fn degree(self) -> Option<usize> {
         match self {

@@ -100,7 +100,7 @@ impl NoiseFloor {
 mod tests {
     use super::*;
     use crate::close;
-    use crate::spectrum::{PowerSpectrum, Window};
+    use crate::spectrum::PowerSpectrum;
     use crate::synthesis::rough;
     use crate::{Edges, moments};
     use contact_types::{Grid, HeightMap};
@@ -108,7 +108,7 @@ mod tests {
     use rand_pcg::rand_core::Rng;
 
     fn floor(map: &HeightMap) -> Option<NoiseFloor> {
-        let rings = PowerSpectrum::of(map, Window::None).unwrap().rings();
+        let rings = PowerSpectrum::of(map, Edges::Periodic).unwrap().rings();
         NoiseFloor::of(&rings, map.grid().pixel())
     }
 

@@ -3,7 +3,7 @@
 /// Narrow no-break space.
 pub const SPACE: char = '\u{202F}';
 /// Minus sign, as wide as a plus.
-pub const MINUS: char = '\u{2212}';
+const MINUS: char = '\u{2212}';
 
 /// With the spaces of a terminal.
 pub fn plain(text: &str) -> String {

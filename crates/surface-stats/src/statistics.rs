@@ -1,11 +1,10 @@
 //! The one call most users need.
 
 use crate::clean::{RowOffsets, row_offsets};
+use crate::fractal::{SpectralScales, check_range};
 use crate::level::{tilted, without_form};
-use crate::options::{StatsOptions, check_range};
 use crate::seam::{MOST_SEAM_JUMP, seam_jump};
-use crate::spectral_scales::SpectralScales;
-use crate::spectrum::{PowerSpectrum, Window, amplitudes};
+use crate::spectrum::{PowerSpectrum, amplitudes, apply_window};
 use crate::{
     DirectionalMoments, Edges, HeightStatistics, Level, StatsError, Summits, Warning, scale, steps,
 };
@@ -13,6 +12,24 @@ use contact_types::{
     AmplitudeSpectrum, AsperityStatistics, Clock, FractalParameters, HeightMap, SpectralMoments,
 };
 use grid_fft::parallel::join;
+
+/// How statistics are taken.
+#[derive(Debug, Clone, Copy, PartialEq, Default)]
+pub struct StatsOptions {
+    /// What is removed by least squares first. The mean is always taken off: `None` is the same as `Mean` here, and so
+    /// is `Auto` where `edges` say that the map repeats.
+    pub level: Level,
+    /// What lies beyond the edges.
+    pub edges: Edges,
+    /// Shortest and longest wavelength of the fractal fit (m); by default from the cut-off to the
+    /// roll-off, as found among the waves that stand out of the noise.
+    pub fractal_range: Option<[f64; 2]>,
+    /// Points of the map that were filled in, as its reader counted; passed through.
+    pub missing: usize,
+    /// Height step of the data as measured (m), where filling or removing a form has hidden it;
+    /// by default it is looked for in the map.
+    pub height_step: Option<f64>,
+}
 
 /// Everything a contact model can ask of a surface. SI units; absent where undefined.
 #[derive(Debug, Clone, PartialEq)]
@@ -113,23 +130,13 @@ pub struct Statistic {
     pub name: &'static str,
     /// SI; empty for a pure number.
     pub unit: &'static str,
-    value: Value,
+    value: fn(&SurfaceStatistics) -> Option<f64>,
 }
-
-#[derive(Debug)]
-enum Value {
-    Always(fn(&SurfaceStatistics) -> f64),
-    Maybe(fn(&SurfaceStatistics) -> Option<f64>),
-}
-use Value::{Always, Maybe};
 
 impl Statistic {
     /// The number of a surface, if it has one.
     pub fn of(&self, statistics: &SurfaceStatistics) -> Option<f64> {
-        match self.value {
-            Always(value) => Some(value(statistics)),
-            Maybe(value) => value(statistics),
-        }
+        (self.value)(statistics)
     }
 }
 
@@ -138,48 +145,44 @@ const fn number(
     symbol: &'static str,
     name: &'static str,
     unit: &'static str,
-    value: Value,
+    value: fn(&SurfaceStatistics) -> Option<f64>,
 ) -> Statistic {
     Statistic { key, symbol, name, unit, value }
 }
 
 /// The numbers of [`SurfaceStatistics`], in its order. `cargo xtask study tables` writes those of Python from here.
 pub const STATISTICS: [Statistic; 29] = [
-    number("rms_height", "Sq", "rms height", "m", Always(|s| s.rms_height)),
-    number("mean_abs_height", "Sa", "mean absolute height", "m", Always(|s| s.mean_abs_height)),
-    number("skewness", "Ssk", "skewness", "", Maybe(|s| s.skewness)),
-    number("kurtosis", "Sku", "kurtosis", "", Maybe(|s| s.kurtosis)),
-    number("peak_height", "Sp", "highest peak", "m", Always(|s| s.peak_height)),
-    number("pit_depth", "Sv", "deepest pit", "m", Always(|s| s.pit_depth)),
-    number("rms_gradient", "Sdq", "rms gradient", "", Always(|s| s.rms_gradient)),
-    number("m0", "m0", "height variance", "m²", Always(|s| s.m0)),
-    number("m2", "m2", "slope variance", "", Always(|s| s.m2)),
-    number("m4", "m4", "curvature variance", "m⁻²", Always(|s| s.m4)),
-    number("m2_x", "m2x", "slope variance by axis", "", Always(|s| s.m2_x)),
-    number("m2_y", "m2y", "slope variance by axis", "", Always(|s| s.m2_y)),
-    number("m4_x", "m4x", "curvature variance by axis", "m⁻²", Always(|s| s.m4_x)),
-    number("m4_y", "m4y", "curvature variance by axis", "m⁻²", Always(|s| s.m4_y)),
-    number("m0_spectral", "m0", "by spectrum", "m²", Always(|s| s.m0_spectral)),
-    number("m2_spectral", "m2", "by spectrum", "", Always(|s| s.m2_spectral)),
-    number("m4_spectral", "m4", "by spectrum", "m⁻²", Always(|s| s.m4_spectral)),
-    number("bandwidth", "m0 m4/m2²", "bandwidth", "", Maybe(|s| s.bandwidth)),
-    number("anisotropy", "a2", "slope anisotropy", "", Maybe(|s| s.anisotropy)),
-    number("hurst", "H", "Hurst exponent", "", Maybe(|s| s.hurst)),
-    number("dimension", "D", "profile dimension", "", Maybe(|s| s.dimension)),
-    number("roughness", "G", "fractal roughness", "m", Maybe(|s| s.roughness)),
-    number("rolloff", "λr", "roll-off", "m", Maybe(|s| s.rolloff)),
-    number("cutoff", "λs", "cut-off", "m", Maybe(|s| s.cutoff)),
-    number(
-        "max_amplitude_ratio",
-        "B_max",
-        "amplitude / length",
-        "",
-        Always(|s| s.max_amplitude_ratio),
-    ),
-    number("record_length", "", "length of the rows", "m", Always(|s| s.record_length)),
-    number("height_step", "", "height step", "m", Maybe(|s| s.height_step)),
-    number("noise_rms", "", "noise rms", "m", Maybe(|s| s.noise_rms)),
-    number("reliable_wavelength", "", "reliable wavelength", "m", Maybe(|s| s.reliable_wavelength)),
+    number("rms_height", "Sq", "rms height", "m", |s| Some(s.rms_height)),
+    number("mean_abs_height", "Sa", "mean absolute height", "m", |s| Some(s.mean_abs_height)),
+    number("skewness", "Ssk", "skewness", "", |s| s.skewness),
+    number("kurtosis", "Sku", "kurtosis", "", |s| s.kurtosis),
+    number("peak_height", "Sp", "highest peak", "m", |s| Some(s.peak_height)),
+    number("pit_depth", "Sv", "deepest pit", "m", |s| Some(s.pit_depth)),
+    number("rms_gradient", "Sdq", "rms gradient", "", |s| Some(s.rms_gradient)),
+    number("m0", "m0", "height variance", "m²", |s| Some(s.m0)),
+    number("m2", "m2", "slope variance", "", |s| Some(s.m2)),
+    number("m4", "m4", "curvature variance", "m⁻²", |s| Some(s.m4)),
+    number("m2_x", "m2x", "slope variance by axis", "", |s| Some(s.m2_x)),
+    number("m2_y", "m2y", "slope variance by axis", "", |s| Some(s.m2_y)),
+    number("m4_x", "m4x", "curvature variance by axis", "m⁻²", |s| Some(s.m4_x)),
+    number("m4_y", "m4y", "curvature variance by axis", "m⁻²", |s| Some(s.m4_y)),
+    number("m0_spectral", "m0", "by spectrum", "m²", |s| Some(s.m0_spectral)),
+    number("m2_spectral", "m2", "by spectrum", "", |s| Some(s.m2_spectral)),
+    number("m4_spectral", "m4", "by spectrum", "m⁻²", |s| Some(s.m4_spectral)),
+    number("bandwidth", "m0 m4/m2²", "bandwidth", "", |s| s.bandwidth),
+    number("anisotropy", "a2", "slope anisotropy", "", |s| s.anisotropy),
+    number("hurst", "H", "Hurst exponent", "", |s| s.hurst),
+    number("dimension", "D", "profile dimension", "", |s| s.dimension),
+    number("roughness", "G", "fractal roughness", "m", |s| s.roughness),
+    number("rolloff", "λr", "roll-off", "m", |s| s.rolloff),
+    number("cutoff", "λs", "cut-off", "m", |s| s.cutoff),
+    number("max_amplitude_ratio", "B_max", "amplitude / length", "", |s| {
+        Some(s.max_amplitude_ratio)
+    }),
+    number("record_length", "", "length of the rows", "m", |s| Some(s.record_length)),
+    number("height_step", "", "height step", "m", |s| s.height_step),
+    number("noise_rms", "", "noise rms", "m", |s| s.noise_rms),
+    number("reliable_wavelength", "", "reliable wavelength", "m", |s| s.reliable_wavelength),
 ];
 
 /// The spectra that [`SurfaceStatistics`] are taken from, of the levelled map.
@@ -215,7 +218,10 @@ impl SurfaceStatistics {
         scale::check(map)?;
         check_range(options.fractal_range)?;
         let (grid, periodic) = (map.grid(), options.edges == Edges::Periodic);
-        let level = options.level_on(map)?;
+        let level = match options.level {
+            Level::Auto if periodic => Level::Mean,
+            level => level.on(map)?,
+        };
         let degree = level.degree().unwrap_or(0);
         let tilted = if periodic { None } else { tilted(map, options.level)? };
         let height_step = options.height_step.or_else(|| steps::height_step(map.heights()));
@@ -254,7 +260,7 @@ impl SurfaceStatistics {
         } else {
             drop(power);
             let mut heights = surface.into_heights();
-            Window::Hann.apply(grid, &mut heights);
+            apply_window(grid, &mut heights, Edges::Open);
             PowerSpectrum::of_field(grid, &heights)
         };
         let (resolved, rings) = join(|| power.resolved_gradient(), || power.rings());
@@ -263,7 +269,7 @@ impl SurfaceStatistics {
         let moments = differences.isotropic(rms_height * rms_height);
         let scales = SpectralScales::of_map(&rings, grid, rms_height, options.fractal_range);
         let of_spectrum = seconds(start) + if periodic { of_power } else { 0.0 };
-        let (dimension, fractal) = scales.fractal_of_surface();
+        let fractal = scales.power_law.map(|law| law.fractal_of_surface());
 
         let mut statistics = Self {
             shape: grid.shape(),
@@ -293,8 +299,8 @@ impl SurfaceStatistics {
             asperities: AsperityStatistics::from_moments(moments).ok(),
             summits,
             hurst: scales.power_law.map(|fit| fit.hurst()),
-            dimension,
-            roughness: fractal.map(|g| g.roughness),
+            dimension: fractal.map(|(dimension, _)| dimension),
+            roughness: fractal.and_then(|(_, found)| Some(found?.roughness)),
             fractal_range: scales.fractal_range,
             rolloff: scales.rolloff,
             cutoff: scales.cutoff,

@@ -3,7 +3,8 @@
 use contact_types::{ContactModulus, Grid};
 use fft_bem_solver::{Load, PERIMETER_CORRECTION, Solver};
 use std::f64::consts::{PI, TAU};
-use surface_stats::spectrum::{PowerSpectrum, Window};
+use surface_stats::Edges;
+use surface_stats::spectrum::PowerSpectrum;
 
 /// One small map: longest wave 8 times the shortest, H = 0.5,
 /// 256 x 256 points. Slope of 0.8 to 3.5 % of area within the 2.0 to 2.3 of the literature (Hyun
@@ -13,7 +14,7 @@ use surface_stats::spectrum::{PowerSpectrum, Window};
 fn deterministic_slope_is_the_published_one() {
     let grid = Grid::new([256; 2], [1e-6; 2]).unwrap();
     let map = crate::rough(grid, 0.5, [64e-6, 8e-6], 1);
-    let moments = PowerSpectrum::of(&map, Window::None).unwrap().moments();
+    let moments = PowerSpectrum::of(&map, Edges::Periodic).unwrap().moments();
     assert!((5.0..9.0).contains(&moments.bandwidth()), "{}", moments.bandwidth());
     let modulus = ContactModulus::from_pascals(1e11).unwrap();
     let mut solver = Solver::builder().tolerance(1e-5).build(grid, modulus).unwrap();

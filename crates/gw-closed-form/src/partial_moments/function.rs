@@ -5,7 +5,7 @@ use super::nodes::{self, Node};
 use crate::arithmetic::{clamp_to_finite, exp_half_square, half_power, two_product};
 
 /// The standard normal density φ(α).
-pub fn density(alpha: f64) -> f64 {
+pub(super) fn density(alpha: f64) -> f64 {
     times_gaussian(FRAC_1_SQRT_2PI, alpha)
 }
 
@@ -32,7 +32,8 @@ const PER_UNIT: f64 = 4.0;
 /// What distinguishes one order from another.
 pub(super) struct Function {
     pub(super) n: f64,
-    nodes: &'static [Node; 73],
+    /// From -10 on, of order 0 from 0 on.
+    nodes: &'static [Node],
     far: &'static [f64],
     /// Γ(n+1)/√(2π).
     factor: f64,
@@ -71,7 +72,9 @@ pub(super) static THREE_HALVES: Function = Function {
 
 impl Function {
     pub(super) fn value(&self, alpha: f64) -> f64 {
-        if alpha >= FAR {
+        if self.n <= 0.0 && alpha < 0.0 {
+            1.0 - self.value(-alpha) // J_0(-x) = 1 - J_0(x)
+        } else if alpha >= FAR {
             if alpha > 39.0 { 0.0 } else { times_gaussian(self.far_scaled(alpha), alpha) }
         } else if alpha <= NEAR {
             self.overlap(-alpha)
@@ -84,7 +87,8 @@ impl Function {
     /// The node next to α, between the far ends.
     fn node(&self, alpha: f64) -> (f64, Node) {
         let k = libm::rint(PER_UNIT * alpha);
-        (k / PER_UNIT, self.nodes[(k - PER_UNIT * NEAR) as usize])
+        let first = if self.n > 0.0 { PER_UNIT * NEAR } else { 0.0 };
+        (k / PER_UNIT, self.nodes[(k - first) as usize])
     }
 
     /// dJ_n/dα between the far ends: the Taylor series, term by term.

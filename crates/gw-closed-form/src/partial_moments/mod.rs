@@ -10,16 +10,7 @@
 //! overlap (area), J_3/2 the mean of overlap^{3/2} (load), J_1/2 gives the stiffness. They are
 //! the functions F_n of Greenwood and Tripp.
 //!
-//! # How they are evaluated
-//! All J_n solve `J'' + α J' - n J = 0`, so value and slope at one point give the whole Taylor
-//! series around it.
-//!
-//! | range | method |
-//! |---|---|
-//! | α ≥ 8 | exp(-α²/2) times a Chebyshev series in 64/α² |
-//! | -10 < α < 8 | Taylor series about the nearest quarter, whose value is tabled to 32 digits |
-//! | α ≤ -10 | the whole distribution overlaps: `|α|^n (1 + n(n-1)/(2α²) + ...)`, the rest is below exp(-50) |
-//!
+//! # Accuracy
 //! A large exact part plus a small correction leaves one rounding: values are right to about one unit in the
 //! last place (4e-16 for α < 8, 9e-16 up to the end of the normal range at α ≈ 37.4) and fall with α
 //! *to the last bit*. One unit in the last place of α changes J_n by α² units.
@@ -35,5 +26,5 @@ mod function;
 mod nodes;
 mod orders;
 
-pub use function::{density, times_gaussian};
+pub use function::times_gaussian;
 pub use orders::{Order, ln, ln_derivative, scaled, value};

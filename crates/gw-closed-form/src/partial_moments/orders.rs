@@ -74,7 +74,7 @@ pub fn ln(order: Order, alpha: f64) -> f64 {
         return clamp_to_finite(f.far_ln_scaled(alpha) - lead);
     }
     if alpha < 0.0 && order == Order::Zero {
-        return libm::log1p(-f.value(-alpha)); // J_0(-x) = 1 - J_0(x)
+        return libm::log1p(-f.value(-alpha));
     }
     if alpha <= NEAR {
         return f.n * libm::log(-alpha) + libm::log1p(overlap_correction(f.n, -alpha));

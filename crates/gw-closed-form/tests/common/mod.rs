@@ -1,4 +1,4 @@
-//! Reading the tables of `fixtures/reference`, and the worst error met.
+//! Reading the tables of `fixtures/reference`, and the errors against them.
 #![allow(
     dead_code,
     clippy::float_cmp,
@@ -7,47 +7,29 @@
               the worst errors are printed for the report"
 )]
 
-use std::path::PathBuf;
+use std::collections::HashMap;
 
-/// A table: comma separated, first line an origin, second the names of the columns.
-pub(crate) struct ReferenceTable {
-    columns: Vec<String>,
-    rows: Vec<Vec<String>>,
+/// One row of a table: its cells by the names of their columns.
+pub(crate) struct ReferenceRow(HashMap<String, String>);
+
+/// The rows of `fixtures/reference/<name>`: comma separated, first line an origin, second the names of the columns.
+pub(crate) fn reference_rows(name: &str) -> Vec<ReferenceRow> {
+    let path = format!("{}/../../fixtures/reference/{name}", env!("CARGO_MANIFEST_DIR"));
+    let text = std::fs::read_to_string(&path).unwrap_or_else(|e| panic!("{path}: {e}"));
+    assert!(text.starts_with("# "), "{name} opens with its origin");
+    let cells = |line: &str| line.split(',').map(str::to_owned).collect::<Vec<_>>();
+    let mut lines = text.lines().filter(|line| !line.starts_with('#')).map(cells);
+    let columns = lines.next().expect("a reference table has a header");
+    let row = |cells| ReferenceRow(columns.iter().cloned().zip(cells).collect());
+    let rows: Vec<_> = lines.map(row).collect();
+    assert!(!rows.is_empty(), "{name} has no rows");
+    rows
 }
 
-impl ReferenceTable {
-    /// Reads `fixtures/reference/<name>`.
-    pub(crate) fn read(name: &str) -> Self {
-        let path =
-            PathBuf::from(env!("CARGO_MANIFEST_DIR")).join("../../fixtures/reference").join(name);
-        let text =
-            std::fs::read_to_string(&path).unwrap_or_else(|e| panic!("{}: {e}", path.display()));
-        assert!(text.starts_with("# "), "{name} opens with its origin");
-        let mut lines = text.lines().filter(|l| !l.starts_with('#'));
-        let split = |line: &str| line.split(',').map(str::to_owned).collect::<Vec<_>>();
-        let columns = split(lines.next().expect("a reference table has a header"));
-        let rows: Vec<_> = lines.map(split).collect();
-        assert!(!rows.is_empty(), "{name} has no rows");
-        Self { columns, rows }
-    }
-
-    /// Rows, each a look-up by column name.
-    pub(crate) fn rows(&self) -> impl Iterator<Item = ReferenceRow<'_>> {
-        self.rows.iter().map(|cells| ReferenceRow { table: self, cells })
-    }
-}
-
-/// One row of a [`ReferenceTable`].
-pub(crate) struct ReferenceRow<'a> {
-    table: &'a ReferenceTable,
-    cells: &'a [String],
-}
-
-impl ReferenceRow<'_> {
+impl ReferenceRow {
     /// The cell as text.
     pub(crate) fn text(&self, column: &str) -> &str {
-        let index = self.table.columns.iter().position(|c| c == column);
-        &self.cells[index.unwrap_or_else(|| panic!("no column {column}"))]
+        self.0.get(column).unwrap_or_else(|| panic!("no column {column}"))
     }
 
     /// The cell as the nearest double; beyond their range 0 or infinity.
@@ -58,6 +40,27 @@ impl ReferenceRow<'_> {
     /// Several cells.
     pub(crate) fn numbers<const N: usize>(&self, columns: [&str; N]) -> [f64; N] {
         columns.map(|column| self.number(column))
+    }
+}
+
+/// One input at the end of its range.
+pub(crate) struct Case {
+    pub(crate) place: String,
+    /// `None` if it was refused.
+    pub(crate) answer: Option<f64>,
+    /// `None` if it must be.
+    pub(crate) reference: Option<f64>,
+    /// Errors of answers below this are in units of it.
+    pub(crate) least: f64,
+}
+
+impl Case {
+    /// Relative error; `None` where there is no answer, or no double can hold the reference.
+    pub(crate) fn error(&self) -> Option<f64> {
+        let (answer, reference) = (self.answer?, self.reference?);
+        let representable = reference.is_normal() || answer == reference;
+        let unit = reference.abs().max(self.least).max(f64::MIN_POSITIVE);
+        representable.then(|| ((answer - reference) / unit).abs())
     }
 }
 

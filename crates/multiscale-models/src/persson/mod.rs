@@ -1,7 +1,5 @@
 //! Persson's theory: the pressure distribution diffuses as finer roughness comes into view.
 
-mod area;
-mod gap;
 mod profile_amplitudes;
 mod scales;
 mod self_affine;
@@ -10,5 +8,5 @@ mod theory;
 mod with_yield;
 
 pub use self_affine::SelfAffineSpectrum;
-pub use theory::{AreaLaw, Persson};
-pub use with_yield::{PerssonWithYield, YieldShares};
+pub use theory::Persson;
+pub use with_yield::PerssonWithYield;

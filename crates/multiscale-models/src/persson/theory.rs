@@ -4,25 +4,21 @@ use super::scales::Scales;
 use super::self_affine::SelfAffineSpectrum;
 use super::span::MODEL;
 use crate::answer::{citation, saturated, steep, underflow};
+use crate::special::{erf, half_e1_of_square, squared_erf_tail};
 use crate::wide::Wide;
 use contact_types::{
     Citation, ContactModel, ContactModulus, ContactState, ModelError, RoughnessSpectrum,
     SpectralMoments, require,
 };
 use std::borrow::Borrow;
+use std::f64::consts::{FRAC_2_SQRT_PI, SQRT_2};
 use std::sync::Arc;
 
-/// How the area follows from the spectrum.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
-pub enum AreaLaw {
-    /// `A/A_0 = erf(p / (E* sqrt(m2)))`, Persson's law.
-    #[default]
-    Diffusion,
-    /// The variance is reduced where the contact is already partial,
-    /// `dV_eff = [gamma + (1 - gamma) A^2] dV`; `A/A_0 = erf(p / sqrt(2 V_eff))`. The mean gap stays the
-    /// same, and with gamma = 1 the area.
-    ReducedDiffusion,
-}
+/// Below this load `x = p / (E* sqrt(m2))` the limits of light load are exact to rounding.
+const LIGHT: f64 = 1e-290;
+
+/// Above this `x` the integrals of the gap are below the smallest double.
+const FULL: f64 = 27.5;
 
 /// Persson's theory of elastic contact between a rough surface and a flat.
 ///
@@ -37,7 +33,7 @@ pub enum AreaLaw {
 /// - `g_rms`: rms gradient of the surface, `g_rms^2 = 2 m2` \[-\];
 /// - `V`: variance of the pressure in full contact \[Pa²\].
 ///
-/// Made from moments it knows the area only; made from a spectrum also the mean gap and its stiffness.
+/// Made from moments it knows the area only; made from a spectrum also the mean gap.
 ///
 /// ```
 /// use contact_types::{ContactModel, ContactModulus, SpectralMoments};
@@ -55,13 +51,12 @@ pub enum AreaLaw {
 /// doi:10.1088/0953-8984/20/21/215214 (gamma).
 #[derive(Debug, Clone)]
 pub struct Persson {
-    pub(super) modulus: ContactModulus,
+    modulus: ContactModulus,
     /// `sqrt(m2)` \[-\].
-    pub(super) slope: Wide,
+    slope: Wide,
     /// The spectrum, in units of `sqrt(m2)`; `None` if only the moments are known.
-    pub(super) scales: Option<Arc<Scales>>,
-    pub(super) gamma: f64,
-    pub(super) area_law: AreaLaw,
+    scales: Option<Arc<Scales>>,
+    gamma: f64,
 }
 
 impl Persson {
@@ -101,13 +96,7 @@ impl Persson {
     }
 
     fn with_scales(modulus: ContactModulus, slope: Wide, scales: Option<Scales>) -> Self {
-        Self {
-            modulus,
-            slope,
-            scales: scales.map(Arc::new),
-            gamma: Self::GAMMA,
-            area_law: AreaLaw::Diffusion,
-        }
+        Self { modulus, slope, scales: scales.map(Arc::new), gamma: Self::GAMMA }
     }
 
     /// Sets the factor gamma of the elastic energy in partial contact,
@@ -127,17 +116,44 @@ impl Persson {
         Ok(self)
     }
 
-    /// Sets how the area follows from the spectrum; the default is Persson's law.
-    #[must_use]
-    pub fn with_area_law(mut self, area_law: AreaLaw) -> Self {
-        self.area_law = area_law;
-        self
-    }
-
     /// `x = p / (E* sqrt(m2))`; `None` for a flat surface.
-    pub(super) fn load(&self, pressure: f64) -> Option<Wide> {
+    fn load(&self, pressure: f64) -> Option<Wide> {
         let stiffness = self.slope * self.modulus.pascals();
         (!stiffness.is_zero()).then(|| Wide::from(pressure) / stiffness)
+    }
+
+    /// Mean gap between the deformed surfaces \[m\] at nominal pressure `p` \[Pa\]:
+    ///
+    /// ```math
+    /// \bar u(p) = \sqrt\pi\int dq\, q^2 C(q)\, w\, I\!\left(\frac{w p}{E^*}\right), \qquad
+    /// I(x) = \int_x^\infty [\gamma + 3(1-\gamma)\operatorname{erf}^2 y]\, \frac{e^{-y^2}}{y}\,dy
+    /// ```
+    ///
+    /// with `w = (pi int_{q0}^{q} q'^3 C dq')^(-1/2)`, evaluated as
+    /// `(2/sqrt(pi)) sqrt(m2) int_0^1 I(x/rho)/q(rho) d rho`. It grows like `ln(1/p)` at light
+    /// load: a Gaussian surface has no highest point. 0 where it is below the smallest double.
+    ///
+    /// # Source
+    /// Persson (2007), doi:10.1103/PhysRevLett.99.125502, eq. (17); Yang & Persson (2008),
+    /// doi:10.1088/0953-8984/20/21/215214.
+    fn mean_gap(&self, scales: &Scales, pressure: f64) -> Result<f64, ModelError> {
+        let Some(load) = self.load(pressure) else {
+            return Ok(0.0); // flat
+        };
+        let x = load.value();
+        if x > FULL {
+            return Ok(0.0);
+        }
+        let gamma = self.gamma;
+        let x_used = x.max(LIGHT);
+        let mut integral = scales.integrate(x_used, |rho| separation(x_used / rho, gamma));
+        if x < LIGHT {
+            // u = u0 ln(... / p): continue the logarithm exactly.
+            let share = scales.integrate(x_used, |_| 1.0);
+            integral += gamma * share * (LIGHT.ln() - load.ln());
+        }
+        let length = self.slope / scales.smallest_wavenumber();
+        require::representable(MODEL, "mean gap", (length * FRAC_2_SQRT_PI * integral).value())
     }
 }
 
@@ -148,15 +164,26 @@ impl ContactModel for Persson {
     }
 
     fn at_pressure(&self, mean_pressure: f64) -> Result<ContactState, ModelError> {
-        let area_fraction = self.area_fraction(mean_pressure)?;
+        require::pressure(MODEL, mean_pressure)?;
+        let area_fraction = match self.load(mean_pressure) {
+            Some(x) => erf(x.value()),
+            None if mean_pressure > 0.0 => 1.0, // flat: all or nothing
+            None => 0.0,
+        };
         let mean_gap = match self.scales.as_deref() {
             Some(scales) if mean_pressure > 0.0 => Some(self.mean_gap(scales, mean_pressure)?),
             _ => None,
         };
         let is_flat = self.slope.is_zero() && mean_pressure > 0.0;
-        let gradient = (self.slope * std::f64::consts::SQRT_2).value();
+        let gradient = (self.slope * SQRT_2).value();
         let caveat = underflow(mean_pressure, area_fraction)
             .or_else(|| if is_flat { Some(saturated()) } else { steep(gradient) });
         Ok(ContactState { mean_pressure, area_fraction, separation: None, mean_gap, caveat })
     }
+}
+
+/// `I(x) = (gamma/2) E1(x^2) + 3 (1 - gamma) K(x)`.
+fn separation(x: f64, gamma: f64) -> f64 {
+    let persson = gamma * half_e1_of_square(x);
+    if gamma < 1.0 { persson + 3.0 * (1.0 - gamma) * squared_erf_tail(x) } else { persson }
 }

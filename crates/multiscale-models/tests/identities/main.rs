@@ -2,7 +2,6 @@
 
 mod archard_and_fractals;
 mod jackson_streator;
-mod persson_area;
 mod persson_gap;
 mod quadrature;
 

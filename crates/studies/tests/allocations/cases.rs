@@ -20,7 +20,7 @@ use std::io::Cursor;
 use std::ops::ControlFlow;
 use surface_io::{Fill, HeightUnit, ReadOptions};
 use surface_stats::spectrum::{amplitudes, radial};
-use surface_stats::{Edges, SpectralScales, StatsOptions, SurfaceStatistics, moments};
+use surface_stats::{Edges, StatsOptions, SurfaceStatistics, moments};
 
 /// One call and what it took from the allocator, on one thread.
 pub(crate) struct Case {
@@ -108,7 +108,6 @@ fn closed_forms() -> Vec<Case> {
     let bgt = SummitModel::new(SummitLaw::BushGibsonThomas, moments, steel()).expect(expected);
     let elliptical =
         SummitModel::new(SummitLaw::GreenwoodElliptical, moments, steel()).expect(expected);
-    let mean = SummitModel::new(SummitLaw::MeanCurvature, moments, steel()).expect(expected);
     let persson = Persson::from_moments(moments, steel()).expect(expected);
     let with_gap = Persson::from_self_affine(spectrum, steel());
     let stacked = Stacked::new(waves.max_amplitude_ratio(), steel()).expect(expected);
@@ -125,7 +124,6 @@ fn closed_forms() -> Vec<Case> {
         at_pressure(asperity, "BGT at a pressure", &bgt),
         at_separation(asperity, "BGT at a separation", &bgt),
         at_pressure(asperity, "elliptical at a pressure", &elliptical),
-        at_pressure(asperity, "mean curvature at a pressure", &mean),
         at_pressure(multi, "Persson at a pressure", &persson),
         at_pressure(multi, "Persson with mean gap at a pressure", &with_gap),
         at_pressure(multi, "stacked at a pressure", &stacked),
@@ -187,10 +185,6 @@ fn statistics(map: &HeightMap) -> Vec<Case> {
         }),
         Case::on(package, "amplitudes of rows (for stacked)", (map, 0.1), || {
             black_box(amplitudes(map).expect("a surface"));
-        }),
-        Case::on(package, "scales and power law (for Majumdar–Bhushan)", (map, 2.2), || {
-            let options = StatsOptions::default();
-            black_box(SpectralScales::of(map, &options).expect("a surface"));
         }),
         Case::on(package, "all statistics, periodic", (map, 2.2), || all(Edges::Periodic)),
         Case::on(package, "all statistics, open", (map, 2.2), || all(Edges::Open)),

@@ -87,7 +87,11 @@ impl From<Form> for String {
 
 /// What was found.
 #[derive(Debug, Clone, Copy, PartialEq)]
-#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
+#[cfg_attr(
+    feature = "serde",
+    derive(serde::Serialize, serde::Deserialize),
+    serde(tag = "form", rename_all = "snake_case")
+)]
 pub enum FormParameters {
     /// Nothing but the degree is worth naming.
     Polynomial {

@@ -1,8 +1,7 @@
 //! Gaussian S- and L-filters.
 
-use crate::{Edges, StatsError, scale};
-use contact_types::{Grid, HeightMap};
-use grid_fft::GridFft;
+use crate::{StatsError, scale};
+use contact_types::Grid;
 use std::f64::consts::{LN_2, PI};
 
 /// Weights are cut where they fall below 10⁻¹⁴ of the largest: 1.5 cut-off wavelengths.
@@ -18,9 +17,8 @@ const REACH: f64 = 1.5;
 /// \frac{a_1}{a_0} = 2^{-(\lambda_c/\lambda)^2}
 /// ```
 ///
-/// - Open maps: near edges and missing points, which stay missing, the weights that fall on valid points are scaled to
-///   sum 1. A constant passes unchanged everywhere; within one cut-off of an edge a tilt does not.
-/// - Periodic maps: the transmission above, exactly, by FFT. Missing points are refused.
+/// Near edges and missing points, which stay missing, the weights that fall on valid points are scaled to sum 1. A constant
+/// passes unchanged everywhere; within one cut-off of an edge a tilt does not.
 ///
 /// # Source
 /// ISO 16610-61:2015 (areal Gaussian filter).
@@ -28,70 +26,14 @@ pub(crate) fn gaussian_filter(
     grid: Grid,
     heights: &[f64],
     cutoff: f64,
-    edges: Edges,
 ) -> Result<Vec<f64>, StatsError> {
-    let [dy, dx] = grid.pixel();
+    let ([ny, nx], [dy, dx]) = (grid.shape(), grid.pixel());
     let resolved = cutoff.is_finite() && cutoff >= 2.0 * dy.max(dx);
     let requirement = "must be finite and at least two pixels";
     StatsError::require("cut-off wavelength of the filter", cutoff, resolved, requirement)?;
     scale::check_measured(grid, heights)?;
-    match edges {
-        Edges::Periodic => Ok(periodic(HeightMap::new(grid, heights.to_vec())?, cutoff)),
-        Edges::Open => Ok(open(grid, heights, cutoff)),
-    }
-}
-
-/// What [`gaussian_filter`] takes off `heights`: the short waves.
-pub(crate) fn short_waves(
-    grid: Grid,
-    heights: &[f64],
-    cutoff: f64,
-    edges: Edges,
-) -> Result<Vec<f64>, StatsError> {
-    let mut short = gaussian_filter(grid, heights, cutoff, edges)?;
-    for (s, h) in short.iter_mut().zip(heights) {
-        *s = h - *s;
-    }
-    Ok(short)
-}
-
-fn periodic(map: HeightMap, cutoff: f64) -> Vec<f64> {
-    let grid = map.grid();
-    let mean = map.mean();
-    let mut field = map.into_heights();
-    for z in &mut field {
-        *z -= mean;
-    }
-    let mut fft = GridFft::new(grid.shape());
-    let mut waves = fft.new_spectrum();
-    fft.forward(&field, &mut waves);
-    let nq = fft.spectrum_shape()[1];
-    for (i, wave) in waves.iter_mut().enumerate() {
-        let ratio = cutoff * grid.wavenumber(i / nq, i % nq) / (2.0 * PI); // cutoff / wavelength
-        *wave *= (-LN_2 * ratio * ratio).exp();
-    }
-    fft.inverse(&mut waves, &mut field);
-    for z in &mut field {
-        *z += mean;
-    }
-    field
-}
-
-/// Half of the symmetric weights along one axis, from the middle outwards.
-fn weights(cutoff: f64, pixel: f64, n: usize) -> Vec<f64> {
-    let reach = ((REACH * cutoff / pixel).ceil() as usize).min(n - 1);
-    let alpha_square = LN_2 / PI;
-    let weight = |k: usize| {
-        let x = k as f64 * pixel / cutoff;
-        (-PI * x * x / alpha_square).exp()
-    };
-    (0..=reach).map(weight).collect()
-}
-
-fn open(grid: Grid, heights: &[f64], cutoff: f64) -> Vec<f64> {
-    let ([ny, nx], [dy, dx]) = (grid.shape(), grid.pixel());
     let Some(origin) = heights.iter().copied().find(|h| !h.is_nan()) else {
-        return heights.to_vec();
+        return Ok(heights.to_vec());
     };
     let kernel = [weights(cutoff, dy, ny), weights(cutoff, dx, nx)];
     let raised: Vec<f64> =
@@ -113,7 +55,28 @@ fn open(grid: Grid, heights: &[f64], cutoff: f64) -> Vec<f64> {
             *z = if h.is_nan() { f64::NAN } else { origin + *z / sum };
         }
     }
-    filtered
+    Ok(filtered)
+}
+
+/// What [`gaussian_filter`] takes off `heights`: the short waves.
+pub(crate) fn short_waves(
+    grid: Grid,
+    heights: &[f64],
+    cutoff: f64,
+) -> Result<Vec<f64>, StatsError> {
+    let long = gaussian_filter(grid, heights, cutoff)?;
+    Ok(heights.iter().zip(long).map(|(h, long)| h - long).collect())
+}
+
+/// Half of the symmetric weights along one axis, from the middle outwards.
+fn weights(cutoff: f64, pixel: f64, n: usize) -> Vec<f64> {
+    let reach = ((REACH * cutoff / pixel).ceil() as usize).min(n - 1);
+    let alpha_square = LN_2 / PI;
+    let weight = |k: usize| {
+        let x = k as f64 * pixel / cutoff;
+        (-PI * x * x / alpha_square).exp()
+    };
+    (0..=reach).map(weight).collect()
 }
 
 /// Separable convolution with the two half kernels `[along y, along x]`; nothing lies beyond the
@@ -154,10 +117,10 @@ fn add_scaled(sum: &mut [f64], terms: &[f64], weight: f64) {
 mod tests {
     use super::*;
     use approx::{assert_abs_diff_eq, assert_relative_eq};
+    use contact_types::HeightMap;
     use std::f64::consts::TAU;
 
-    /// Transmission 2^-(λc/λ)² of an oblique wave: exact for periodic maps, and to the sampling of
-    /// the weights away from the edges of open ones.
+    /// Transmission 2^-(λc/λ)² of an oblique wave, to the sampling of the weights away from the edges.
     #[test]
     fn transmission_of_a_wave() {
         let grid = Grid::new([160, 240], [1.5, 1.0]).unwrap();
@@ -170,17 +133,10 @@ mod tests {
                 let transmission = 2f64.powf(-ratio * ratio);
                 // What sampled weights let through of the first alias, on the coarser side.
                 let sampling = 4.0 * 2f64.powf(-(cutoff / 1.5 - ratio).powi(2)) + 1e-12;
-                let [periodic, open] = [Edges::Periodic, Edges::Open]
-                    .map(|edges| gaussian_filter(grid, map.heights(), cutoff, edges).unwrap());
-                for iy in 0..160 {
-                    for ix in 0..240 {
-                        let expected = 3.0 + transmission * wave(1.5 * iy as f64, ix as f64);
-                        assert_abs_diff_eq!(periodic[240 * iy + ix], expected, epsilon = 1e-13);
-                        let inside = (25..135).contains(&iy) && (30..210).contains(&ix);
-                        if inside {
-                            assert_abs_diff_eq!(open[240 * iy + ix], expected, epsilon = sampling);
-                        }
-                    }
+                let found = gaussian_filter(grid, map.heights(), cutoff).unwrap();
+                for (iy, ix) in (25..135).flat_map(|iy| (30..210).map(move |ix| (iy, ix))) {
+                    let expected = 3.0 + transmission * wave(1.5 * iy as f64, ix as f64);
+                    assert_abs_diff_eq!(found[240 * iy + ix], expected, epsilon = sampling);
                 }
             }
         }
@@ -192,7 +148,7 @@ mod tests {
     fn missing_points_stay_missing_and_are_local() {
         let grid = Grid::new([64, 64], [1.0, 2.0]).unwrap();
         let map = HeightMap::from_fn(grid, |y, x| (0.3 * x).sin() + (0.7 * y + 0.1 * x).cos());
-        let filtered = |heights: &[f64]| gaussian_filter(grid, heights, 6.0, Edges::Open).unwrap();
+        let filtered = |heights: &[f64]| gaussian_filter(grid, heights, 6.0).unwrap();
         let [mut flat, mut wavy] = [vec![76e-3; 64 * 64], map.unwrap().into_heights()];
         let long = filtered(&wavy);
         for heights in [&mut flat, &mut wavy] {
@@ -213,12 +169,9 @@ mod tests {
     fn senseless_cutoffs_are_refused() {
         let grid = Grid::new([4, 4], [1.0, 2.0]).unwrap();
         for cutoff in [0.0, 3.9, f64::NAN, f64::INFINITY] {
-            let error = gaussian_filter(grid, &[0.0; 16], cutoff, Edges::Open);
+            let error = gaussian_filter(grid, &[0.0; 16], cutoff);
             assert!(matches!(error, Err(StatsError::BadSetting { .. })), "{cutoff}");
         }
-        let holed = [f64::NAN; 16];
-        let error = gaussian_filter(grid, &holed, 4.0, Edges::Periodic);
-        assert!(matches!(error, Err(StatsError::Surface(_))));
-        assert!(gaussian_filter(grid, &holed, 4.0, Edges::Open).is_ok());
+        assert!(gaussian_filter(grid, &[f64::NAN; 16], 4.0).is_ok());
     }
 }

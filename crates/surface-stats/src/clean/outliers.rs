@@ -153,7 +153,7 @@ impl Neighbourhood {
 }
 
 /// The value of this rank; the order is lost.
-fn select(values: &mut [f64], rank: usize) -> Option<f64> {
+pub(super) fn select(values: &mut [f64], rank: usize) -> Option<f64> {
     (!values.is_empty()).then(|| *values.select_nth_unstable_by(rank, f64::total_cmp).1)
 }
 

@@ -5,8 +5,8 @@ use super::{
     Form, FormParameters, Outliers, RowOffsets, find_outliers, gaussian_filter, row_offsets,
     short_waves,
 };
+use crate::StatsError;
 use crate::numbers::{METRES, plain, quantity};
-use crate::{Edges, StatsError};
 use contact_types::Grid;
 use std::fmt;
 
@@ -27,7 +27,11 @@ pub enum Step {
 
 /// One step, as done. [`fmt::Display`] writes one line for a report.
 #[derive(Debug, Clone, Copy, PartialEq)]
-#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
+#[cfg_attr(
+    feature = "serde",
+    derive(serde::Serialize, serde::Deserialize),
+    serde(tag = "step", rename_all = "snake_case")
+)]
 pub enum Record {
     /// Rows put in line.
     Rows {
@@ -50,6 +54,7 @@ pub enum Record {
     /// Form taken off.
     Form {
         /// What was found.
+        #[cfg_attr(feature = "serde", serde(flatten))]
         parameters: FormParameters,
         /// Valid points fitted.
         points: usize,
@@ -75,7 +80,6 @@ pub fn apply(
     grid: Grid,
     heights: &mut Vec<f64>,
     steps: &[Step],
-    edges: Edges,
 ) -> Result<Vec<Record>, StatsError> {
     let mut records = Vec::with_capacity(steps.len());
     for &step in steps {
@@ -102,11 +106,11 @@ pub fn apply(
                 Record::Form { parameters, points }
             }
             Step::SFilter(nesting_index) => {
-                *heights = gaussian_filter(grid, heights, nesting_index, edges)?;
+                *heights = gaussian_filter(grid, heights, nesting_index)?;
                 Record::SFilter { nesting_index }
             }
             Step::LFilter(nesting_index) => {
-                *heights = short_waves(grid, heights, nesting_index, edges)?;
+                *heights = short_waves(grid, heights, nesting_index)?;
                 Record::LFilter { nesting_index }
             }
         });
@@ -202,7 +206,7 @@ mod tests {
         heights[4040] += 3e-6;
         heights[500..520].fill(f64::NAN);
         let steps = [Step::Outliers(8.0), Step::Form(Form::Sphere), Step::SFilter(6e-6)];
-        let records = apply(grid, &mut heights, &steps, Edges::Open).unwrap();
+        let records = apply(grid, &mut heights, &steps).unwrap();
         assert!(matches!(records[0], Record::Outliers { count: 1, .. }));
         let Record::Form { parameters: FormParameters::Sphere { radius, .. }, points } = records[1]
         else {
@@ -210,7 +214,7 @@ mod tests {
         };
         assert_eq!(points, 120 * 100 - 21);
         assert!((radius / 2e-3 - 1.0).abs() < 0.01, "{radius}");
-        let filtered = gaussian_filter(grid, &rough, 6e-6, Edges::Open).unwrap();
+        let filtered = gaussian_filter(grid, &rough, 6e-6).unwrap();
         for (i, (h, r)) in heights.iter().zip(&filtered).enumerate() {
             let missing = i == 4040 || (500..520).contains(&i);
             assert_eq!(h.is_nan(), missing);

@@ -1,5 +1,6 @@
 //! Scan lines: rows of a probe microscope that stand at heights of their own.
 
+use super::outliers::select;
 use crate::{StatsError, Warning, scale};
 use contact_types::Grid;
 
@@ -13,15 +14,7 @@ pub struct RowOffsets {
     pub(super) offsets: Vec<f64>,
     /// Rms of the jumps from row to row (m).
     pub jump: f64,
-    /// Share of the mean square difference between neighbouring rows that jumps of whole rows make \[-\].
-    share: f64,
-    /// The same between neighbouring columns \[-\].
-    share_of_columns: f64,
-    /// How many rows jump: (Σ jump²)² / Σ jump⁴ \[-\]. 1 for a single step edge, a third of the rows for normal jumps.
-    jumping: f64,
-    /// Mean square change of the jump from row to row over the mean square jump \[-\]: near 0 for
-    /// waves of many rows, 2 for independent jumps, 3 for independent rows.
-    roughness: f64,
+    warning: Option<Warning>,
 }
 
 /// Share of the differences from which rows are said to jump.
@@ -30,10 +23,11 @@ const LEAST_SHARE: f64 = 0.25;
 /// How many times the share of the columns that must be.
 const LEAST_RATIO: f64 = 4.0;
 
-/// Roughness below which the offsets are waves that the rows resolve: 1 is a wave of six rows.
+/// Mean square change of the jump from row to row over the mean square jump, below which the offsets are waves that the
+/// rows resolve: 1 is a wave of six rows, 2 independent jumps, 3 independent rows.
 const LEAST_ROUGHNESS: f64 = 1.0;
 
-/// Rows that must jump at least: fewer are edges of the surface, steps or terraces.
+/// Rows that must jump at least, (Σ jump²)² / Σ jump⁴: fewer are edges of the surface, steps or terraces.
 const LEAST_JUMPING: f64 = 6.0;
 
 /// Rows and columns below which medians say nothing.
@@ -55,26 +49,21 @@ pub fn row_offsets(grid: Grid, heights: &[f64]) -> Result<RowOffsets, StatsError
     take_line_off(&mut offsets);
     let change: f64 = jumps_of_rows.windows(2).map(|j| (j[1] - j[0]).powi(2)).sum();
     let square: f64 = jumps_of_rows.iter().map(|j| j * j).sum();
-    Ok(RowOffsets {
-        jumping: how_many(&jumps_of_rows),
-        offsets,
-        jump: (square / jumps_of_rows.len().max(1) as f64).sqrt(),
-        share,
-        share_of_columns,
-        roughness: if square > 0.0 { change / square } else { 0.0 },
-    })
+    let rows_jump = ny >= FEWEST
+        && share >= LEAST_SHARE
+        && share >= LEAST_RATIO * share_of_columns
+        && change >= LEAST_ROUGHNESS * square
+        && how_many(&jumps_of_rows) >= LEAST_JUMPING;
+    let jump = (square / jumps_of_rows.len().max(1) as f64).sqrt();
+    let warning = rows_jump.then_some(Warning::RowsJump { jump, share });
+    Ok(RowOffsets { offsets, jump, warning })
 }
 
 impl RowOffsets {
     /// The warning of rows that jump: their offsets make a good part of the slope across them, far more than those of
     /// columns, and are neither waves nor a few edges. A lay along the rows that is as fine as the rows looks the same.
     pub fn warning(&self) -> Option<Warning> {
-        let rows_jump = self.offsets.len() >= FEWEST
-            && self.share >= LEAST_SHARE
-            && self.share >= LEAST_RATIO * self.share_of_columns
-            && self.roughness >= LEAST_ROUGHNESS
-            && self.jumping >= LEAST_JUMPING;
-        rows_jump.then_some(Warning::RowsJump { jump: self.jump, share: self.share })
+        self.warning
     }
 }
 
@@ -111,6 +100,9 @@ fn jumps(lines: usize, points: usize, at: impl Fn(usize, usize) -> f64) -> (Vec<
     let mut differences = Vec::with_capacity(points);
     let mut medians = Vec::with_capacity(lines);
     let (mut sums, mut count) = ([0.0; 2], 0.0);
+    // The lower one of two; of none 0.
+    let median =
+        |values: &mut [f64]| select(values, values.len().saturating_sub(1) / 2).unwrap_or(0.0);
     for line in 1..lines {
         differences.clear();
         let pairs = (0..points).map(|i| at(line, i) - at(line - 1, i));
@@ -121,9 +113,9 @@ fn jumps(lines: usize, points: usize, at: impl Fn(usize, usize) -> f64) -> (Vec<
         }
         count += differences.len() as f64;
         // A row without a neighbour stays where it is.
-        medians.push(median(&mut differences).unwrap_or(0.0));
+        medians.push(median(&mut differences));
     }
-    let tilt = median(&mut medians.clone()).unwrap_or(0.0);
+    let tilt = median(&mut medians.clone());
     let jumps: Vec<f64> = medians.iter().map(|m| m - tilt).collect();
     let square = jumps.iter().map(|j| j * j).sum::<f64>() / jumps.len().max(1) as f64;
     // Mean square of all differences about the tilt.
@@ -133,16 +125,9 @@ fn jumps(lines: usize, points: usize, at: impl Fn(usize, usize) -> f64) -> (Vec<
     (jumps, share)
 }
 
-/// The median, the lower one of two; the order is lost.
-fn median(values: &mut [f64]) -> Option<f64> {
-    let middle = values.len().checked_sub(1)? / 2;
-    Some(*values.select_nth_unstable_by(middle, f64::total_cmp).1)
-}
-
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::Edges;
     use crate::clean::{Record, Step, apply};
     use crate::synthesis::rough;
     use approx::assert_abs_diff_eq;
@@ -166,7 +151,7 @@ mod tests {
         let (grid, mut heights) = relief(3);
         assert!(row_offsets(grid, &heights).unwrap().warning().is_none());
         let align = |heights: &mut Vec<f64>| {
-            let records = apply(grid, heights, &[Step::Rows], Edges::Open).unwrap();
+            let records = apply(grid, heights, &[Step::Rows]).unwrap();
             let Record::Rows { jump, largest } = records[0] else { panic!("{records:?}") };
             [jump, largest]
         };

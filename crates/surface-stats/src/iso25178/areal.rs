@@ -1,8 +1,8 @@
 //! All areal parameters of a map, under the symbols of the standard.
 
-use super::hybrid::Hybrid;
+use super::hybrid::{hybrid, seven_point_gradient};
 use super::material_ratio::MaterialRatioCurve;
-use super::spatial::{Spatial, texture_direction};
+use super::spatial::{spatial, texture_direction};
 use crate::{Edges, HeightStatistics, StatsError};
 use contact_types::HeightMap;
 
@@ -25,10 +25,11 @@ pub struct IsoParameter {
 pub fn parameters(map: &HeightMap, edges: Edges) -> Result<Vec<IsoParameter>, StatsError> {
     let curve = MaterialRatioCurve::of(map)?;
     let heights = HeightStatistics::of(map);
-    let hybrid = Hybrid::of(map)?;
-    let spatial = Spatial::of(map, edges)?;
+    let [sdq, sdr] = hybrid(map)?;
+    let [sal, aspect] = spatial(map, edges)?;
     let direction = texture_direction(map)?;
-    let (core, volumes) = (curve.core(), curve.volumes());
+    let [sk, spk, svk, smr1, smr2] = curve.core();
+    let [vmp, vmc, vvc, vvv] = curve.volumes();
     let (peak, pit) = (heights.peak_height, heights.pit_depth);
     let all = [
         ("Sq", "m", Some(heights.rms_height)),
@@ -38,22 +39,22 @@ pub fn parameters(map: &HeightMap, edges: Edges) -> Result<Vec<IsoParameter>, St
         ("Sp", "m", Some(peak)),
         ("Sv", "m", Some(pit)),
         ("Sz", "m", Some(peak + pit)),
-        ("Sdq", "", Some(hybrid.rms_gradient)),
-        ("Sdq_seven_point", "", hybrid.rms_gradient_seven_point),
-        ("Sdr", "%", Some(hybrid.developed_area_ratio)),
-        ("Sal", "m", spatial.autocorrelation_length),
-        ("Str", "", spatial.texture_aspect_ratio),
+        ("Sdq", "", Some(sdq)),
+        ("Sdq_seven_point", "", seven_point_gradient(map)),
+        ("Sdr", "%", Some(sdr)),
+        ("Sal", "m", sal),
+        ("Str", "", aspect),
         ("Std", "°", direction),
-        ("Sk", "m", Some(core.core_height)),
-        ("Spk", "m", Some(core.reduced_peak_height)),
-        ("Svk", "m", Some(core.reduced_valley_depth)),
-        ("Smr1", "%", Some(core.peak_ratio)),
-        ("Smr2", "%", Some(core.valley_ratio)),
+        ("Sk", "m", Some(sk)),
+        ("Spk", "m", Some(spk)),
+        ("Svk", "m", Some(svk)),
+        ("Smr1", "%", Some(smr1)),
+        ("Smr2", "%", Some(smr2)),
         ("Sxp", "m", Some(curve.peak_extreme_height())),
-        ("Vmp", "m³/m²", Some(volumes.peak_material)),
-        ("Vmc", "m³/m²", Some(volumes.core_material)),
-        ("Vvc", "m³/m²", Some(volumes.core_void)),
-        ("Vvv", "m³/m²", Some(volumes.valley_void)),
+        ("Vmp", "m³/m²", Some(vmp)),
+        ("Vmc", "m³/m²", Some(vmc)),
+        ("Vvc", "m³/m²", Some(vvc)),
+        ("Vvv", "m³/m²", Some(vvv)),
     ];
     Ok(all.map(|(symbol, unit, value)| IsoParameter { symbol, unit, value }).to_vec())
 }

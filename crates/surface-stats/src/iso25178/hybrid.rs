@@ -3,45 +3,29 @@
 use crate::StatsError;
 use contact_types::HeightMap;
 
-/// Hybrid parameters, from heights and spacings (ISO 25178-2:2021, 4.4).
-#[derive(Debug, Clone, Copy, PartialEq)]
-pub(super) struct Hybrid {
-    /// Sdq by forward differences: `√(<(Δx z/dx)²> + <(Δy z/dy)²>)`, each mean over all pairs (-).
-    pub(super) rms_gradient: f64,
-    /// Sdq by seven-point central differences, error of order dx⁶, over the pixels that are three
-    /// or more from every edge (-). `None` below 7 x 7 pixels.
-    pub(super) rms_gradient_seven_point: Option<f64>,
-    /// Sdr: area over projected area, minus 1 (-): mean of the two ways to cut each cell of four pixels into triangles.
-    pub(super) developed_area_ratio: f64,
-}
-
-impl Hybrid {
-    /// Of an open map.
-    pub(super) fn of(map: &HeightMap) -> Result<Self, StatsError> {
-        let ([ny, nx], [dy, dx]) = (map.grid().shape(), map.grid().pixel());
-        StatsError::require_shape("a developed area", [ny, nx], [2, 2])?;
-        let (mut slope_x, mut slope_y, mut excess) = (0.0, 0.0, 0.0);
-        for iy in 0..ny {
-            let row = &map.heights()[iy * nx..(iy + 1) * nx];
-            slope_x += row.windows(2).map(|z| ((z[1] - z[0]) / dx).powi(2)).sum::<f64>();
-            if iy + 1 < ny {
-                let next = &map.heights()[(iy + 1) * nx..(iy + 2) * nx];
-                slope_y += row.iter().zip(next).map(|(a, b)| ((b - a) / dy).powi(2)).sum::<f64>();
-                excess += row
-                    .windows(2)
-                    .zip(next.windows(2))
-                    .map(|(a, b)| cell_excess([a[0], a[1], b[0], b[1]], [dy, dx]))
-                    .sum::<f64>();
-            }
+/// Hybrid parameters of an open map (ISO 25178-2:2021, 4.4):
+/// - Sdq by forward differences: `√(<(Δx z/dx)²> + <(Δy z/dy)²>)`, each mean over all pairs (-);
+/// - Sdr: area over projected area, minus 1 (-): mean of the two ways to cut each cell of four pixels into triangles.
+pub(super) fn hybrid(map: &HeightMap) -> Result<[f64; 2], StatsError> {
+    let ([ny, nx], [dy, dx]) = (map.grid().shape(), map.grid().pixel());
+    StatsError::require_shape("a developed area", [ny, nx], [2, 2])?;
+    let (mut slope_x, mut slope_y, mut excess) = (0.0, 0.0, 0.0);
+    for iy in 0..ny {
+        let row = &map.heights()[iy * nx..(iy + 1) * nx];
+        slope_x += row.windows(2).map(|z| ((z[1] - z[0]) / dx).powi(2)).sum::<f64>();
+        if iy + 1 < ny {
+            let next = &map.heights()[(iy + 1) * nx..(iy + 2) * nx];
+            slope_y += row.iter().zip(next).map(|(a, b)| ((b - a) / dy).powi(2)).sum::<f64>();
+            excess += row
+                .windows(2)
+                .zip(next.windows(2))
+                .map(|(a, b)| cell_excess([a[0], a[1], b[0], b[1]], [dy, dx]))
+                .sum::<f64>();
         }
-        let (ny, nx) = (ny as f64, nx as f64);
-        let mean_square = slope_x / (ny * (nx - 1.0)) + slope_y / ((ny - 1.0) * nx);
-        Ok(Self {
-            rms_gradient: mean_square.sqrt(),
-            rms_gradient_seven_point: seven_point(map),
-            developed_area_ratio: excess / ((ny - 1.0) * (nx - 1.0)),
-        })
     }
+    let (ny, nx) = (ny as f64, nx as f64);
+    let mean_square = slope_x / (ny * (nx - 1.0)) + slope_y / ((ny - 1.0) * nx);
+    Ok([mean_square.sqrt(), excess / ((ny - 1.0) * (nx - 1.0))])
 }
 
 /// Area over projected area, minus 1, of a cell with corners 00, 01, 10, 11 (row, column): mean
@@ -63,7 +47,9 @@ pub(crate) fn seven_point_slope(at: impl Fn(usize) -> f64) -> f64 {
     (45.0 * (at(4) - at(2)) - 9.0 * (at(5) - at(1)) + (at(6) - at(0))) / 60.0
 }
 
-fn seven_point(map: &HeightMap) -> Option<f64> {
+/// Sdq by seven-point central differences, error of order dx⁶, over the pixels that are three or more from every edge (-).
+/// `None` below 7 x 7 pixels.
+pub(super) fn seven_point_gradient(map: &HeightMap) -> Option<f64> {
     let ([ny, nx], [dy, dx]) = (map.grid().shape(), map.grid().pixel());
     if ny < 7 || nx < 7 {
         return None;
@@ -95,11 +81,10 @@ mod tests {
         let grid = Grid::new([9, 8], [2e-6, 1e-6]).unwrap();
         for (scale, excess, error) in [(1.0, 1.25f64.sqrt() - 1.0, 1e-13), (2e-9, 5e-19, 1e-9)] {
             let plane = |y: f64, x: f64| scale * (0.3 * x - 0.4 * y);
-            let h = Hybrid::of(&HeightMap::from_fn(grid, plane).unwrap()).unwrap();
-            let (gradient, seven) = (0.5 * scale, h.rms_gradient_seven_point.unwrap());
-            let ratio = h.developed_area_ratio;
-            close(h.rms_gradient, gradient, 1e-13);
-            close(seven, gradient, 1e-13);
+            let map = HeightMap::from_fn(grid, plane).unwrap();
+            let [gradient, ratio] = hybrid(&map).unwrap();
+            close(gradient, 0.5 * scale, 1e-13);
+            close(seven_point_gradient(&map).unwrap(), 0.5 * scale, 1e-13);
             close(ratio, excess, error);
         }
     }

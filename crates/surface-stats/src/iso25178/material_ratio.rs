@@ -20,35 +20,6 @@ pub(crate) struct MaterialRatioCurve {
     scale: f64,
 }
 
-/// Parameters of the core line (ISO 25178-2:2021, 4.5).
-#[derive(Debug, Clone, Copy, PartialEq)]
-pub(crate) struct CoreRoughness {
-    /// Sk: height of the core (m).
-    pub(crate) core_height: f64,
-    /// Spk: height of the triangle with the area of the peaks above the core (m).
-    pub(crate) reduced_peak_height: f64,
-    /// Svk: depth of the triangle with the area of the valleys below the core (m).
-    pub(crate) reduced_valley_depth: f64,
-    /// Smr1: share of the surface that is peaks (-).
-    pub(crate) peak_ratio: f64,
-    /// Smr2: share of the surface that is not valleys (-).
-    pub(crate) valley_ratio: f64,
-}
-
-/// Volumes per area between material ratios of 10 % and 80 % (ISO 25178-2:2021, 4.5); 1 m³/m² is
-/// 10⁶ ml/m².
-#[derive(Debug, Clone, Copy, PartialEq)]
-pub(super) struct Volumes {
-    /// Vmp: material above the height of ratio 10 % (m).
-    pub(super) peak_material: f64,
-    /// Vmc: material between the heights of ratios 10 % and 80 % (m).
-    pub(super) core_material: f64,
-    /// Vvc: void between the heights of ratios 10 % and 80 % (m).
-    pub(super) core_void: f64,
-    /// Vvv: void below the height of ratio 80 % (m).
-    pub(super) valley_void: f64,
-}
-
 impl MaterialRatioCurve {
     /// Sorts the heights of a map of 10 points at least.
     pub(crate) fn of(map: &HeightMap) -> Result<Self, StatsError> {
@@ -89,28 +60,25 @@ impl MaterialRatioCurve {
         self.height(0.025) - self.height(0.5)
     }
 
-    /// Vmp, Vmc, Vvc, Vvv at ratios 10 % and 80 %.
-    pub(super) fn volumes(&self) -> Volumes {
+    /// Volumes per area (ISO 25178-2:2021, 4.5; m, of which 1 is 10⁶ ml/m²): Vmp, material above the height of ratio
+    /// 10 %; Vmc and Vvc, material and void between the heights of ratios 10 % and 80 %; Vvv, void below that of 80 %.
+    pub(super) fn volumes(&self) -> [f64; 4] {
         // Material above the height of a ratio, and void below it.
-        let [[peak_material, void], [material, valley_void]] = [0.1, 0.8].map(|ratio| {
+        let [[vmp, void], [material, vvv]] = [0.1, 0.8].map(|ratio| {
             let level = self.scaled_height(ratio);
             let above = self.area_above(ratio, level);
             [above, (above - self.area_above(1.0, level)).max(0.0)].map(|area| self.scale * area)
         });
-        Volumes {
-            peak_material,
-            core_material: material - peak_material,
-            core_void: void - valley_void,
-            valley_void,
-        }
+        [vmp, material - vmp, void - vvv, vvv]
     }
 
-    /// Sk, Spk, Svk, Smr1, Smr2.
+    /// Sk, height of the core (m); Spk and Svk, height and depth of the triangles with the areas of the peaks above and of
+    /// the valleys below it (m); Smr1 and Smr2, shares of the surface that are peaks and that are not valleys (-).
     ///
     /// The core line is the least-squares line through those 40 % of the points over which the secant is flattest (the first
     /// from the top if several are), read at ratios 0 and 1. Peaks and valleys are what lies above and below these heights,
     /// turned into triangles of equal area on Smr1 and 1 - Smr2.
-    pub(crate) fn core(&self) -> CoreRoughness {
+    pub(crate) fn core(&self) -> [f64; 5] {
         let n = self.falling.len();
         let window = ((CORE_SHARE * (n - 1) as f64).round() as usize).max(1);
         let drops = || (0..n - window).map(move |i| self.falling[i] - self.falling[i + window]);
@@ -129,20 +97,14 @@ impl MaterialRatioCurve {
         let slope = product / square; // per point, not positive
         let top = mean - slope * (start as f64 + centre);
         let bottom = top + slope * last;
-        let (peak_ratio, valley_ratio) =
-            (self.ratio(self.scale * top), self.ratio(self.scale * bottom));
-        let peaks = self.area_above(peak_ratio, top);
-        let valleys = self.area_above(valley_ratio, bottom) - self.area_above(1.0, bottom);
+        let [mr1, mr2] = [top, bottom].map(|height| self.ratio(self.scale * height));
+        let peaks = self.area_above(mr1, top);
+        let valleys = self.area_above(mr2, bottom) - self.area_above(1.0, bottom);
         let triangle = |area: f64, base: f64| {
             if base > 0.0 { self.scale * 2.0 * area.max(0.0) / base } else { 0.0 }
         };
-        CoreRoughness {
-            core_height: self.scale * (top - bottom),
-            reduced_peak_height: triangle(peaks, peak_ratio),
-            reduced_valley_depth: triangle(valleys, 1.0 - valley_ratio),
-            peak_ratio,
-            valley_ratio,
-        }
+        let (peak, valley) = (triangle(peaks, mr1), triangle(valleys, 1.0 - mr2));
+        [self.scale * (top - bottom), peak, valley, mr1, mr2]
     }
 
     fn scaled_height(&self, ratio: f64) -> f64 {
@@ -182,17 +144,17 @@ mod tests {
     #[test]
     fn a_straight_curve_is_all_core() {
         let c = curve(|t| 1e-6 * t);
-        let core = c.core();
-        close(core.core_height, 1e-6, 1e-9);
-        assert!(core.reduced_peak_height < 1e-12 && core.reduced_valley_depth < 1e-12);
+        let [core, peak, valley, ..] = c.core();
+        close(core, 1e-6, 1e-9);
+        assert!(peak < 1e-12 && valley < 1e-12);
         close(c.height(0.1), 0.4e-6, 1e-9);
         close(c.ratio(0.25e-6), 0.25, 1e-9);
         close(c.peak_extreme_height(), 0.475e-6, 1e-9);
-        let v = c.volumes();
-        close(v.peak_material, 0.005e-6, 1e-6); // 0.1² / 2
-        close(v.core_material, 0.315e-6, 1e-6); // 0.8²/2 - 0.1²/2
-        close(v.core_void, 0.385e-6, 1e-6); // 0.9²/2 - 0.2²/2
-        close(v.valley_void, 0.02e-6, 1e-6);
+        // 0.1²/2; 0.8²/2 - 0.1²/2; 0.9²/2 - 0.2²/2; 0.2²/2
+        for (volume, exact) in c.volumes().into_iter().zip([0.005e-6, 0.315e-6, 0.385e-6, 0.02e-6])
+        {
+            close(volume, exact, 1e-6);
+        }
     }
 
     /// Top and bottom of a sine are equally flat: the window is the one at the top, whatever rounding
@@ -201,9 +163,9 @@ mod tests {
     fn equally_flat_windows_are_told_by_their_place() {
         for amplitude in [1e-6, -1e-6] {
             let wave = |t: f64| amplitude * (t * 40.0 * std::f64::consts::TAU).sin() + 0.3e-6;
-            let core = curve(wave).core();
-            assert!(core.reduced_peak_height < 0.03e-6, "{core:?}");
-            close(core.reduced_valley_depth, 0.445e-6, 0.02);
+            let [_, peak, valley, ..] = curve(wave).core();
+            assert!(peak < 0.03e-6, "{peak:e}");
+            close(valley, 0.445e-6, 0.02);
         }
     }
 }

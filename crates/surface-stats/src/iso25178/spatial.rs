@@ -22,33 +22,23 @@ struct Autocorrelation {
     reach: [f64; 2],
 }
 
-/// Spatial parameters (ISO 25178-2:2021, 4.3).
-#[derive(Debug, Clone, Copy, PartialEq)]
-pub(super) struct Spatial {
-    /// Sal: shortest shift, over all directions, at which the autocorrelation first falls to 0.2
-    /// (m). `None` if it does not within half the map.
-    pub(super) autocorrelation_length: Option<f64>,
-    /// Str: Sal over the longest such shift (-): 1 for an isotropic texture. `None` if in some
-    /// direction it does not fall to 0.2 within half the map.
-    pub(super) texture_aspect_ratio: Option<f64>,
-}
-
-impl Spatial {
-    /// By the autocorrelation of a map, along rays half a degree apart; both are `None` on a flat
-    /// map. An open map needs four times its memory, twice.
-    pub(super) fn of(map: &HeightMap, edges: Edges) -> Result<Self, StatsError> {
-        let correlation = Autocorrelation::of(map, edges)?;
-        if correlation.values[0] <= 0.0 {
-            return Ok(Self { autocorrelation_length: None, texture_aspect_ratio: None });
-        }
-        let rays: Vec<Option<f64>> =
-            (0..DIRECTIONS).map(|k| correlation.decay(PI * k as f64 / DIRECTIONS as f64)).collect();
-        let shortest = rays.iter().flatten().copied().min_by(f64::total_cmp);
-        let longest = rays.into_iter().collect::<Option<Vec<f64>>>();
-        let longest = longest.and_then(|rays| rays.into_iter().max_by(f64::total_cmp));
-        let texture_aspect_ratio = shortest.zip(longest).map(|(short, long)| short / long);
-        Ok(Self { autocorrelation_length: shortest, texture_aspect_ratio })
+/// Spatial parameters (ISO 25178-2:2021, 4.3), by the autocorrelation along rays half a degree apart; both are `None` on a
+/// flat map. An open map needs four times its memory, twice.
+/// - Sal: shortest shift, over all directions, at which the autocorrelation first falls to 0.2 (m). `None` if it does not
+///   within half the map.
+/// - Str: Sal over the longest such shift (-): 1 for an isotropic texture. `None` if in some direction it does not fall to
+///   0.2 within half the map.
+pub(super) fn spatial(map: &HeightMap, edges: Edges) -> Result<[Option<f64>; 2], StatsError> {
+    let correlation = Autocorrelation::of(map, edges)?;
+    if correlation.values[0] <= 0.0 {
+        return Ok([None; 2]);
     }
+    let rays: Vec<Option<f64>> =
+        (0..DIRECTIONS).map(|k| correlation.decay(PI * k as f64 / DIRECTIONS as f64)).collect();
+    let shortest = rays.iter().flatten().copied().min_by(f64::total_cmp);
+    let longest = rays.into_iter().collect::<Option<Vec<f64>>>();
+    let longest = longest.and_then(|rays| rays.into_iter().max_by(f64::total_cmp));
+    Ok([shortest, shortest.zip(longest).map(|(short, long)| short / long)])
 }
 
 impl Autocorrelation {
@@ -128,7 +118,7 @@ impl Autocorrelation {
 /// Std: direction of the strongest waves in degrees from the x axis towards y, 0 to 180: the maximum of the power within
 /// five degrees. The lay runs at right angles to it. `None` for a flat map.
 pub(super) fn texture_direction(map: &HeightMap) -> Result<Option<f64>, StatsError> {
-    let power = PowerSpectrum::of(map, crate::spectrum::Window::None)?;
+    let power = PowerSpectrum::of(map, Edges::Periodic)?;
     let mut angular = [0.0; 180];
     power.for_each(|[qy, qx], weight, variance| {
         let angle = qy.atan2(qx).to_degrees().rem_euclid(180.0);
@@ -163,9 +153,9 @@ mod tests {
         let map = HeightMap::from_fn(grid, |y, x| 5.0 + (q[0] * y + q[1] * x).cos()).unwrap();
         let expected = 0.2f64.acos() / q[0].hypot(q[1]);
         for edges in [Edges::Open, Edges::Periodic] {
-            let s = Spatial::of(&map, edges).unwrap();
-            close(s.autocorrelation_length.unwrap(), expected, 0.003);
-            assert_eq!(s.texture_aspect_ratio, None);
+            let [length, aspect] = spatial(&map, edges).unwrap();
+            close(length.unwrap(), expected, 0.003);
+            assert_eq!(aspect, None);
         }
         let direction = texture_direction(&map).unwrap().unwrap();
         assert_relative_eq!(direction, q[0].atan2(q[1]).to_degrees(), epsilon = 1.0);
@@ -186,7 +176,7 @@ mod tests {
             let heights = rough(grid, 0.8, [20e-6, 4e-6], 1e-7, 9).into_heights();
             let grid = Grid::new([512, 512], [dy, 1e-6]).unwrap();
             let map = HeightMap::new(grid, heights).unwrap();
-            Spatial::of(&map, Edges::Periodic).unwrap().texture_aspect_ratio.unwrap()
+            spatial(&map, Edges::Periodic).unwrap()[1].unwrap()
         };
         let isotropic = aspect(1e-6);
         assert!(isotropic > 0.85, "{isotropic}");

@@ -1,7 +1,7 @@
 //! Whether two surfaces know of each other.
 
 use super::Composite;
-use crate::spectrum::{PowerSpectrum, Window};
+use crate::spectrum::PowerSpectrum;
 use crate::{Edges, Level, StatsError, level, moments, repeats};
 use contact_types::SpectralMoments;
 
@@ -29,11 +29,11 @@ impl Independence {
     pub fn of(pair: &Composite, form: Level, edges: Edges) -> Result<Self, StatsError> {
         let form = form.on(&pair.map)?; // the same for all three: they add
         let [a, b] = [level(&pair.parts[0], form)?, level(&pair.parts[1], form)?];
-        let window = if repeats(&a) && repeats(&b) { Window::None } else { Window::Hann };
+        let seam = if repeats(&a) && repeats(&b) { Edges::Periodic } else { Edges::Open };
         let spread = if a.is_flat() || b.is_flat() {
             [0.0; 3]
         } else {
-            let powers = [PowerSpectrum::of(&a, window)?, PowerSpectrum::of(&b, window)?];
+            let powers = [PowerSpectrum::of(&a, seam)?, PowerSpectrum::of(&b, seam)?];
             spread(&powers, a.grid().pixel())
         };
         let bodies = [moments(&a, edges)?, moments(&b, edges)?];

@@ -65,7 +65,7 @@ fn parameters(profile: &Trace, sections: usize) -> Result<ProfileParameters, Sta
     }
     let (low, high) = profile.range();
     let (peak, pit) = (peak / sections as f64, pit / sections as f64);
-    let core = MaterialRatioCurve::of(profile)?.core();
+    let [k, pk, vk, mr1, mr2] = MaterialRatioCurve::of(profile)?.core();
     Ok([
         ("a", Some(reach * mean(&f64::abs))),
         ("q", Some(reach * rms)),
@@ -77,11 +77,11 @@ fn parameters(profile: &Trace, sections: usize) -> Result<ProfileParameters, Sta
         ("ku", shape(4)),
         ("dq", Some(rms_slope(profile))),
         ("Sm", element_width(profile, peak, pit)),
-        ("k", Some(core.core_height)),
-        ("pk", Some(core.reduced_peak_height)),
-        ("vk", Some(core.reduced_valley_depth)),
-        ("mr1", Some(core.peak_ratio)),
-        ("mr2", Some(core.valley_ratio)),
+        ("k", Some(k)),
+        ("pk", Some(pk)),
+        ("vk", Some(vk)),
+        ("mr1", Some(mr1)),
+        ("mr2", Some(mr2)),
     ])
 }
 

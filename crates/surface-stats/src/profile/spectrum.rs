@@ -2,9 +2,9 @@
 
 use super::Trace;
 use crate::StatsError;
+use crate::fractal::{SpectralScales, fit_profile};
 use crate::noise::{NoiseFloor, SIGNAL, last_octave};
 use crate::spectrum::{ProfileBin, Ring, psd_1d};
-use crate::{SpectralScales, fractal};
 use contact_types::{AmplitudeSpectrum, SpectralMoments, Wave};
 use std::f64::consts::{PI, TAU};
 
@@ -114,7 +114,7 @@ impl TraceSpectrum {
         };
         let rings: Vec<Ring> = self.bins.iter().map(ring).collect();
         let limits = [2.0 * self.spacing, 0.5 / self.step()];
-        let fit = |range| fractal::fit_profile(&self.bins, range);
+        let fit = |range| fit_profile(&self.bins, range);
         SpectralScales::of_rings(&rings, noise, limits, range, fit)
     }
 

@@ -6,9 +6,9 @@ use super::roughness::{choose_setting, roughness};
 use super::scatter::MomentScatter;
 use super::trace::LEAST_POINTS;
 use super::{ParameterMean, Roughness, Setting, Trace, TraceSpectrum, moments};
+use crate::fractal::{SpectralScales, check_range};
 use crate::noise::NoiseFloor;
-use crate::options::check_range;
-use crate::{HeightStatistics, SpectralScales, StatsError, Warning, height_step, scale};
+use crate::{HeightStatistics, StatsError, Warning, height_step, scale};
 use contact_types::{AsperityStatistics, FractalParameters, SpectralMoments};
 
 /// How statistics of profiles are taken.

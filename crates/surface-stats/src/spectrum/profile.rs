@@ -1,6 +1,6 @@
 //! Spectra of the rows of a map.
 
-use super::Window;
+use super::window::hann;
 use crate::StatsError;
 use contact_types::{AmplitudeSpectrum, HeightMap, Wave};
 use grid_fft::GridFft;
@@ -53,7 +53,7 @@ pub fn amplitudes(map: &HeightMap) -> Result<AmplitudeSpectrum, StatsError> {
 /// One-sided PSD of a map of one row, under a Hann window.
 pub(crate) fn psd_1d(line: &HeightMap) -> Vec<ProfileBin> {
     let ([_, n], [_, length]) = (line.grid().shape(), line.grid().size());
-    let (mean, weights) = (line.mean(), Window::Hann.weights(n));
+    let (mean, weights) = (line.mean(), hann(n));
     let mut field: Vec<f64> = line.heights().iter().map(|h| h - mean).collect();
     let own = field.iter().zip(&weights).map(|(z, w)| z * w).sum::<f64>();
     let own = own / weights.iter().sum::<f64>();

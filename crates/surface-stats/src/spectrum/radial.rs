@@ -1,7 +1,7 @@
 //! The two-dimensional spectrum and its average over directions.
 
-use super::Window;
-use crate::{StatsError, scale};
+use super::apply_window;
+use crate::{Edges, StatsError, scale};
 use contact_types::{Grid, HeightMap, RoughnessSpectrum, Shell, SpectralMoments};
 use grid_fft::{Complex, GridFft};
 use std::f64::consts::{PI, TAU};
@@ -30,14 +30,14 @@ pub struct Ring {
 }
 
 impl PowerSpectrum {
-    /// Transforms the map once.
+    /// Of the map as it repeats, or, with open edges, under a Hann window.
     ///
     /// # Errors
     /// [`StatsError::OutOfRange`].
-    pub fn of(map: &HeightMap, window: Window) -> Result<Self, StatsError> {
+    pub fn of(map: &HeightMap, edges: Edges) -> Result<Self, StatsError> {
         scale::check(map)?;
         let mut field = map.heights().to_vec();
-        window.apply(map.grid(), &mut field);
+        apply_window(map.grid(), &mut field, edges);
         Ok(Self::of_field(map.grid(), &field))
     }
 
@@ -144,7 +144,7 @@ impl PowerSpectrum {
 /// # Errors
 /// [`StatsError::OutOfRange`].
 pub fn radial(map: &HeightMap) -> Result<RoughnessSpectrum, StatsError> {
-    let rings = PowerSpectrum::of(map, Window::None)?.rings();
+    let rings = PowerSpectrum::of(map, Edges::Periodic)?.rings();
     let shell = |r: &Ring| Shell { wavenumber: r.wavenumber, variance: r.variance };
     Ok(RoughnessSpectrum::new(rings.iter().map(shell).collect())?)
 }
@@ -192,7 +192,7 @@ mod tests {
             let grid = Grid::new(shape, pixel).unwrap();
             let heights = (0..grid.len()).map(|i| (1.3 * (i * i) as f64).sin()).collect();
             let map = HeightMap::new(grid, heights).unwrap();
-            let power = PowerSpectrum::of(&map, Window::None).unwrap();
+            let power = PowerSpectrum::of(&map, Edges::Periodic).unwrap();
             let (exact, found) = (power.moments(), radial(&map).unwrap());
             assert!(found.shells().len() <= 8 * (shape[0] + shape[1]) + 1);
             close(found.moments().m0, exact.m0, 1e-12);
@@ -208,8 +208,8 @@ mod tests {
         let grid = Grid::new([200, 200], [1.0, 1.0]).unwrap();
         let q = TAU * 10.4 / 200.0;
         let map = HeightMap::from_fn(grid, |y, x| (q * (0.8 * x + 0.6 * y)).sin()).unwrap();
-        let short = |window| {
-            let power = PowerSpectrum::of(&map, window).unwrap();
+        let short = |edges| {
+            let power = PowerSpectrum::of(&map, edges).unwrap();
             let (mut high, mut all, mut variance) = (0.0, 0.0, 0.0);
             power.for_each(|[qy, qx], weight, s| {
                 let q2 = qy * qy + qx * qx;
@@ -221,7 +221,7 @@ mod tests {
             });
             (high / all, variance)
         };
-        let ((bare, _), (windowed, variance)) = (short(Window::None), short(Window::Hann));
+        let ((bare, _), (windowed, variance)) = (short(Edges::Periodic), short(Edges::Open));
         assert!(bare > 1e-2 && windowed < 1e-5, "{bare:e} {windowed:e}");
         close(variance, 0.5, 0.02);
     }

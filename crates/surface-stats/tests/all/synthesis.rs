@@ -4,12 +4,12 @@ use approx::assert_relative_eq;
 use contact_types::{Grid, HeightMap};
 use proptest::prelude::*;
 use std::f64::consts::TAU;
-use surface_stats::spectrum::{PowerSpectrum, Window};
+use surface_stats::spectrum::PowerSpectrum;
 use surface_stats::synthesis::{Scale, SelfAffine};
 use surface_stats::{Edges, StatsError, StatsOptions, SurfaceStatistics};
 
 fn waves(map: &HeightMap) -> PowerSpectrum {
-    PowerSpectrum::of(map, Window::None).unwrap()
+    PowerSpectrum::of(map, Edges::Periodic).unwrap()
 }
 
 proptest! {

@@ -1,7 +1,7 @@
-//! The three summit models on one surface, and how far each is from the light-load limit.
+//! Both summit models on one surface, and how far each is from the light-load limit.
 //!
 //! ```console
-//! $ cargo run --release -p asperity-models --example three_laws
+//! $ cargo run --release -p asperity-models --example both_laws
 //! ```
 #![allow(clippy::print_stdout, reason = "an example shows its result")]
 
@@ -15,7 +15,6 @@ fn main() -> Result<(), Box<dyn std::error::Error>> {
     let laws = [
         ("Bush-Gibson-Thomas", SummitLaw::BushGibsonThomas),
         ("Greenwood elliptical", SummitLaw::GreenwoodElliptical),
-        ("mean curvature", SummitLaw::MeanCurvature),
     ];
     println!("model                 pressure [MPa]   area [%]  separation [um]  A E* g / p");
     for (name, law) in laws {
