@@ -46,7 +46,8 @@ impl Persson {
             integral += gamma * share * (LIGHT.ln() - load.ln());
         }
         let length = self.slope / scales.smallest_wavenumber();
-        require::representable(MODEL, "mean gap", (length * FRAC_2_SQRT_PI * integral).value())
+        let gap = (length * FRAC_2_SQRT_PI * integral).value();
+        require::answer(MODEL, gap, "mean pressure", pressure)
     }
 
     /// Normal contact stiffness per nominal area, `-dp/du` \[Pa/m\], at nominal pressure `p` \[Pa\]:
@@ -79,7 +80,7 @@ impl Persson {
         let length = self.slope / scales.smallest_wavenumber() * FRAC_2_SQRT_PI * integral;
         let stiffness =
             if length.is_zero() { f64::INFINITY } else { (Wide::from(pressure) / length).value() };
-        require::representable(MODEL, "stiffness", stiffness)
+        require::answer(MODEL, stiffness, "mean pressure", pressure)
     }
 }
 
