@@ -171,11 +171,11 @@ impl ContactModel for ChangEtsionBogy {
         require::pressure(MODEL, mean_pressure)?;
         let pressure = |alpha: f64| self.at_alpha(alpha)[0];
         if mean_pressure <= 0.0 {
-            return Ok(ContactState::nothing_touches());
+            return Ok(ContactState::default());
         }
         if pressure(FARTHEST) >= mean_pressure {
             let caveat = Some(Caveat::Underflow { quantity: "area fraction".into() });
-            return Ok(ContactState { mean_pressure, caveat, ..ContactState::nothing_touches() });
+            return Ok(ContactState { mean_pressure, caveat, ..ContactState::default() });
         }
         let (mut low, mut high) = (-1.0, FARTHEST); // pressures above and below
         while pressure(low) < mean_pressure {
@@ -238,7 +238,7 @@ mod tests {
             assert!((back.area_fraction / there.area_fraction - 1.0).abs() < 1e-12);
         }
         // At no load nothing touches; below the smallest double an area is not 0, and that is said.
-        assert_eq!(model.at_pressure(0.0).unwrap(), ContactState::nothing_touches());
+        assert_eq!(model.at_pressure(0.0).unwrap(), ContactState::default());
         let faint = model.at_pressure(1e-310).unwrap();
         assert!(faint.area_fraction == 0.0 && faint.caveat.is_some(), "{faint:?}");
         for (hardness, poisson) in [(0.0, 0.3), (f64::NAN, 0.3), (-1.0, 0.3), (1e9, 0.6)] {

@@ -171,7 +171,7 @@ impl ContactModel for SummitModel {
     fn at_pressure(&self, mean_pressure: f64) -> Result<ContactState, ModelError> {
         require::pressure(self.law.name(), mean_pressure)?;
         if mean_pressure <= 0.0 {
-            return Ok(ContactState::nothing_touches());
+            return Ok(ContactState::default());
         }
         let unit = self.modulus.pascals().ln() + 0.5 * self.moments.m2.ln();
         let h = self.solve_load(mean_pressure.ln() - unit)?;

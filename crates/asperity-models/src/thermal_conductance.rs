@@ -42,7 +42,7 @@ impl RoughJoint {
     /// The contact that is cut at λσ, where a fraction `tail` of the heights lies above and `area` touches.
     fn state(self, mean_pressure: f64, tail: f64, area: f64) -> ContactState {
         if tail <= 0.0 {
-            return ContactState::nothing_touches();
+            return ContactState::default();
         }
         let cut = cut(tail);
         let separation = Some(cut * self.height);

@@ -68,8 +68,9 @@ impl std::fmt::Display for Caveat {
     }
 }
 
-/// One point of a contact curve.
-#[derive(Debug, Clone, PartialEq)]
+/// One point of a contact curve. The default is that of bodies that do not touch: no load, no area, and no separation that
+/// is finite.
+#[derive(Debug, Clone, PartialEq, Default)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub struct ContactState {
     /// Nominal pressure F / A_n \[Pa\].
@@ -109,12 +110,6 @@ impl ContactState {
         };
         let separation = Some(separation);
         Self { mean_pressure, area_fraction, separation, mean_gap: None, caveat }
-    }
-
-    /// Bodies that do not touch: no load, no area, and no separation that is finite.
-    pub fn nothing_touches() -> Self {
-        let (mean_pressure, area_fraction) = (0.0, 0.0);
-        Self { mean_pressure, area_fraction, separation: None, mean_gap: None, caveat: None }
     }
 
     /// Mean pressure on the real area, F / A_r \[Pa\]; `None` where nothing touches.

@@ -7,22 +7,12 @@ use std::ops::RangeInclusive;
 #[derive(Debug, Clone, PartialEq, thiserror::Error)]
 #[non_exhaustive]
 pub enum SurfaceError {
-    /// A grid needs at least one pixel along each axis.
-    #[error("a grid of {ny} x {nx} pixels is empty; both sides need at least 1 pixel")]
-    EmptyGrid {
-        /// Rows asked for.
-        ny: usize,
-        /// Columns asked for.
-        nx: usize,
-    },
-    /// The grid has more pixels than can be addressed.
-    #[error("a grid of {ny} x {nx} pixels has more pixels than this machine can address")]
-    GridTooLarge {
-        /// Rows asked for.
-        ny: usize,
-        /// Columns asked for.
-        nx: usize,
-    },
+    /// A grid of `[ny, nx]` pixels needs at least one along each axis.
+    #[error("a grid of {} x {} pixels is empty; both sides need at least 1 pixel", .0[0], .0[1])]
+    EmptyGrid([usize; 2]),
+    /// The grid of `[ny, nx]` pixels has more than can be addressed.
+    #[error("a grid of {} x {} pixels has more pixels than this machine can address", .0[0], .0[1])]
+    GridTooLarge([usize; 2]),
     /// A pixel side must be a positive, finite, normal length.
     #[error(
         "pixel size d{axis} = {value:e} m must be finite and {}",
@@ -69,9 +59,6 @@ pub enum SurfaceError {
         /// The range it must lie in.
         domain: RangeInclusive<f64>,
     },
-    /// Both bodies are rigid, so nothing deforms.
-    #[error("both bodies are rigid: a contact modulus needs at least one elastic body")]
-    NothingElastic,
     /// A spectrum is unusable.
     #[error("spectrum entry {index}: {what} = {value:e}, {limit}")]
     Spectrum {

@@ -21,10 +21,10 @@ impl Grid {
     pub fn new(shape: [usize; 2], pixel: [f64; 2]) -> Result<Self, SurfaceError> {
         let [ny, nx] = shape;
         if ny == 0 || nx == 0 {
-            return Err(SurfaceError::EmptyGrid { ny, nx });
+            return Err(SurfaceError::EmptyGrid(shape));
         }
         if ny.checked_mul(nx).is_none_or(|n| n > isize::MAX as usize / 16) {
-            return Err(SurfaceError::GridTooLarge { ny, nx });
+            return Err(SurfaceError::GridTooLarge(shape));
         }
         for (axis, value) in ['y', 'x'].into_iter().zip(pixel) {
             if !value.is_normal() || value < 0.0 {

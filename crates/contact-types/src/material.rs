@@ -67,20 +67,16 @@ impl ContactModulus {
         positive_modulus("contact modulus", pascals).map(Self)
     }
 
-    /// E* of an elastic body against a rigid one.
-    ///
-    /// # Errors
-    /// [`SurfaceError::Material`] if the quotient overflows.
-    pub fn against_rigid(body: Elastic) -> Result<Self, SurfaceError> {
-        Self::from_pascals(body.plane_strain_modulus())
-    }
-
-    /// E* of two elastic bodies.
+    /// E* of two elastic bodies, or of one against a rigid one (`None`).
     ///
     /// # Errors
     /// [`SurfaceError::Material`] if the result is not a normal number.
-    pub fn of_pair(first: Elastic, second: Elastic) -> Result<Self, SurfaceError> {
-        let (a, b) = (first.plane_strain_modulus(), second.plane_strain_modulus());
+    pub fn of_pair(
+        first: Elastic,
+        second: impl Into<Option<Elastic>>,
+    ) -> Result<Self, SurfaceError> {
+        let a = first.plane_strain_modulus();
+        let b = second.into().map_or(f64::INFINITY, |second| second.plane_strain_modulus());
         // a b / (a + b), written so that neither product nor sum can overflow.
         let (small, large) = if a < b { (a, b) } else { (b, a) };
         Self::from_pascals(small / (1.0 + small / large))
@@ -103,6 +99,7 @@ mod tests {
         let steel = Elastic::new(210e9, 0.3).unwrap();
         let modulus = ContactModulus::of_pair(steel, steel).unwrap();
         close(modulus.pascals(), 210e9 / (2.0 * 0.91), 1e-15);
+        close(ContactModulus::of_pair(steel, None).unwrap().pascals(), 210e9 / 0.91, 1e-15);
     }
 
     #[test]

@@ -51,21 +51,6 @@ pub fn positive(
     Err(refused(model, quantity, value, "must be finite and greater than 0"))
 }
 
-/// A result that must be a finite double.
-///
-/// # Errors
-/// [`ModelError::OutsideDomain`].
-pub fn representable(
-    model: &'static str,
-    quantity: &'static str,
-    value: f64,
-) -> Result<f64, ModelError> {
-    if value.is_finite() {
-        return Ok(value);
-    }
-    Err(beyond_doubles(model, quantity, value, "the result exceeds the largest double"))
-}
-
 /// A finite number of either sign.
 ///
 /// # Errors
@@ -90,7 +75,8 @@ pub fn answer(
     if result.is_finite() {
         return Ok(result);
     }
-    Err(beyond_doubles(model, quantity, value, "the answer exceeds the largest double"))
+    let reason = "the answer exceeds the largest double";
+    Err(outside(model, quantity, value, f64::MIN..=f64::MAX, reason))
 }
 
 /// The error of an input that cannot be used at all.
@@ -106,15 +92,6 @@ pub fn refused(
         value,
         requirement: requirement.into(),
     }
-}
-
-fn beyond_doubles(
-    model: &'static str,
-    quantity: &'static str,
-    value: f64,
-    reason: &'static str,
-) -> ModelError {
-    outside(model, quantity, value, f64::MIN..=f64::MAX, reason)
 }
 
 /// The error of a number at which the theory has no meaning.

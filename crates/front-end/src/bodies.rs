@@ -179,7 +179,7 @@ fn name_of(property: Property) -> &'static str {
 fn contact_modulus(bodies: &[Body]) -> Result<ContactModulus, Failure> {
     let elastic = |body: &Body| Elastic::new(body.young, body.poisson);
     let modulus = match bodies {
-        [only] => elastic(only).and_then(ContactModulus::against_rigid),
+        [only] => elastic(only).and_then(|only| ContactModulus::of_pair(only, None)),
         [first, second] => {
             elastic(first).and_then(|first| ContactModulus::of_pair(first, elastic(second)?))
         }

@@ -132,7 +132,7 @@ pub fn complete(
     if ny < 2 || nx < 2 {
         return Err(Incomplete::Line([ny, nx]));
     }
-    measurement.format.name().clone_into(&mut file.format);
+    measurement.format.clone_into(&mut file.format);
     file.crop = measurement.cropped;
     // Neither a removed form nor filled points take the steps away; only smoothing does.
     let kept = file.cleaning.s_filter.is_none();
@@ -160,22 +160,23 @@ pub fn traces(
     mut file: FileOrigin,
     fill: Fill,
 ) -> Result<ProfileSurface, Incomplete> {
-    measurements.first().map_or("", |m| m.format.name()).clone_into(&mut file.format);
+    measurements.first().map_or("", |m| m.format).clone_into(&mut file.format);
     (file.crop, file.missing) = (measurements.first().and_then(|m| m.cropped), 0);
     // λs and λc act on the profile after its form is off, with their own ends.
     let before = Cleaning { s_filter: None, l_filter: None, ..file.cleaning };
     let (mut traces, mut first) = (Vec::new(), None);
     for measurement in measurements {
-        let (even, how) = measurement.evenly_spaced()?;
+        let (even, steps) = measurement.evenly_spaced()?;
         file.cleaning.steps(even.grid())?; // the filters among them follow later
         // Points between two measured ones are in no step.
-        let step = how.is_none().then(|| height_step(even.heights())).flatten();
+        let step = steps.is_none().then(|| height_step(even.heights())).flatten();
         let (even, cleaned) = clean(even, before)?;
         file.missing += even.missing();
         let map = even.fill(fill)?;
-        let trace = Trace::new(map.grid().pixel()[1], map.into_heights());
+        let spacing = map.grid().pixel()[1];
+        let trace = Trace::new(spacing, map.into_heights());
         traces.push(trace.map_err(Incomplete::Short)?);
-        let uneven = how.map(|how| Unevenness { steps: how.steps, spacing: how.spacing });
+        let uneven = steps.map(|steps| Unevenness { steps, spacing });
         first.get_or_insert((cleaned, step, uneven));
     }
     let uneven;

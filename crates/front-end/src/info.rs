@@ -17,7 +17,7 @@ pub fn info(m: &Measurement) -> Value {
         })
         .collect();
     json!({
-        "format": m.format.name(),
+        "format": m.format,
         "shape": m.grid().shape(),
         "pixel": m.grid().pixel(),
         "missing": m.missing(),
@@ -28,7 +28,7 @@ pub fn info(m: &Measurement) -> Value {
         "channels": channels,
         "is_profile": m.is_profile(),
         "uneven_steps": m.uneven,
-        "ambiguity": m.ambiguity.map(|a| a.to_string()),
+        "ambiguity": m.ambiguity.map(|a| a.what),
         "metadata": m.metadata,
     })
 }

@@ -154,7 +154,7 @@ impl ContactModel for GreenwoodWilliamson {
     fn at_pressure(&self, mean_pressure: f64) -> Result<ContactState, ModelError> {
         require::pressure(MODEL, mean_pressure)?;
         if mean_pressure <= 0.0 {
-            return Ok(ContactState::nothing_touches());
+            return Ok(ContactState::default());
         }
         let AsperityStatistics { height_std: s, mean_offset, .. } = self.asperities;
         let answer = |result| require::answer(MODEL, result, "mean pressure", mean_pressure);

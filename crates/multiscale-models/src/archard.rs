@@ -154,7 +154,7 @@ impl ContactModel for Archard {
         require::pressure(MODEL, mean_pressure)?;
         let density = self.densities[0];
         let area = self.area(Wide::from(mean_pressure) / density) * density;
-        let area_fraction = require::representable(MODEL, "area fraction", area.value())?;
+        let area_fraction = require::answer(MODEL, area.value(), "mean pressure", mean_pressure)?;
         let strain = || if mean_pressure > 0.0 { self.strain(mean_pressure) } else { None };
         let caveat = underflow(mean_pressure, area_fraction).or_else(strain);
         Ok(ContactState { mean_pressure, area_fraction, separation: None, mean_gap: None, caveat })

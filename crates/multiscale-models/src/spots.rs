@@ -98,7 +98,7 @@ impl FractalContact {
         let largest = if is_zero { load } else { self.largest(load) };
         let area = if is_zero { load } else { real_area(largest) };
         let area_fraction = (area / self.nominal_area).value();
-        require::representable(self.model, "area fraction", area_fraction)?;
+        require::answer(self.model, area_fraction, "mean pressure", mean_pressure)?;
         let largest_fraction = (largest / self.nominal_area).value().min(f64::MAX);
         let caveat = underflow(mean_pressure, area_fraction).or_else(|| {
             if area_fraction > 1.0 {

@@ -74,7 +74,7 @@ impl PerFile for Info {
 fn raw(m: &Measurement, missing: &[Need]) -> Value {
     let heights = m.height_summary().filter(|_| missing.contains(&Need::HeightUnit));
     json!({
-        "format": m.format.name(),
+        "format": m.format,
         "shape": m.grid().shape(),
         "missing": m.missing(),
         "raw_height_min": heights.map(|s| s.0),
@@ -86,7 +86,7 @@ fn raw(m: &Measurement, missing: &[Need]) -> Value {
 fn raw_text(m: &Measurement, missing: &[Need]) -> String {
     let [ny, nx] = m.grid().shape();
     let mut table = TwoColumns::default();
-    table.row("format", m.format.name());
+    table.row("format", m.format);
     table.row("points", format!("{ny} rows × {nx} columns"));
     if m.missing() > 0 {
         table.row("missing points", m.missing().to_string());
@@ -110,7 +110,7 @@ fn describe(m: &Measurement) -> String {
     let [ly, lx] = m.grid().size();
     let points = (ny * nx) as f64;
     let mut table = TwoColumns::default();
-    table.row("format", m.format.name());
+    table.row("format", m.format);
     table.row("points", format!("{ny} rows × {nx} columns"));
     table.row("pixel", format!("{} × {} (dy × dx)", text::length(dy), text::length(dx)));
     table.row("size", format!("{} × {}", text::length(ly), text::length(lx)));
@@ -156,7 +156,7 @@ fn formats() -> Reply {
     let mut table = TwoColumns::default();
     let mut list = Vec::new();
     for spec in FORMATS {
-        let name = spec.format.name();
+        let name = spec.name;
         table.row(name, format!(".{}", spec.extensions.join(" .")));
         list.push(json!({ "name": name, "extensions": spec.extensions, "about": spec.about }));
     }

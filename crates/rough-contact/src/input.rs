@@ -166,7 +166,7 @@ fn measurements(
     let Some(measurement) = all.first() else {
         return Err(outcome::unfit(path, "empty", "nothing is there"));
     };
-    if let Some(unit) = measurement.kept_unit() {
+    if let Some(unit) = measurement.metadata.get("height unit of the file, kept") {
         let kept = "which is kept; --override-height-unit U would overrule it";
         tell_of(path, &format!("the file gives its heights in {unit}, {kept}"));
     }

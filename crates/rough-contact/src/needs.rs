@@ -44,7 +44,7 @@ pub(crate) fn unmade(path: &Path, error: &Incomplete) -> Failure {
 
 /// How a text was read that could mean something else, and the option that settles it.
 pub(crate) fn reading(ambiguity: Ambiguity) -> String {
-    format!("{ambiguity}; {}", options(&ambiguity.needs()))
+    format!("{}; {}", ambiguity.what, options(ambiguity.needs))
 }
 
 fn options(needs: &[Need]) -> String {

@@ -1,7 +1,7 @@
 //! Checked access to bytes: every read either lies inside the file or is an error with its offset.
 
-use crate::encoding::latin1;
-use crate::{Format, Limits, Place, ReadError};
+use crate::encoding::decode;
+use crate::{Limits, ReadError};
 use std::borrow::Cow;
 
 /// Byte order of numbers.
@@ -88,7 +88,7 @@ impl Sample {
 #[derive(Debug, Clone, Copy)]
 pub(crate) struct Bytes<'a> {
     pub(crate) data: &'a [u8],
-    pub(crate) format: Format,
+    pub(crate) format: &'static str,
     pub(crate) order: ByteOrder,
     pub(crate) limits: Limits,
 }
@@ -125,7 +125,7 @@ macro_rules! getter {
 }
 
 impl<'a> Bytes<'a> {
-    pub(crate) fn little(data: &'a [u8], format: Format, limits: Limits) -> Self {
+    pub(crate) fn little(data: &'a [u8], format: &'static str, limits: Limits) -> Self {
         Self { data, format, order: ByteOrder::Little, limits }
     }
 
@@ -140,7 +140,7 @@ impl<'a> Bytes<'a> {
     pub(crate) fn slice(&self, at: usize, length: usize) -> Result<&'a [u8], ReadError> {
         at.checked_add(length).and_then(|end| self.data.get(at..end)).ok_or_else(|| {
             let size = self.data.len();
-            self.fault(at, format!("{length} bytes expected here, the file ends at byte {size}"))
+            self.fault(at, format!("{length} bytes expected here, the data end at byte {size}"))
         })
     }
 
@@ -229,7 +229,25 @@ impl<'a> Bytes<'a> {
 
     /// A `Malformed` error at byte `at`.
     pub(crate) fn fault(&self, at: usize, what: impl Into<Cow<'static, str>>) -> ReadError {
-        self.format.malformed(Place::Byte(at), what)
+        self.field(format!("byte {at}"), what)
+    }
+
+    /// A `Malformed` error in a line of text.
+    pub(crate) fn line(&self, line: usize, what: impl Into<Cow<'static, str>>) -> ReadError {
+        self.field(format!("line {line}"), what)
+    }
+
+    /// The numbers in a line of text, NaN where it says `BAD`.
+    pub(crate) fn numbers(&self, (line, text): (usize, &str)) -> Result<Vec<f64>, ReadError> {
+        let number = |word: &str| match word.parse::<f64>() {
+            Ok(value) => Ok(value),
+            Err(_) if word.eq_ignore_ascii_case("bad") => Ok(f64::NAN),
+            Err(_) => {
+                let word: String = word.chars().take(40).collect();
+                Err(self.line(line, format!("{word:?} is no number")))
+            }
+        };
+        text.split_whitespace().map(number).collect()
     }
 
     /// A `Malformed` error in a named field.
@@ -238,23 +256,49 @@ impl<'a> Bytes<'a> {
         name: impl Into<Cow<'static, str>>,
         what: impl Into<Cow<'static, str>>,
     ) -> ReadError {
-        self.format.field(name, what)
+        ReadError::at(self.format, name, what)
     }
 
     /// The file holds something that is not read.
     pub(crate) fn unsupported(&self, feature: impl Into<Cow<'static, str>>) -> ReadError {
-        self.format.unsupported(feature)
+        ReadError::unsupported(self.format, feature)
+    }
+}
+
+/// A place in a file, behind what was read last.
+#[derive(Clone, Copy)]
+pub(crate) struct Cursor<'a> {
+    pub(crate) b: Bytes<'a>,
+    pub(crate) at: usize,
+}
+
+impl<'a> Cursor<'a> {
+    pub(crate) fn take(&mut self, length: usize) -> Result<&'a [u8], ReadError> {
+        let raw = self.b.slice(self.at, length)?;
+        self.at += length;
+        Ok(raw)
+    }
+
+    pub(crate) fn number(&mut self, sample: Sample) -> Result<f64, ReadError> {
+        let raw = self.take(sample.size())?;
+        Ok(sample.decode(raw, self.b.order)[0])
+    }
+
+    pub(crate) fn word(&mut self) -> Result<usize, ReadError> {
+        self.number(Sample::U32).map(|word| word as usize)
+    }
+
+    /// A text behind its length.
+    pub(crate) fn text(&mut self) -> Result<String, ReadError> {
+        let length = self.word()?;
+        Ok(text(self.take(length)?))
     }
 }
 
 /// Text up to the first NUL, trimmed: UTF-8, or Latin-1 where that fails.
 pub(crate) fn text(raw: &[u8]) -> String {
     let end = raw.iter().position(|&b| b == 0).unwrap_or(raw.len());
-    let raw = &raw[..end];
-    match std::str::from_utf8(raw) {
-        Ok(s) => s.trim().to_owned(),
-        Err(_) => latin1(raw).trim().to_owned(),
-    }
+    decode(&raw[..end]).trim().to_owned()
 }
 
 /// Position of `needle` in `hay`.

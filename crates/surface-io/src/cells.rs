@@ -1,47 +1,29 @@
 //! One cell of a table: separators, decimal marks, missing values, printed digits.
 
-use crate::error::ReadError;
-use crate::format::Format;
+use crate::error::{ReadError, TEXT};
 use crate::need::{DecimalMark, Need};
 use crate::options::ReadOptions;
 use crate::units::metres_per;
 
-/// What stands between two numbers.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub(crate) enum Separator {
-    Tab,
-    Semicolon,
-    Comma,
-    Blank,
-}
+/// What stands between two numbers where nothing else does.
+pub(crate) const BLANK: char = ' ';
 
-impl Separator {
-    pub(crate) fn char(self) -> char {
-        match self {
-            Self::Tab => '\t',
-            Self::Semicolon => ';',
-            Self::Comma => ',',
-            Self::Blank => ' ',
-        }
+/// The cells of a line, trimmed. Blanks join; any other separator leaves empty cells, and does
+/// not part what stands in quotation marks.
+pub(crate) fn cells(separator: char, line: &str) -> Box<dyn Iterator<Item = &str> + '_> {
+    if separator == BLANK {
+        return Box::new(line.split_ascii_whitespace());
     }
-
-    /// The cells of a line, trimmed. Blanks join; any other separator leaves empty cells, and does
-    /// not part what stands in quotation marks.
-    pub(crate) fn cells<'a>(self, line: &'a str) -> Box<dyn Iterator<Item = &'a str> + 'a> {
-        if self == Self::Blank {
-            return Box::new(line.split_ascii_whitespace());
-        }
-        if !line.contains('"') {
-            return Box::new(line.split(self.char()).map(str::trim));
-        }
-        let mut is_quoted = false;
-        let has_pairs = line.bytes().filter(|b| *b == b'"').count() % 2 == 0;
-        let parts = move |c: char| {
-            is_quoted ^= c == '"' && has_pairs;
-            c == self.char() && !is_quoted
-        };
-        Box::new(line.split(parts).map(str::trim))
+    if !line.contains('"') {
+        return Box::new(line.split(separator).map(str::trim));
     }
+    let mut is_quoted = false;
+    let has_pairs = line.bytes().filter(|b| *b == b'"').count() % 2 == 0;
+    let parts = move |c: char| {
+        is_quoted ^= c == '"' && has_pairs;
+        c == separator && !is_quoted
+    };
+    Box::new(line.split(parts).map(str::trim))
 }
 
 /// How cells are written, as far as the caller says.
@@ -56,7 +38,8 @@ impl ReadOptions {
         let two_words = self.words().filter(|mark| mark.contains(' ')).chain(["no data"]);
         let mut joined = std::borrow::Cow::Borrowed(line);
         for mark in two_words {
-            while let Some(at) = find_ignoring_case(&joined, mark) {
+            let mark = mark.to_ascii_lowercase();
+            while let Some(at) = joined.to_ascii_lowercase().find(&mark) {
                 joined.to_mut().replace_range(at..at + mark.len(), "nan");
             }
         }
@@ -94,14 +77,6 @@ pub(crate) fn mark_value(mark: &str) -> Option<f64> {
     number(mark.trim(), None, false).filter(|value| !value.is_nan())
 }
 
-fn find_ignoring_case(text: &str, part: &str) -> Option<usize> {
-    let (text, part) = (text.as_bytes(), part.as_bytes());
-    let first = *part.first()?;
-    text.windows(part.len()).position(|window| {
-        window[0].eq_ignore_ascii_case(&first) && window.eq_ignore_ascii_case(part)
-    })
-}
-
 /// A cell of a table.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(crate) enum Cell<'t> {
@@ -113,10 +88,10 @@ pub(crate) enum Cell<'t> {
 }
 
 /// Reads one cell.
-pub(crate) fn cell<'t>(text: &'t str, separator: Separator, options: &ReadOptions) -> Cell<'t> {
+pub(crate) fn cell<'t>(text: &'t str, separator: char, options: &ReadOptions) -> Cell<'t> {
     let inner = text.strip_prefix('"').and_then(|t| t.strip_suffix('"'));
     // Between commas a blank may part two numbers as well as thousands.
-    let blanks = inner.is_some() || !matches!(separator, Separator::Comma | Separator::Blank);
+    let blanks = inner.is_some() || !matches!(separator, ',' | BLANK);
     let text = inner.map_or(text, str::trim);
     match number(text, options.decimal, blanks) {
         Some(value) if value.is_nan() => return Cell::Missing,
@@ -281,12 +256,12 @@ impl Marks {
                 "line {line}: {text} can be {decimal}, or {digits} with a mark of thousands"
             );
             let needs = vec![Need::DecimalMark];
-            ReadError::Ambiguous { format: Format::Text, what, needs }
+            ReadError::Ambiguous { format: TEXT, what, needs }
         };
         let mark = match (point, comma, either) {
             (true, true, _) => {
                 let what = "both decimal points and decimal commas occur: which of them is the decimal mark?";
-                return Err(Format::Text.field("numbers", what));
+                return Err(ReadError::at(TEXT, "numbers", what));
             }
             (true, false, _) => 0,
             (false, true, _) => 1,

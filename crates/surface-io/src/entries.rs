@@ -3,26 +3,19 @@
 use crate::binary::Bytes;
 use crate::encoding::lines;
 use crate::error::ReadError;
-use crate::format::Format;
 use std::collections::BTreeMap;
 use std::str::FromStr;
 
 /// The entries of a header, by key.
 #[derive(Clone, Copy)]
 pub(crate) struct Entries<'e> {
-    format: Format,
+    format: &'static str,
     map: &'e BTreeMap<String, String>,
-    /// What the refusal of a file without an entry says.
-    absent: &'static str,
 }
 
 impl<'e> Entries<'e> {
-    pub(crate) fn new(
-        b: Bytes<'_>,
-        map: &'e BTreeMap<String, String>,
-        absent: &'static str,
-    ) -> Self {
-        Self { format: b.format, map, absent }
+    pub(crate) fn new(b: Bytes<'_>, map: &'e BTreeMap<String, String>) -> Self {
+        Self { format: b.format, map }
     }
 
     pub(crate) fn get(self, key: &str) -> Option<&'e str> {
@@ -30,7 +23,8 @@ impl<'e> Entries<'e> {
     }
 
     pub(crate) fn text(self, key: &str) -> Result<&'e str, ReadError> {
-        self.get(key).ok_or_else(|| self.format.field(key.to_owned(), self.absent))
+        self.get(key)
+            .ok_or_else(|| ReadError::at(self.format, key.to_owned(), "is missing or empty"))
     }
 
     pub(crate) fn number(self, key: &str) -> Result<f64, ReadError> {
@@ -44,7 +38,8 @@ impl<'e> Entries<'e> {
     /// The text as what it is called in the refusal of another one.
     pub(crate) fn parsed<T: FromStr>(self, key: &str, what: &str) -> Result<T, ReadError> {
         let text = self.text(key)?;
-        let fault = |_| self.format.field(key.to_owned(), format!("{text:?} is no {what}"));
+        let fault =
+            |_| ReadError::at(self.format, key.to_owned(), format!("{text:?} is no {what}"));
         text.parse().map_err(fault)
     }
 }

@@ -1,35 +1,14 @@
 //! Why a file gives no surface.
 
-use crate::format::Format;
 use crate::need::{Layout, Need};
 use contact_types::Named;
 use std::borrow::Cow;
 use std::path::PathBuf;
 
-/// Where in a file the trouble is.
-#[derive(Debug, Clone, PartialEq, Eq)]
-#[non_exhaustive]
-pub enum Place {
-    /// Offset from the start of the file (of the unpacked member, for containers).
-    Byte(usize),
-    /// Line of a text file, counted from 1.
-    Line(usize),
-    /// A named field of the header or member of a container.
-    Field(Cow<'static, str>),
-    /// Row and column of a point of the map.
-    Point(usize, usize),
-}
-
-impl std::fmt::Display for Place {
-    fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
-        match self {
-            Self::Byte(at) => write!(f, "byte {at}"),
-            Self::Line(line) => write!(f, "line {line}"),
-            Self::Field(name) => write!(f, "{name}"),
-            Self::Point(iy, ix) => write!(f, "row {iy}, column {ix}"),
-        }
-    }
-}
+/// The name of texts, whose columns can be more than one thing.
+pub(crate) const TEXT: &str = "text";
+/// A container of others.
+pub(crate) const ZIP: &str = "ZIP or gzip";
 
 /// Why a file could not be read. Whose fault it is, is the variant.
 #[derive(Debug, thiserror::Error)]
@@ -46,19 +25,17 @@ pub enum ReadError {
     /// Zero bytes.
     #[error("the file is empty (0 bytes)")]
     Empty,
-    /// None of the known formats.
-    #[error("the content is none of the known formats (first bytes: {start})")]
-    UnknownFormat {
-        /// The first bytes, printable.
-        start: String,
-    },
+    /// None of the known formats, by its first bytes.
+    #[error("the content is none of the known formats (first bytes: {0})")]
+    UnknownFormat(String),
     /// The file breaks the rules of its format.
     #[error("{format}: {place}: {what}")]
     Malformed {
         /// The format it claims.
-        format: Format,
-        /// Where.
-        place: Place,
+        format: &'static str,
+        /// Where: a byte from the start of the file (of the unpacked member, for containers), a line counted from 1, a
+        /// field of the header, a member of a container, or a point of the map.
+        place: Cow<'static, str>,
         /// What is wrong, with the value found.
         what: Cow<'static, str>,
     },
@@ -66,7 +43,7 @@ pub enum ReadError {
     #[error("{format}: {feature} is not supported")]
     Unsupported {
         /// The format.
-        format: Format,
+        format: &'static str,
         /// What is not read, and where there is one the way out.
         feature: Cow<'static, str>,
     },
@@ -82,7 +59,7 @@ pub enum ReadError {
     #[error("{format}: {value} {quantity}, the limit is {limit}")]
     Limit {
         /// The format.
-        format: Format,
+        format: &'static str,
         /// What there is too much of.
         quantity: &'static str,
         /// How much the file asks for.
@@ -91,10 +68,10 @@ pub enum ReadError {
         limit: u64,
     },
     /// The file does not say how large a pixel is, or what unit its numbers have.
-    #[error("{}", missing_scale(*format, needs, unused.as_deref()))]
+    #[error("{}", missing_scale(format, needs, unused.as_deref()))]
     MissingScale {
         /// The format.
-        format: Format,
+        format: &'static str,
         /// What it does not say: never empty.
         needs: Vec<Need>,
         /// Entries of its header that look like a size, a scale or a unit and are not understood.
@@ -124,7 +101,7 @@ pub enum ReadError {
     #[error("{format}: line {line}, cell {cell}: {text:?} is no number")]
     NotANumber {
         /// The format.
-        format: Format,
+        format: &'static str,
         /// Line, counted from 1.
         line: usize,
         /// Cell in that line, counted from 1.
@@ -136,7 +113,7 @@ pub enum ReadError {
     #[error("{format}: {what}")]
     Ambiguous {
         /// The format.
-        format: Format,
+        format: &'static str,
         /// The readings.
         what: String,
         /// What decides.
@@ -146,7 +123,7 @@ pub enum ReadError {
     #[error("{format}: read as a {} although {reason}", layout.name())]
     BadLayout {
         /// The format.
-        format: Format,
+        format: &'static str,
         /// What was asked for.
         layout: Layout,
         /// Why that cannot be.
@@ -156,7 +133,7 @@ pub enum ReadError {
     #[error("{format}: no channel {asked:?}; the file has {available}")]
     NoSuchChannel {
         /// The format.
-        format: Format,
+        format: &'static str,
         /// What was asked for.
         asked: String,
         /// The names there are.
@@ -169,7 +146,7 @@ pub enum ReadError {
     )]
     NotHeight {
         /// The format.
-        format: Format,
+        format: &'static str,
         /// The channel.
         channel: String,
         /// Its unit as the file writes it.
@@ -190,15 +167,12 @@ pub enum ReadError {
         /// Rows and columns there are.
         shape: [usize; 2],
     },
-    /// No part of the map is complete.
+    /// No part of the map of so many rows and columns is complete.
     #[error(
         "of the {} x {} points no 2 x 2 are without a missing one, so that no complete part can be cut out",
-        shape[0], shape[1]
+        .0[0], .0[1]
     )]
-    NothingComplete {
-        /// Rows and columns there are.
-        shape: [usize; 2],
-    },
+    NothingComplete([usize; 2]),
 }
 
 impl ReadError {
@@ -242,34 +216,24 @@ impl ReadError {
     }
 }
 
-/// Refusals of a file of this format.
-impl Format {
+/// Refusals of a file of a format.
+impl ReadError {
     /// It holds something that is not read.
-    pub(crate) fn unsupported(self, feature: impl Into<Cow<'static, str>>) -> ReadError {
-        ReadError::Unsupported { format: self, feature: feature.into() }
+    pub(crate) fn unsupported(format: &'static str, feature: impl Into<Cow<'static, str>>) -> Self {
+        Self::Unsupported { format, feature: feature.into() }
     }
 
-    /// It breaks the rules of the format.
-    pub(crate) fn malformed(self, place: Place, what: impl Into<Cow<'static, str>>) -> ReadError {
-        ReadError::Malformed { format: self, place, what: what.into() }
-    }
-
-    /// It breaks them in a named field.
-    pub(crate) fn field(
-        self,
-        name: impl Into<Cow<'static, str>>,
+    /// It breaks the rules of the format at a place.
+    pub(crate) fn at(
+        format: &'static str,
+        place: impl Into<Cow<'static, str>>,
         what: impl Into<Cow<'static, str>>,
-    ) -> ReadError {
-        self.malformed(Place::Field(name.into()), what)
-    }
-
-    /// It breaks them in a line of text.
-    pub(crate) fn line(self, line: usize, what: impl Into<Cow<'static, str>>) -> ReadError {
-        self.malformed(Place::Line(line), what)
+    ) -> Self {
+        Self::Malformed { format, place: place.into(), what: what.into() }
     }
 }
 
-fn missing_scale(format: Format, needs: &[Need], unused: Option<&str>) -> String {
+fn missing_scale(format: &'static str, needs: &[Need], unused: Option<&str>) -> String {
     let names: Vec<String> = needs.iter().map(Need::to_string).collect();
     let mut text = format!("{format}: the file gives no {}", names.join(" and no "));
     if needs.contains(&Need::PixelSize) {
@@ -300,21 +264,15 @@ pub enum FillError {
         /// Row and column of the first.
         first: [usize; 2],
     },
-    /// Not a single height.
-    #[error("all {points} points are missing: there is nothing to fill from")]
-    NothingValid {
-        /// How many points there are.
-        points: usize,
-    },
-    /// The points of a profile are not evenly spaced.
+    /// Not a single height at so many points.
+    #[error("all {0} points are missing: there is nothing to fill from")]
+    NothingValid(usize),
+    /// The points of a profile are not evenly spaced; they deviate by so many steps.
     #[error(
-        "the points are not evenly spaced: they deviate from even spacing by up to {deviation:.3} \
-         steps; interpolate them to even spacing first (Measurement::evenly_spaced)"
+        "the points are not evenly spaced: they deviate from even spacing by up to {0:.3} steps; interpolate them to \
+         even spacing first (Measurement::evenly_spaced)"
     )]
-    Uneven {
-        /// Largest deviation in steps.
-        deviation: f64,
-    },
+    Uneven(f64),
     /// Two points of a profile stand so far apart that nothing is known between them.
     #[error(
         "two points are {:.3} mm apart, {:.0} times the mean distance; at most {limit} times is \

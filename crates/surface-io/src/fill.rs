@@ -33,22 +33,19 @@ impl Measurement {
     /// are not evenly spaced.
     pub fn fill(self, fill: Fill) -> Result<HeightMap, FillError> {
         if let Some(deviation) = self.uneven {
-            return Err(FillError::Uneven { deviation });
+            return Err(FillError::Uneven(deviation));
         }
-        let (grid, mut heights) = (self.grid, self.heights);
-        if self.missing == heights.len() {
-            return Err(FillError::NothingValid { points: heights.len() });
+        let (missing, grid, mut heights) = (self.missing(), self.grid, self.heights);
+        let points = heights.len();
+        if missing == points {
+            return Err(FillError::NothingValid(points));
         }
-        if self.missing > 0 {
+        if let Some(first) = heights.iter().position(|h| h.is_nan()) {
+            let nx = grid.shape()[1];
             match fill {
                 Fill::Refuse => {
-                    let first = heights.iter().position(|h| h.is_nan()).unwrap_or(0);
-                    let nx = grid.shape()[1];
-                    return Err(FillError::Missing {
-                        missing: self.missing,
-                        points: heights.len(),
-                        first: [first / nx, first % nx],
-                    });
+                    let first = [first / nx, first % nx];
+                    return Err(FillError::Missing { missing, points, first });
                 }
                 Fill::Harmonic => harmonic::fill(grid, &mut heights)?,
                 Fill::Nearest => nearest(grid, &mut heights),
@@ -86,8 +83,8 @@ fn nearest(grid: Grid, heights: &mut [f64]) {
             }
         }
     }
-    let (mut sites, mut starts) = (Vec::<usize>::new(), Vec::<f64>::new());
-    let mut filled = vec![0.0; nx];
+    // Columns whose parabola is the lowest somewhere in the row, and where that begins.
+    let mut sites = Vec::<(usize, f64)>::new();
     for iy in 0..ny {
         let row = iy * nx;
         if heights[row..row + nx].iter().all(|h| !h.is_nan()) {
@@ -99,10 +96,9 @@ fn nearest(grid: Grid, heights: &mut [f64]) {
             distance * distance
         };
         sites.clear();
-        starts.clear();
         for ix in (0..nx).filter(|&ix| row_of[row + ix] != NONE) {
             let mut start = f64::NEG_INFINITY;
-            while let (Some(&site), Some(&begin)) = (sites.last(), starts.last()) {
+            while let Some(&(site, begin)) = sites.last() {
                 let (a, b) = (site as f64, ix as f64);
                 // Where the parabola of ix dips below that of site.
                 start = (a + b + (depth(ix) - depth(site)) / (b - a)) / 2.0;
@@ -110,27 +106,21 @@ fn nearest(grid: Grid, heights: &mut [f64]) {
                     break;
                 }
                 sites.pop();
-                starts.pop();
                 start = f64::NEG_INFINITY;
             }
-            sites.push(ix);
-            starts.push(start);
+            sites.push((ix, start));
         }
         let mut k = 0;
-        for (ix, filled) in filled.iter_mut().enumerate() {
-            while k + 1 < sites.len() && starts[k + 1] < ix as f64 {
+        for ix in 0..nx {
+            while k + 1 < sites.len() && sites[k + 1].1 < ix as f64 {
                 k += 1;
             }
-            let site = sites[k];
-            *filled = heights[row_of[row + site] as usize * nx + site];
-        }
-        // `row_of` points at valid points only, which are never overwritten.
-        for (height, filled) in heights[row..row + nx].iter_mut().zip(&filled) {
-            if height.is_nan() {
-                *height = *filled;
+            if heights[row + ix].is_nan() {
+                // `row_of` points at valid points only, which are never overwritten.
+                let site = sites[k].0;
+                heights[row + ix] = heights[row_of[row + site] as usize * nx + site];
             }
         }
-        // Filled points must not serve as sources: `row_of` was computed before.
     }
 }
 

@@ -2,10 +2,9 @@
 //! to metres.
 
 use crate::cells::mark_value;
-use crate::error::{Place, ReadError};
-use crate::format::Format;
+use crate::error::ReadError;
 use crate::meaning::{Meaning, UNUSED};
-use crate::measurement::{Channel, ChannelInfo, Contents, KEPT_UNIT, Measurement, Pixel};
+use crate::measurement::{ChannelInfo, Contents, Measurement, Pixel};
 use crate::need::Need;
 use crate::options::{HeightUnit, ReadOptions};
 use contact_types::Grid;
@@ -17,11 +16,11 @@ const LARGEST: f64 = 3.402823e38;
 
 /// Chooses the channel, decodes it and brings it to metres.
 pub(crate) fn finish(
-    format: Format,
+    format: &'static str,
     mut contents: Contents<'_>,
     options: &ReadOptions,
 ) -> Result<Measurement, ReadError> {
-    let channels: Vec<ChannelInfo> = contents.channels.iter().map(Channel::info).collect();
+    let channels: Vec<ChannelInfo> = contents.channels.iter().map(|c| c.info.clone()).collect();
     let chosen = match choose(format, &channels, options) {
         Ok(chosen) => chosen,
         // A file whose only channels cannot be read is refused for the first one's reason.
@@ -44,8 +43,8 @@ pub(crate) fn finish(
             positive(Need::PixelSize, value)?;
         }
         if let Pixel::Steps([step_y, step_x]) = channel.pixel
-            && channel.shape[0] > 1
-            && channel.shape[1] > 1
+            && channel.info.shape[0] > 1
+            && channel.info.shape[1] > 1
             && ((dy / dx) / (step_y / step_x) - 1.0).abs() > 1e-3
         {
             let (given, steps) = ([dy, dx], [step_y, step_x]);
@@ -65,11 +64,11 @@ pub(crate) fn finish(
     });
     if let Some(given) = options.height_unit {
         positive(Need::HeightUnit, given.metres())?;
-        match (&channel.unit, channel.scale, given) {
+        match (&channel.info.unit, channel.scale, given) {
             (Some(_), Some(own), HeightUnit::IfSilent(other))
                 if (own / other - 1.0).abs() <= 1e-9 => {}
             (Some(unit), Some(_), HeightUnit::IfSilent(_)) => {
-                metadata.insert(KEPT_UNIT.into(), unit.clone());
+                metadata.insert("height unit of the file, kept".into(), unit.clone());
             }
             (Some(unit), _, _) => {
                 metadata.insert("overridden height unit".into(), unit.clone());
@@ -93,8 +92,9 @@ pub(crate) fn finish(
         return Err(ReadError::MissingScale { format, needs, unused });
     };
 
-    options.limits.check_points(format, channel.shape)?;
-    let grid = Grid::new(channel.shape, pixel).map_err(|e| format.field("grid", e.to_string()))?;
+    options.limits.check_points(format, channel.info.shape)?;
+    let grid = Grid::new(channel.info.shape, pixel)
+        .map_err(|e| ReadError::at(format, "grid", e.to_string()))?;
     let mut heights = (channel.decode)()?;
     for mark in options.missing.iter().filter_map(|mark| mark_value(mark)) {
         // A mark of a file in single precision is that number only nearly.
@@ -103,7 +103,7 @@ pub(crate) fn finish(
     }
     if heights.len() != grid.len() {
         let what = format!("{} heights for {} points", heights.len(), grid.len());
-        return Err(format.field("data", what));
+        return Err(ReadError::at(format, "data", what));
     }
     // A file that says what its unit is and means this is damaged; numbers whose unit was given
     // may be anything.
@@ -119,15 +119,17 @@ pub(crate) fn finish(
             let what = format!(
                 "the height is {height:e} m; if it marks missing points, give --missing and that number"
             );
-            return Err(format.malformed(Place::Point(i / nx, i % nx), what));
+            return Err(ReadError::at(format, format!("row {}, column {}", i / nx, i % nx), what));
         }
     }
+    let (uneven, places) = channel.uneven.unzip();
+    let positions = places.map(|x| x.into_iter().map(|x| x * pixel[1]).collect());
     Ok(Measurement {
-        channel: channel.name,
+        channel: channel.info.name,
         channels,
         metadata,
-        uneven: channel.uneven,
-        positions: channel.places.map(|x| x.into_iter().map(|x| x * pixel[1]).collect()),
+        uneven,
+        positions,
         ambiguity: channel.ambiguity,
         ..Measurement::bare(grid, heights, format)
     })
@@ -135,17 +137,17 @@ pub(crate) fn finish(
 
 /// Every trace of a file of several; of any other file the one channel that [`finish`] gives.
 pub(crate) fn finish_traces(
-    format: Format,
+    format: &'static str,
     contents: Contents<'_>,
     options: &ReadOptions,
 ) -> Result<Vec<Measurement>, ReadError> {
     let is_asked = options.channel.is_some();
-    if is_asked || !contents.channels.iter().any(|channel| channel.is_trace) {
+    if is_asked || !contents.channels.iter().any(|channel| channel.info.is_trace) {
         return finish(format, contents, options).map(|one| vec![one]);
     }
-    let all: Vec<ChannelInfo> = contents.channels.iter().map(Channel::info).collect();
+    let all: Vec<ChannelInfo> = contents.channels.iter().map(|c| c.info.clone()).collect();
     let Contents { channels, metadata } = contents;
-    let traces = channels.into_iter().filter(|channel| channel.is_trace);
+    let traces = channels.into_iter().filter(|channel| channel.info.is_trace);
     traces
         .map(|trace| {
             let one = Contents { channels: vec![trace], metadata: metadata.clone() };
@@ -166,7 +168,7 @@ fn positive(given: Need, value: f64) -> Result<(), ReadError> {
 
 /// Index of the channel asked for, or of the one that is most likely the topography.
 fn choose(
-    format: Format,
+    format: &'static str,
     channels: &[ChannelInfo],
     options: &ReadOptions,
 ) -> Result<usize, ReadError> {
@@ -200,7 +202,9 @@ fn choose(
         return match (best, channels.first()) {
             (Some((index, _)), _) => Ok(index),
             (None, Some(first)) => Err(not_height(first)),
-            (None, None) => Err(format.unsupported("a file without any map or profile")),
+            (None, None) => {
+                Err(ReadError::unsupported(format, "a file without any map or profile"))
+            }
         };
     };
     let number = asked.strip_prefix('#').and_then(|n| n.parse::<usize>().ok());

@@ -24,14 +24,14 @@ const MAX_ITERATIONS: usize = 200;
 pub(crate) fn fill(grid: Grid, heights: &mut [f64]) -> Result<(), FillError> {
     let holes: Vec<u32> =
         (0..heights.len()).filter(|&i| heights[i].is_nan()).map(|i| i as u32).collect();
-    let (finest, right) = GridLevel::finest(grid, heights, &holes);
-    let [low, high] = right.rim;
+    let (finest, rim) = GridLevel::finest(grid, heights, &holes);
+    let [low, high] = rim.range;
     if low > high {
         return Ok(()); // nothing is missing
     }
     // Heights are counted from the middle of the rim, so that a common offset costs no digits.
     let origin = 0.5 * (low + high);
-    let b: Vec<f64> = right.sums.iter().zip(&right.bonds).map(|(s, w)| s - w * origin).collect();
+    let b: Vec<f64> = rim.sums.iter().map(|[s, w]| s - w * origin).collect();
     let mut levels = levels(finest, grid.shape(), grid.pixel(), &holes);
     let x = solve(&mut levels, b)?;
     for (&i, x) in holes.iter().zip(x) {
@@ -42,13 +42,11 @@ pub(crate) fn fill(grid: Grid, heights: &mut [f64]) -> Result<(), FillError> {
 }
 
 /// What the valid points contribute to the equations.
-struct Right {
-    /// Sum of bond times height per unknown.
-    sums: Vec<f64>,
-    /// Sum of bonds per unknown.
-    bonds: Vec<f64>,
+struct Rim {
+    /// Sum of bond times height, and of bonds, per unknown.
+    sums: Vec<[f64; 2]>,
     /// Lowest and highest of these heights.
-    rim: [f64; 2],
+    range: [f64; 2],
 }
 
 /// One grid: every unknown with its bonds to the west, east, north and south.
@@ -74,7 +72,7 @@ impl GridLevel {
     }
 
     /// The five-point formula in flux form: bonds dy/dx along x and dx/dy along y.
-    fn finest(grid: Grid, heights: &[f64], holes: &[u32]) -> (Self, Right) {
+    fn finest(grid: Grid, heights: &[f64], holes: &[u32]) -> (Self, Rim) {
         let [ny, nx] = grid.shape();
         let [wx, wy] = fluxes(grid.pixel());
         let mut number = vec![NONE; heights.len()];
@@ -84,8 +82,7 @@ impl GridLevel {
         let n = holes.len();
         let mut neighbours = vec![[NONE; 4]; n];
         let (mut bonds, mut pins) = (vec![[0.0; 4]; n], vec![[0.0; 2]; n]);
-        let rim = [f64::INFINITY, f64::NEG_INFINITY];
-        let mut right = Right { sums: vec![0.0; n], bonds: vec![0.0; n], rim };
+        let (mut sums, mut range) = (vec![[0.0; 2]; n], [f64::INFINITY, f64::NEG_INFINITY]);
         for (k, &i) in holes.iter().enumerate() {
             let i = i as usize;
             let (iy, ix) = (i / nx, i % nx);
@@ -100,16 +97,16 @@ impl GridLevel {
                 let w = if side < 2 { wx } else { wy };
                 if number[j] == NONE {
                     pins[k][side / 2] += w;
-                    right.sums[k] += w * heights[j];
-                    right.bonds[k] += w;
-                    right.rim = [right.rim[0].min(heights[j]), right.rim[1].max(heights[j])];
+                    sums[k][0] += w * heights[j];
+                    sums[k][1] += w;
+                    range = [range[0].min(heights[j]), range[1].max(heights[j])];
                 } else {
                     neighbours[k][side] = number[j];
                     bonds[k][side] = w;
                 }
             }
         }
-        (Self::new(neighbours, bonds, pins), right)
+        (Self::new(neighbours, bonds, pins), Rim { sums, range })
     }
 
     /// Joins `block = [by, bx]` neighbours into one unknown each.
@@ -166,13 +163,6 @@ impl GridLevel {
         sum
     }
 
-    /// `out = A x`.
-    fn apply(&self, x: &[f64], out: &mut [f64]) {
-        for (k, out) in out.iter_mut().enumerate() {
-            *out = self.diagonal[k] * x[k] - self.pull(x, k);
-        }
-    }
-
     /// One Gauss-Seidel sweep on `A x = b`, forwards or backwards.
     fn sweep(&mut self, is_forward: bool) {
         let n = self.b.len();
@@ -201,9 +191,8 @@ fn levels(
     let [mut wx, mut wy] = fluxes(pixel);
     while levels[levels.len() - 1].b.len() > 32 {
         // Join along the stronger bonds until both directions are alike.
-        let block = [if wx > 3.0 * wy { 1 } else { 2 }, if wy > 3.0 * wx { 1 } else { 2 }];
-        let block =
-            [if shape[0] == 1 { 1 } else { block[0] }, if shape[1] == 1 { 1 } else { block[1] }];
+        let side = |n: usize, is_weak: bool| if n == 1 || is_weak { 1 } else { 2 };
+        let block = [side(shape[0], wx > 3.0 * wy), side(shape[1], wy > 3.0 * wx)];
         if block == [1, 1] {
             break;
         }
@@ -250,13 +239,6 @@ fn cycle(levels: &mut [GridLevel]) {
     level.sweep(false);
 }
 
-/// `z = B r`.
-fn precondition(levels: &mut [GridLevel], r: &[f64], z: &mut Vec<f64>) {
-    levels[0].b.copy_from_slice(r);
-    cycle(levels);
-    z.clone_from(&levels[0].x);
-}
-
 /// Conjugate gradients on the finest level.
 fn solve(levels: &mut [GridLevel], b: Vec<f64>) -> Result<Vec<f64>, FillError> {
     let dot = |a: &[f64], b: &[f64]| a.iter().zip(b).map(|(a, b)| a * b).sum::<f64>();
@@ -266,13 +248,21 @@ fn solve(levels: &mut [GridLevel], b: Vec<f64>) -> Result<Vec<f64>, FillError> {
     if size == 0.0 {
         return Ok(x);
     }
-    let (mut z, mut product) = (Vec::new(), vec![0.0; n]);
-    precondition(levels, &r, &mut z);
-    let mut p = z.clone();
-    let mut rho = dot(&r, &z);
-    let mut residual = 1.0;
+    let (mut p, mut product) = (vec![0.0; n], vec![0.0; n]);
+    let (mut rho, mut residual) = (f64::INFINITY, 1.0);
     for _ in 0..MAX_ITERATIONS {
-        levels[0].apply(&p, &mut product);
+        levels[0].b.copy_from_slice(&r);
+        cycle(levels);
+        let finest = &levels[0];
+        let next = dot(&r, &finest.x);
+        let beta = next / rho; // 0 at first
+        rho = next;
+        for k in 0..n {
+            p[k] = finest.x[k] + beta * p[k];
+        }
+        for k in 0..n {
+            product[k] = finest.diagonal[k] * p[k] - finest.pull(&p, k);
+        }
         let alpha = rho / dot(&p, &product);
         for k in 0..n {
             x[k] += alpha * p[k];
@@ -281,13 +271,6 @@ fn solve(levels: &mut [GridLevel], b: Vec<f64>) -> Result<Vec<f64>, FillError> {
         residual = dot(&r, &r).sqrt() / size;
         if residual <= TOLERANCE {
             return Ok(x);
-        }
-        precondition(levels, &r, &mut z);
-        let next = dot(&r, &z);
-        let beta = next / rho;
-        rho = next;
-        for k in 0..n {
-            p[k] = z[k] + beta * p[k];
         }
     }
     if residual <= ACCEPTED {

@@ -1,6 +1,6 @@
 //! What the lines before the numbers of a text file say: sizes, units, titles of the columns.
 
-use crate::cells::Separator;
+use crate::cells::{self, BLANK};
 use crate::meaning::{self, UNUSED};
 use crate::text::NumberTable;
 use crate::units::{length, metres_per, quantity};
@@ -205,10 +205,10 @@ impl Header {
             let line = line.trim().trim_start_matches(['#', '%', '!', '/', ' ']);
             // A unit in brackets belongs to the name before it, also behind a blank.
             let line = line.replace(" [", "[").replace(" (", "(");
-            let cells = [table.separator, Separator::Semicolon, Separator::Blank]
+            let cells = [table.separator, ';', BLANK]
                 .into_iter()
                 .map(|separator| {
-                    let mut cells: Vec<&str> = separator.cells(&line).collect();
+                    let mut cells: Vec<&str> = cells::cells(separator, &line).collect();
                     while cells.len() > table.columns && cells.last().is_some_and(|c| c.is_empty())
                     {
                         cells.pop();

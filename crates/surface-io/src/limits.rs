@@ -1,7 +1,6 @@
 //! What a file may cost.
 
 use crate::error::ReadError;
-use crate::format::Format;
 
 /// Upper bounds on what reading one file may cost. A file that asks for more is refused with
 /// [`ReadError::Limit`] before anything is allocated.
@@ -27,23 +26,32 @@ impl Default for Limits {
 
 impl Limits {
     /// Refuses a map of more than `points` points.
-    pub(crate) fn check_points(&self, format: Format, shape: [usize; 2]) -> Result<(), ReadError> {
+    pub(crate) fn check_points(
+        &self,
+        format: &'static str,
+        shape: [usize; 2],
+    ) -> Result<(), ReadError> {
         let value = (shape[0] as u64).saturating_mul(shape[1] as u64);
         check(format, "points of one map", value, self.points)
     }
 
     /// Refuses more than `items` of anything listed.
-    pub(crate) fn check_items(&self, format: Format, value: u64) -> Result<(), ReadError> {
+    pub(crate) fn check_items(&self, format: &'static str, value: u64) -> Result<(), ReadError> {
         check(format, "listed items", value, self.items)
     }
 
     /// Refuses to unpack more than `unpacked_bytes`.
-    pub(crate) fn check_unpacked(&self, format: Format, value: u64) -> Result<(), ReadError> {
+    pub(crate) fn check_unpacked(&self, format: &'static str, value: u64) -> Result<(), ReadError> {
         check(format, "unpacked bytes", value, self.unpacked_bytes)
     }
 }
 
-fn check(format: Format, quantity: &'static str, value: u64, limit: u64) -> Result<(), ReadError> {
+fn check(
+    format: &'static str,
+    quantity: &'static str,
+    value: u64,
+    limit: u64,
+) -> Result<(), ReadError> {
     if value > limit {
         return Err(ReadError::Limit { format, quantity, value, limit });
     }

@@ -3,7 +3,6 @@
 use crate::binary::Raster;
 use crate::cut::Cut;
 use crate::error::ReadError;
-use crate::format::Format;
 use crate::meaning::{self, UNUSED};
 use crate::need::Ambiguity;
 use crate::units::metres_per;
@@ -60,25 +59,15 @@ impl Pixel {
     }
 }
 
-/// Entry of the metadata with the unit of the file where another one was given for silent files.
-pub(crate) const KEPT_UNIT: &str = "height unit of the file, kept";
-
 /// A channel as a reader hands it over.
 pub(crate) struct Channel<'a> {
-    pub(crate) name: String,
-    /// Unit as written, for people.
-    pub(crate) unit: Option<String>,
+    pub(crate) info: ChannelInfo,
     /// Metres per unit; `None` if the file does not say or it is no length.
     pub(crate) scale: Option<f64>,
-    pub(crate) is_height: bool,
-    pub(crate) shape: [usize; 2],
     pub(crate) pixel: Pixel,
-    /// Largest deviation from even spacing in steps, where it cannot be neglected.
-    pub(crate) uneven: Option<f64>,
-    /// Distances of the points of such a profile from the first one, in steps.
-    pub(crate) places: Option<Vec<f64>>,
-    /// One of several traces of the same surface.
-    pub(crate) is_trace: bool,
+    /// Largest deviation from even spacing, where it cannot be neglected, and distances of the points of such a profile
+    /// from the first one; in steps.
+    pub(crate) uneven: Option<(f64, Vec<f64>)>,
     /// How it was read, where the file could mean something else.
     pub(crate) ambiguity: Option<Ambiguity>,
     /// Why it cannot be read.
@@ -106,16 +95,20 @@ impl<'a> Channel<'a> {
             Pixel::Steps([dy, dx]) if is_none(dy) => Pixel::Steps([dx; 2]),
             other => other,
         };
-        Self {
+        let info = ChannelInfo {
             name: name.into(),
             unit: unit.map(str::to_owned),
-            scale,
             is_height: unit.is_none() || scale.is_some(),
             shape,
+            pixel: if let Pixel::Metres(pixel) = pixel { Some(pixel) } else { None },
+            is_trace: false,
+            fault: None,
+        };
+        Self {
+            info,
+            scale,
             pixel,
             uneven: None,
-            places: None,
-            is_trace: false,
             ambiguity: None,
             fault: None,
             decode: Box::new(decode),
@@ -167,7 +160,7 @@ impl<'a> Channel<'a> {
 
     /// Turns the map upside down: for formats that store the bottom row first.
     pub(crate) fn flipped(self) -> Self {
-        let [_, nx] = self.shape;
+        let [_, nx] = self.info.shape;
         self.then(move |heights| {
             let ny = heights.len() / nx.max(1);
             for iy in 0..ny / 2 {
@@ -180,27 +173,11 @@ impl<'a> Channel<'a> {
 
     /// Turns every row around: for formats that store some of them from right to left.
     pub(crate) fn mirrored(self) -> Self {
-        let [_, nx] = self.shape;
+        let [_, nx] = self.info.shape;
         self.then(move |heights| {
             heights.chunks_mut(nx.max(1)).for_each(<[f64]>::reverse);
             Ok(())
         })
-    }
-
-    pub(crate) fn info(&self) -> ChannelInfo {
-        let pixel = match self.pixel {
-            Pixel::Metres(pixel) => Some(pixel),
-            _ => None,
-        };
-        ChannelInfo {
-            name: self.name.clone(),
-            unit: self.unit.clone(),
-            is_height: self.is_height,
-            shape: self.shape,
-            pixel,
-            is_trace: self.is_trace,
-            fault: self.fault.as_ref().map(ReadError::to_string),
-        }
     }
 }
 
@@ -229,10 +206,11 @@ impl<'a> Contents<'a> {
 
     /// Adds a channel. One that cannot be read must not cost the others.
     pub(crate) fn add(&mut self, name: &str, channel: Result<Channel<'a>, ReadError>) {
-        self.channels.push(channel.unwrap_or_else(|fault| Channel {
-            is_height: false,
-            fault: Some(fault),
-            ..Channel::new(name, None, [0, 0], Pixel::Unknown, || Ok(Vec::new()))
+        self.channels.push(channel.unwrap_or_else(|fault| {
+            let mut channel = Channel::new(name, None, [0, 0], Pixel::Unknown, || Ok(Vec::new()));
+            (channel.info.is_height, channel.info.fault) = (false, Some(fault.to_string()));
+            channel.fault = Some(fault);
+            channel
         }));
     }
 
@@ -255,9 +233,8 @@ impl<'a> Contents<'a> {
 pub struct Measurement {
     pub(crate) grid: Grid,
     pub(crate) heights: Vec<f64>,
-    pub(crate) missing: usize,
-    /// The format it was read from.
-    pub format: Format,
+    /// Name of the format it was read from.
+    pub format: &'static str,
     /// Name of the channel.
     pub channel: String,
     /// All channels of the file.
@@ -283,14 +260,13 @@ impl Measurement {
     pub fn new(grid: Grid, heights: Vec<f64>) -> Result<Self, SurfaceError> {
         let known = heights.iter().map(|h| if h.is_nan() { 0.0 } else { *h }).collect();
         HeightMap::new(grid, known)?;
-        Ok(Self::bare(grid, heights, Format::Npy))
+        Ok(Self::bare(grid, heights, "NPY"))
     }
 
     /// Nothing but these heights (m), as many as the grid has points.
-    pub(crate) fn bare(grid: Grid, heights: Vec<f64>, format: Format) -> Self {
+    pub(crate) fn bare(grid: Grid, heights: Vec<f64>, format: &'static str) -> Self {
         Self {
             grid,
-            missing: heights.iter().filter(|h| h.is_nan()).count(),
             heights,
             format,
             channel: String::new(),
@@ -316,13 +292,7 @@ impl Measurement {
 
     /// Number of missing points.
     pub fn missing(&self) -> usize {
-        self.missing
-    }
-
-    /// The unit that the file gives and that was kept although another one was given for a file
-    /// that gives none.
-    pub fn kept_unit(&self) -> Option<&str> {
-        self.metadata.get(KEPT_UNIT).map(String::as_str)
+        self.heights.iter().filter(|h| h.is_nan()).count()
     }
 
     /// True for a single line of points, which is not a surface.
@@ -346,7 +316,7 @@ impl Measurement {
     }
 
     /// Lets `change` work on the grid and the heights (m, NaN = missing), as cleaning does before
-    /// missing points are filled, and counts the missing points anew.
+    /// missing points are filled.
     ///
     /// # Errors
     /// That of `change`.
@@ -359,7 +329,6 @@ impl Measurement {
     ) -> Result<(Self, T), E> {
         let answer = change(self.grid, &mut self.heights)?;
         assert_eq!(self.heights.len(), self.grid.len(), "the grid has not changed");
-        self.missing = self.heights.iter().filter(|h| h.is_nan()).count();
         Ok((self, answer))
     }
 
@@ -386,7 +355,6 @@ impl Measurement {
         let cropped = [above + y0, before + x0, ny, nx];
         let mut found = Self {
             grid,
-            missing: heights.iter().filter(|h| h.is_nan()).count(),
             heights,
             positions: self.positions.as_ref().and_then(|x| {
                 let part = x.get(x0..x0 + nx)?;

@@ -54,40 +54,11 @@ impl fmt::Display for Need {
 /// How the columns of a text were read where they could mean something else.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 #[non_exhaustive]
-pub enum Ambiguity {
-    /// One column, read as the heights of a profile.
-    Column,
-    /// Two columns, read as a profile x z.
-    Profile,
-    /// Three columns, read as a list x y z.
-    List,
-    /// Positions and two traces or more, read as a list x y z.
-    ListOrTraces,
-}
-
-impl Ambiguity {
+pub struct Ambiguity {
+    /// The reading, and what else it could be.
+    pub what: &'static str,
     /// The layouts to ask for if this reading is wrong.
-    pub fn needs(self) -> Vec<Need> {
-        let matrix = Need::Layout(Layout::Matrix);
-        match self {
-            Self::ListOrTraces => vec![Need::Layout(Layout::Traces), matrix],
-            _ => vec![matrix],
-        }
-    }
-}
-
-impl fmt::Display for Ambiguity {
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        f.write_str(match self {
-            Self::Column => "one column, read as the heights of a profile",
-            Self::Profile => "two columns, read as a profile x z; they could as well be heights",
-            Self::List => "three columns, read as a list x y z; they could as well be heights",
-            Self::ListOrTraces => {
-                "three columns, read as a list x y z; they could as well be positions and the heights of two \
-                 traces, or heights"
-            }
-        })
-    }
+    pub needs: &'static [Need],
 }
 
 /// What the columns of a text file are, where it can be more than one thing.

@@ -21,8 +21,8 @@
 //! | 116 | u32 | first sector |
 //! | 120 | u64 | bytes of the stream; the upper half counts with sectors of 4096 bytes only |
 //!
-//! All numbers little endian. A chain is followed for as many sectors as its stream can have, and
-//! never for more than the file has, so that a chain that bites its tail ends.
+//! All numbers little endian. No chain is followed for more bytes than the file has, so that one that
+//! bites its tail ends.
 //!
 //! Source: Microsoft, *\[MS-CFB\]: Compound File Binary File Format*.
 
@@ -44,13 +44,43 @@ struct StreamEntry {
     length: u64,
 }
 
+/// Where sectors lie: in these bytes from a first one on, of this size, and which sector follows on each.
+struct Sectors<'s> {
+    bytes: Bytes<'s>,
+    first: usize,
+    size: usize,
+    next: Vec<u32>,
+}
+
+impl Sectors<'_> {
+    /// The bytes of the chain of sectors that begins with `start`: `length` of them, or all.
+    fn chain(&self, name: &str, start: u32, length: Option<u64>) -> Result<Vec<u8>, ReadError> {
+        let b = self.bytes;
+        let fault = |what: String| Err(b.field(name.to_owned(), what));
+        let most = b.data.len() as u64;
+        if let Some(length) = length.filter(|&length| length > most) {
+            return fault(format!("{length} bytes are more than the file has"));
+        }
+        let wanted = length.unwrap_or(most) as usize;
+        let (mut at, mut chain) = (start, Vec::new()); // grows with what is there
+        while chain.len() < wanted && (at < END || length.is_some()) {
+            if at >= END {
+                return fault("its sectors end early".into());
+            }
+            let place = (at as usize).saturating_mul(self.size).saturating_add(self.first);
+            chain.extend_from_slice(b.slice(place, self.size.min(wanted - chain.len()))?);
+            at = self.next.get(at as usize).copied().unwrap_or(END);
+        }
+        if length.is_none() && at < END {
+            return fault("its sectors never end".into());
+        }
+        Ok(chain)
+    }
+}
+
 /// A compound document.
 pub(crate) struct Document<'a> {
-    file: Bytes<'a>,
-    sector: usize,
-    small: usize,
-    /// Sectors of the table of all sectors.
-    table: Vec<u32>,
+    sectors: Sectors<'a>,
     entries: Vec<StreamEntry>,
 }
 
@@ -61,11 +91,25 @@ impl<'a> Document<'a> {
         if !matches!(sector, 9 | 12) || small != 6 {
             return Err(file.fault(30, format!("sectors of 2^{sector} and 2^{small} bytes")));
         }
-        let (sector, small) = (1 << sector, 1 << small);
-        let mut found = Self { file, sector, small, table: Vec::new(), entries: Vec::new() };
-        found.read_table()?;
-        found.read_directory()?;
-        Ok(found)
+        let size = 1 << sector;
+        let next = table(file, size)?;
+        let sectors = Sectors { bytes: file, first: size, size, next };
+        let mut entries = Vec::new();
+        for raw in sectors.chain("directory", file.u32(48)?, None)?.chunks_exact(ENTRY) {
+            let entry = file.with(raw);
+            let kind = entry.u8(66)?;
+            if !matches!(kind, 2 | 5) {
+                continue;
+            }
+            let bytes = usize::from(entry.u16(64)?).clamp(2, 64) - 2;
+            let mut length = entry.u64(120)?;
+            if size == 512 {
+                length &= 0xffff_ffff;
+            }
+            let (name, start) = (utf16(&raw[..bytes], u16::from_le_bytes), entry.u32(116)?);
+            entries.push(StreamEntry { name, kind, start, length });
+        }
+        Ok(Self { sectors, entries })
     }
 
     /// Names of all streams.
@@ -75,136 +119,44 @@ impl<'a> Document<'a> {
 
     /// The bytes of a stream.
     pub(crate) fn stream(&self, name: &str) -> Result<Vec<u8>, ReadError> {
+        let file = self.sectors.bytes;
         let entry = self.entries.iter().find(|entry| entry.kind == 2 && entry.name == name);
-        let entry = entry.ok_or_else(|| self.file.field(name.to_owned(), "is missing"))?;
-        if entry.length >= u64::from(self.file.u32(56)?) {
-            return self.read(entry);
+        let entry = entry.ok_or_else(|| file.field(name.to_owned(), "is missing"))?;
+        let (start, length) = (entry.start, Some(entry.length));
+        if entry.length >= u64::from(file.u32(56)?) {
+            return self.sectors.chain(name, start, length);
         }
         let root = self.entries.iter().find(|entry| entry.kind == 5);
-        let root = root.ok_or_else(|| self.file.field("root entry", "is missing"))?;
-        let pool = self.read(root)?;
-        let pool = self.file.with(&pool);
-        let table = self.small_table(entry)?;
-        let piece = |at: u32, length| pool.slice((at as usize).saturating_mul(self.small), length);
-        let next = |at: u32| table.get(at as usize).copied().ok_or_else(|| self.broken(entry));
-        collect(entry, self.small, piece, next)
-    }
-
-    /// The next small sector of every one.
-    fn small_table(&self, entry: &StreamEntry) -> Result<Vec<u32>, ReadError> {
-        let mut table = Vec::new();
-        let mut at = self.file.u32(60)?;
-        for _ in 0..self.count() {
-            if at >= END {
-                return Ok(table);
-            }
-            table.extend(numbers(self.sector(at, self.sector)?));
-            at = self.next(at)?;
-        }
-        Err(self.broken(entry))
-    }
-
-    /// A stream in sectors.
-    fn read(&self, entry: &StreamEntry) -> Result<Vec<u8>, ReadError> {
-        if entry.length > self.file.data.len() as u64 {
-            let what = format!("{} bytes are more than the file has", entry.length);
-            return Err(self.file.field(entry.name.clone(), what));
-        }
-        let next = |at| {
-            let next = self.next(at)?;
-            if next < END { Ok(next) } else { Err(self.broken(entry)) }
-        };
-        collect(entry, self.sector, |at, length| self.sector(at, length), next)
-    }
-
-    fn broken(&self, entry: &StreamEntry) -> ReadError {
-        self.file.field(entry.name.clone(), "its sectors end early, or never")
-    }
-
-    /// Sectors that the file has room for.
-    fn count(&self) -> usize {
-        self.file.data.len() / self.sector
-    }
-
-    /// The first bytes of a sector.
-    fn sector(&self, number: u32, length: usize) -> Result<&'a [u8], ReadError> {
-        self.file.slice((number as usize).saturating_add(1).saturating_mul(self.sector), length)
-    }
-
-    /// The sector after this one.
-    fn next(&self, number: u32) -> Result<u32, ReadError> {
-        let per_sector = self.sector / 4;
-        let held = self.table.get(number as usize / per_sector).ok_or_else(|| {
-            self.file.field("sector table", format!("does not reach to sector {number}"))
-        })?;
-        let raw = self.sector(*held, self.sector)?;
-        self.file.with(raw).u32(4 * (number as usize % per_sector))
-    }
-
-    fn read_table(&mut self) -> Result<(), ReadError> {
-        let sectors: Vec<u32> = numbers(self.file.slice(76, 4 * 109)?).collect();
-        let mut at = self.file.u32(68)?;
-        self.table.extend(sectors.into_iter().take_while(|&number| number < END));
-        // Each sector of the further list ends with the number of the next one.
-        for _ in 0..=self.count() {
-            if at >= END {
-                return Ok(());
-            }
-            let list = self.sector(at, self.sector)?;
-            let mut list: Vec<u32> = numbers(list).collect();
-            at = list.pop().unwrap_or(END);
-            self.table.extend(list.into_iter().take_while(|&number| number < END));
-            if self.table.len() > self.count() {
-                break;
-            }
-        }
-        Err(self.file.field("sector table", "has more sectors than the file"))
-    }
-
-    fn read_directory(&mut self) -> Result<(), ReadError> {
-        let mut at = self.file.u32(48)?;
-        for _ in 0..self.count() {
-            if at >= END {
-                return Ok(());
-            }
-            for raw in self.sector(at, self.sector)?.chunks_exact(ENTRY) {
-                let entry = self.file.with(raw);
-                let kind = entry.u8(66)?;
-                if !matches!(kind, 2 | 5) {
-                    continue;
-                }
-                let bytes = usize::from(entry.u16(64)?).clamp(2, 64) - 2;
-                let mut length = entry.u64(120)?;
-                if self.sector == 512 {
-                    length &= 0xffff_ffff;
-                }
-                let (name, start) = (utf16(&raw[..bytes], u16::from_le_bytes), entry.u32(116)?);
-                self.entries.push(StreamEntry { name, kind, start, length });
-            }
-            at = self.next(at)?;
-        }
-        Err(self.file.field("directory", "its sectors never end"))
+        let root = root.ok_or_else(|| file.field("root entry", "is missing"))?;
+        let pool = self.sectors.chain("root entry", root.start, Some(root.length))?;
+        let next = numbers(&self.sectors.chain("table of small sectors", file.u32(60)?, None)?);
+        Sectors { bytes: file.with(&pool), first: 0, size: 64, next }.chain(name, start, length)
     }
 }
 
-/// The bytes of a stream, from pieces of `size` bytes, of which each has a next one.
-fn collect<'a>(
-    entry: &StreamEntry,
-    size: usize,
-    piece: impl Fn(u32, usize) -> Result<&'a [u8], ReadError>,
-    next: impl Fn(u32) -> Result<u32, ReadError>,
-) -> Result<Vec<u8>, ReadError> {
-    let (mut at, length) = (entry.start, entry.length as usize);
-    let mut stream = Vec::new(); // grows with what is there, whatever the directory claims
-    while stream.len() < length {
-        stream.extend_from_slice(piece(at, size.min(length - stream.len()))?);
-        if stream.len() < length {
-            at = next(at)?;
+/// The sector after each one. The first 109 sectors of this table are listed in the header, further ones in
+/// sectors of which each ends with the number of the next one.
+fn table(file: Bytes<'_>, size: usize) -> Result<Vec<u32>, ReadError> {
+    let sector = |number: u32| file.slice((number as usize + 1).saturating_mul(size), size);
+    let count = file.data.len() / size;
+    let (mut list, mut at) = (numbers(file.slice(76, 4 * 109)?), file.u32(68)?);
+    let mut next = Vec::new();
+    for _ in 0..=count {
+        for &number in list.iter().take_while(|&&number| number < END) {
+            next.extend(numbers(sector(number)?));
         }
+        if at >= END {
+            return Ok(next);
+        }
+        if next.len() > count.saturating_mul(size / 4) {
+            break;
+        }
+        list = numbers(sector(at)?);
+        at = list.pop().unwrap_or(END);
     }
-    Ok(stream)
+    Err(file.field("sector table", "has more sectors than the file"))
 }
 
-fn numbers(raw: &[u8]) -> impl Iterator<Item = u32> + '_ {
-    raw.chunks_exact(4).map(|b| u32::from_le_bytes([b[0], b[1], b[2], b[3]]))
+fn numbers(raw: &[u8]) -> Vec<u32> {
+    raw.chunks_exact(4).map(|b| u32::from_le_bytes([b[0], b[1], b[2], b[3]])).collect()
 }

@@ -60,12 +60,7 @@ mod tests {
         });
         let mut values = [4.0, -1.0, -2.0, 20.0, 21.0, -11.0];
         packing.unpack(&mut values);
-        assert!(
-            values
-                .iter()
-                .zip([102.0, f64::NAN, f64::NAN, 110.0, f64::NAN, f64::NAN])
-                .all(|(found, right)| found.to_bits() == right.to_bits()
-                    || found.is_nan() && right.is_nan())
-        );
+        let right = [102.0, f64::NAN, f64::NAN, 110.0, f64::NAN, f64::NAN];
+        assert_eq!(values.map(f64::to_bits), right.map(f64::to_bits));
     }
 }

@@ -1,11 +1,10 @@
 //! From bytes to a [`Measurement`].
 
-use crate::catalogue::recognise;
+use crate::catalogue::{FormatSpec, recognise};
 use crate::error::ReadError;
 use crate::limits::Limits;
 use crate::measurement::Measurement;
 use crate::options::ReadOptions;
-use std::borrow::Cow;
 use std::fs::File;
 use std::io::Read;
 use std::path::Path;
@@ -24,8 +23,7 @@ pub fn read(path: impl AsRef<Path>, options: &ReadOptions) -> Result<Measurement
 /// # Errors
 /// As [`read`].
 pub fn read_bytes(bytes: &[u8], options: &ReadOptions) -> Result<Measurement, ReadError> {
-    let bytes = unwrap_container(bytes, &options.limits)?;
-    recognise(&bytes)?.read(&bytes, options)
+    recognised(bytes, options, FormatSpec::read)
 }
 
 /// Reads all traces of a file that holds several of one surface: columns of heights beside one
@@ -49,8 +47,20 @@ pub fn read_traces_bytes(
     bytes: &[u8],
     options: &ReadOptions,
 ) -> Result<Vec<Measurement>, ReadError> {
-    let bytes = unwrap_container(bytes, &options.limits)?;
-    recognise(&bytes)?.read_traces(&bytes, options)
+    recognised(bytes, options, FormatSpec::read_traces)
+}
+
+/// Reads `bytes`, or the file packed in them, as the format that they are.
+fn recognised<T>(
+    bytes: &[u8],
+    options: &ReadOptions,
+    read: fn(&FormatSpec, &[u8], &ReadOptions) -> Result<T, ReadError>,
+) -> Result<T, ReadError> {
+    #[cfg(feature = "zip")]
+    let unpacked = crate::formats::archive::unwrap_single(bytes, &options.limits)?;
+    #[cfg(feature = "zip")]
+    let bytes = &*unpacked;
+    read(recognise(bytes)?, bytes, options)
 }
 
 fn load(path: &Path, limits: &Limits) -> Result<Vec<u8>, ReadError> {
@@ -77,15 +87,4 @@ fn load(path: &Path, limits: &Limits) -> Result<Vec<u8>, ReadError> {
         return Err(too_large(bytes.len() as u64));
     }
     Ok(bytes)
-}
-
-#[cfg(feature = "zip")]
-fn unwrap_container<'a>(bytes: &'a [u8], limits: &Limits) -> Result<Cow<'a, [u8]>, ReadError> {
-    crate::formats::archive::unwrap_single(bytes, limits)
-}
-
-#[cfg(not(feature = "zip"))]
-#[allow(clippy::unnecessary_wraps, reason = "the other build can fail")]
-fn unwrap_container<'a>(bytes: &'a [u8], _: &Limits) -> Result<Cow<'a, [u8]>, ReadError> {
-    Ok(Cow::Borrowed(bytes))
 }

@@ -6,24 +6,16 @@ use contact_types::Grid;
 /// Largest distance of neighbouring points that a straight line bridges, in mean distances.
 const LARGEST_GAP: f64 = 10.0;
 
-/// How the points of a profile were put at equal distances.
-#[derive(Debug, Clone, Copy, PartialEq)]
-pub struct Resampled {
-    /// Distance of the points before: shortest and longest (m).
-    pub steps: [f64; 2],
-    /// Distance of the points now (m): the length over the number of intervals.
-    pub spacing: f64,
-}
-
 impl Measurement {
     /// Puts the points of a profile at equal distances: as many points over the same length, on the
     /// straight lines between neighbouring points. That adds no height that was not between two measured
     /// ones, and takes away slope and curvature of waves shorter than a few of the longest steps. A
-    /// line that ends in a missing point is missing. What is evenly spaced stays as it is.
+    /// line that ends in a missing point is missing. What is evenly spaced stays as it is; of anything else the shortest
+    /// and the longest distance of the points before (m) are returned as well.
     ///
     /// # Errors
     /// [`FillError::Gap`] for neighbours more than ten mean distances apart.
-    pub fn evenly_spaced(mut self) -> Result<(Self, Option<Resampled>), FillError> {
+    pub fn evenly_spaced(mut self) -> Result<(Self, Option<[f64; 2]>), FillError> {
         let positions = self.positions.take().filter(|x| x.len() == self.heights.len());
         let Some(x) = positions else { return Ok((self, None)) };
         let n = x.len();
@@ -55,10 +47,9 @@ impl Measurement {
             });
         }
         self.grid = Grid::new(self.grid.shape(), [spacing; 2]).map_err(FillError::Surface)?;
-        self.missing = heights.iter().filter(|h| h.is_nan()).count();
         self.heights = heights;
         self.uneven = None;
-        Ok((self, Some(Resampled { steps, spacing })))
+        Ok((self, Some(steps)))
     }
 }
 
@@ -78,9 +69,9 @@ mod tests {
         let profile = read("x [um];z [nm]\n5.00;0\n6.00;1\n9.00;7\n10.00;9\n11.00;11\n");
         assert!(profile.uneven.is_some());
         assert_eq!(profile.positions.as_ref().unwrap().len(), 5);
-        let (even, how) = profile.evenly_spaced().unwrap();
-        let how = how.unwrap();
-        assert!((how.spacing - 1.5e-6).abs() < 1e-18 && (how.steps[1] - 3e-6).abs() < 1e-18);
+        let (even, steps) = profile.evenly_spaced().unwrap();
+        let (spacing, longest) = (even.grid().pixel()[1], steps.unwrap()[1]);
+        assert!((spacing - 1.5e-6).abs() < 1e-18 && (longest - 3e-6).abs() < 1e-18);
         let map = even.fill(Fill::Refuse).unwrap();
         // 5, 6.5, 8, 9.5, 11 µm.
         for (z, nm) in map.heights().iter().zip([0.0, 2.0, 5.0, 8.0, 11.0]) {
@@ -97,8 +88,8 @@ mod tests {
         assert_eq!(up.heights(), down.heights());
         assert!((up.heights()[1] - 13e-9 / 3.0).abs() < 1e-20, "{up:?}");
         let even = read("x [um];z [nm]\n0;1\n1;5\n2;2\n3;7\n");
-        let (same, how) = even.clone().evenly_spaced().unwrap();
-        assert!(how.is_none() && same == even);
+        let (same, steps) = even.clone().evenly_spaced().unwrap();
+        assert!(steps.is_none() && same == even);
     }
 
     #[test]

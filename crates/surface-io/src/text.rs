@@ -1,16 +1,17 @@
 //! Text files: encodings, line ends, separators, decimal marks, and the one table of numbers in
 //! them.
 
-use crate::cells::{Cell, Digits, Marks, Separator, cell};
+use crate::cells::{BLANK, Cell, Digits, Marks, cell, cells};
 pub(crate) use crate::encoding::{decode, is_text, latin1, lines};
+use crate::error::TEXT;
 use crate::units::metres_per;
-use crate::{Format, ReadError, ReadOptions};
+use crate::{ReadError, ReadOptions};
 
 /// The numbers of a text file and the lines before them.
 #[derive(Debug)]
 pub(crate) struct NumberTable<'a> {
     pub(crate) header: Vec<(usize, &'a str)>,
-    pub(crate) separator: Separator,
+    pub(crate) separator: char,
     pub(crate) columns: usize,
     /// Row-major, NaN where a cell is missing.
     pub(crate) values: Vec<f64>,
@@ -27,13 +28,11 @@ pub(crate) struct NumberTable<'a> {
 /// Lines with their numbers.
 pub(crate) type NumberedLines<'a> = Vec<(usize, &'a str)>;
 
-const FORMAT: Format = Format::Text;
-
 impl<'a> NumberTable<'a> {
     pub(crate) fn empty(header: NumberedLines<'a>) -> Self {
         Self {
             header,
-            separator: Separator::Blank,
+            separator: BLANK,
             columns: 0,
             values: Vec::new(),
             digits: [Digits::NONE; 4],
@@ -62,10 +61,10 @@ impl<'a> NumberTable<'a> {
     ) -> Result<Vec<Self>, ReadError> {
         let (mut tables, marks) = scan(text, options, begins)?;
         if options.decimal.is_none() {
-            let is_in_pairs =
-                |t: &Self| t.separator == Separator::Comma && t.columns.is_multiple_of(2);
+            let is_in_pairs = |t: &Self| t.separator == ',' && t.columns.is_multiple_of(2);
             if marks.are_torn() && tables.iter().all(is_in_pairs) {
-                return Err(FORMAT.field(
+                return Err(ReadError::at(
+                    TEXT,
                     "numbers",
                     "decimal commas stand between cells that are parted by commas, as in 0,034,1,855: save it with \
                      semicolons between the cells, or with decimal points",
@@ -92,7 +91,7 @@ impl<'a> NumberTable<'a> {
         let mut whole = None;
         for &(number, line) in self.header.iter().filter(|(_, line)| !is_comment(line, options)) {
             let line = options.joined(line);
-            let cells: Vec<&str> = separator.cells(&line).collect();
+            let cells: Vec<&str> = cells(separator, &line).collect();
             let read = |text| cell(text, separator, options);
             let numbers: Vec<f64> = cells
                 .iter()
@@ -138,7 +137,7 @@ impl<'a> NumberTable<'a> {
         }
         whole.map_or(Ok(()), |(number, numbers)| {
             let what = format!("a row of {numbers} numbers stands before lines that are no rows");
-            Err(FORMAT.line(number, what))
+            Err(ReadError::at(TEXT, format!("line {number}"), what))
         })
     }
 
@@ -150,7 +149,7 @@ impl<'a> NumberTable<'a> {
         };
         let obstacles = self.header.iter().filter_map(|&(number, line)| {
             let separator = separators(line)[0];
-            let cells: Vec<&str> = separator.cells(line).collect();
+            let cells: Vec<&str> = cells(separator, line).collect();
             let alike = cells.iter().filter(starts_a_number).count();
             let bad =
                 cells.iter().position(|text| cell(text, separator, options) == Cell::Other)?;
@@ -176,7 +175,7 @@ impl<'a> NumberTable<'a> {
     ) -> Result<(), ReadError> {
         let line = options.joined(line);
         let (before, is_first) = (self.values.len(), self.values.is_empty());
-        for (column, text) in self.separator.cells(&line).enumerate() {
+        for (column, text) in cells(self.separator, &line).enumerate() {
             let cell = cell(text, self.separator, options);
             if let Cell::Number(_) | Cell::Length(..) = cell {
                 if options.decimal.is_none() {
@@ -198,7 +197,7 @@ impl<'a> NumberTable<'a> {
                         let column = column + 1;
                         let what =
                             format!("cell {column}: {text:?}, the cells above are in {known}");
-                        return Err(FORMAT.line(number, what));
+                        return Err(ReadError::at(TEXT, format!("line {number}"), what));
                     }
                     value
                 }
@@ -210,14 +209,18 @@ impl<'a> NumberTable<'a> {
         if found == expected {
             return Ok(());
         }
-        Err(FORMAT.line(number, format!("{found} values, the rows before have {expected}")))
+        Err(ReadError::at(
+            TEXT,
+            format!("line {number}"),
+            format!("{found} values, the rows before have {expected}"),
+        ))
     }
 
     /// A separator at the end of every row is no column, nor are empty columns behind a list of
     /// coordinates; a border of missing points is.
     fn drop_trailing_separator(&mut self) {
         let columns = self.columns;
-        if self.separator == Separator::Blank || columns < 2 {
+        if self.separator == BLANK || columns < 2 {
             return;
         }
         let is_empty = |column: usize| self.values.chunks(columns).all(|row| row[column].is_nan());
@@ -235,7 +238,7 @@ impl<'a> NumberTable<'a> {
 
 fn not_a_number(line: usize, column: usize, text: &str) -> ReadError {
     let text = text.trim_matches('"').chars().take(40).collect();
-    ReadError::NotANumber { format: FORMAT, line, cell: column + 1, text }
+    ReadError::NotANumber { format: TEXT, line, cell: column + 1, text }
 }
 
 /// True if the numbers only rise or only fall.
@@ -256,7 +259,7 @@ fn scan<'a>(
     let (mut tables, mut marks) = (Vec::new(), Marks::default());
     let mut table = NumberTable::empty(Vec::new());
     // The line before, if it may be the first row: the next one decides.
-    let mut held: Option<(usize, &str, Separator, usize)> = None;
+    let mut held: Option<(usize, &str)> = None;
     let mut started = false;
     let mut counts: NumberedLines<'_> = Vec::new();
     // Lines between rows: comments, or the header of the next table. And why the first of them is no row.
@@ -271,7 +274,7 @@ fn scan<'a>(
             match (started, is_blank) {
                 (true, false) => between.push((number, line)),
                 (false, false) => {
-                    table.header.extend(held.take().map(|(n, l, _, _)| (n, l)));
+                    table.header.extend(held.take());
                     table.header.push((number, line));
                 }
                 (_, true) => {}
@@ -324,31 +327,29 @@ fn scan<'a>(
             continue;
         }
         let shape = row_shape(line, options);
-        match (held.take(), shape) {
-            (Some((n, first, separator, columns)), Some((s, c)))
-                if s == separator && c == columns =>
-            {
-                (table.separator, table.columns, started) = (separator, columns, true);
-                counts = vec![(n, first), (number, line)];
-                table.push((n, first), options, &mut marks)?;
+        let before = held.take();
+        match (before, shape) {
+            (Some(first), Some(shape)) if row_shape(first.1, options) == Some(shape) => {
+                ((table.separator, table.columns), started) = (shape, true);
+                counts = vec![first, (number, line)];
+                table.push(first, options, &mut marks)?;
                 table.push((number, line), options, &mut marks)?;
             }
-            (previous, Some((separator, columns))) => {
-                table.header.extend(previous.map(|(n, l, _, _)| (n, l)));
-                held = Some((number, line, separator, columns));
-            }
-            (previous, None) => {
-                table.header.extend(previous.map(|(n, l, _, _)| (n, l)));
-                table.header.push((number, line));
+            (_, shape) => {
+                table.header.extend(before);
+                match shape {
+                    Some(_) => held = Some((number, line)),
+                    None => table.header.push((number, line)),
+                }
             }
         }
     }
     if let Some(error) = trouble {
         return Err(error);
     }
-    if let Some((n, line, separator, columns)) = held {
-        (table.separator, table.columns) = (separator, columns);
-        table.push((n, line), options, &mut marks)?;
+    if let Some(only) = held {
+        (table.separator, table.columns) = row_shape(only.1, options).unwrap_or((BLANK, 0));
+        table.push(only, options, &mut marks)?;
     }
     if tables.is_empty() || table.rows() > 0 {
         tables.push(table);
@@ -366,29 +367,29 @@ fn is_comment(line: &str, options: &ReadOptions) -> bool {
 }
 
 /// The separators that a line can have, the likeliest first.
-fn separators(line: &str) -> &'static [Separator] {
+fn separators(line: &str) -> &'static [char] {
     if line.contains(';') {
-        &[Separator::Semicolon]
+        &[';']
     } else if line.contains('\t') {
-        &[Separator::Tab, Separator::Blank]
+        &['\t', BLANK]
     } else if line.contains(',') {
-        &[Separator::Comma, Separator::Blank]
+        &[',', BLANK]
     } else {
-        &[Separator::Blank]
+        &[BLANK]
     }
 }
 
 /// Separator and number of cells of a line that is a row of numbers or missing cells.
-fn row_shape(line: &str, options: &ReadOptions) -> Option<(Separator, usize)> {
+fn row_shape(line: &str, options: &ReadOptions) -> Option<(char, usize)> {
     separators(line).iter().copied().find_map(|separator| {
-        let line = if separator == Separator::Blank { options.joined(line) } else { line.into() };
-        let mut cells = 0;
-        for text in separator.cells(&line) {
-            cells += 1;
+        let line = if separator == BLANK { options.joined(line) } else { line.into() };
+        let mut count = 0;
+        for text in cells(separator, &line) {
+            count += 1;
             if cell(text, separator, options) == Cell::Other {
                 return None;
             }
         }
-        (cells > 0).then_some((separator, cells))
+        (count > 0).then_some((separator, count))
     })
 }

@@ -17,7 +17,6 @@
 
 use crate::binary::{ByteOrder, Bytes, Sample};
 use crate::error::ReadError;
-use crate::format::Format;
 use crate::limits::Limits;
 use crate::unpack::{lzw, packbits, zlib};
 use std::borrow::Cow;
@@ -33,7 +32,7 @@ pub(crate) fn is_tiff(bytes: &[u8]) -> bool {
 /// The first directory, if these bytes are a TIFF file.
 pub(crate) fn first_page(bytes: &[u8]) -> Option<Page<'_>> {
     let few = Limits { items: 1 << 12, ..Limits::default() };
-    let pages = is_tiff(bytes).then(|| pages(Bytes::little(bytes, Format::Tiff, few), 1));
+    let pages = is_tiff(bytes).then(|| pages(Bytes::little(bytes, "TIFF", few), 1));
     pages?.ok()?.pop()
 }
 
@@ -72,14 +71,24 @@ pub(crate) fn pages(mut b: Bytes<'_>, most: usize) -> Result<Vec<Page<'_>>, Read
     Ok(pages)
 }
 
+/// How a type stores numbers, unless it stores texts or fractions.
+fn sample(kind: u16) -> Option<Sample> {
+    Some(match kind {
+        1 | 7 => Sample::U8,
+        3 => Sample::U16,
+        4 | 13 => Sample::U32,
+        6 => Sample::I8,
+        8 => Sample::I16,
+        9 => Sample::I32,
+        11 => Sample::F32,
+        12 => Sample::F64,
+        _ => return None,
+    })
+}
+
 /// Bytes of one value of a type.
 fn size(kind: u16) -> usize {
-    match kind {
-        3 | 8 => 2,
-        4 | 9 | 11 | 13 => 4,
-        5 | 10 | 12 => 8,
-        _ => 1,
-    }
+    sample(kind).map_or(if matches!(kind, 5 | 10) { 8 } else { 1 }, Sample::size)
 }
 
 impl<'a> Page<'a> {
@@ -115,20 +124,10 @@ impl<'a> Page<'a> {
     /// All numbers of an entry.
     pub(crate) fn numbers(&self, tag: u16) -> Result<Vec<f64>, ReadError> {
         let entry = self.entry(tag)?;
-        let sample = match entry.kind {
-            1 | 7 => Sample::U8,
-            3 => Sample::U16,
-            4 | 13 => Sample::U32,
-            6 => Sample::I8,
-            8 => Sample::I16,
-            9 => Sample::I32,
-            11 => Sample::F32,
-            12 => Sample::F64,
-            kind => {
-                let what = format!("is of type {kind}, no plain number");
-                return Err(self.bytes.field(format!("tag {tag}"), what));
-            }
-        };
+        let sample = sample(entry.kind).ok_or_else(|| {
+            let what = format!("is of type {}, no plain number", entry.kind);
+            self.bytes.field(format!("tag {tag}"), what)
+        })?;
         self.bytes.samples(entry.at, entry.count, sample)
     }
 

@@ -79,16 +79,19 @@ pub(crate) fn lzw(packed: &[u8], most: usize) -> Option<Vec<u8>> {
     Some(unpacked)
 }
 
+/// At most `most` bytes of what a reader gives; `what` is packed so.
+#[cfg(feature = "zip")]
+pub(crate) fn read(what: &str, from: impl std::io::Read, most: u64) -> Result<Vec<u8>, String> {
+    use std::io::Read as _;
+    let mut unpacked = Vec::new();
+    from.take(most).read_to_end(&mut unpacked).map_err(|e| format!("{what}{e}"))?;
+    Ok(unpacked)
+}
+
 /// A zlib stream, at most `most` bytes of it.
 #[cfg(feature = "zip")]
 pub(crate) fn zlib(packed: &[u8], most: usize) -> Result<Vec<u8>, String> {
-    use std::io::Read;
-    let mut unpacked = Vec::new();
-    flate2::read::ZlibDecoder::new(packed)
-        .take(most as u64)
-        .read_to_end(&mut unpacked)
-        .map_err(|e| format!("deflate: {e}"))?;
-    Ok(unpacked)
+    read("deflate: ", flate2::read::ZlibDecoder::new(packed), most as u64)
 }
 
 #[cfg(not(feature = "zip"))]
@@ -98,15 +101,9 @@ pub(crate) fn zlib(_: &[u8], _: usize) -> Result<Vec<u8>, String> {
 
 /// Zstandard frames, at most `most` bytes of what they hold.
 #[cfg(feature = "zip")]
-pub(crate) fn zstd(packed: &[u8], most: usize) -> Result<Vec<u8>, String> {
-    use std::io::Read;
-    let mut unpacked = Vec::new();
-    ruzstd::decoding::StreamingDecoder::new(packed)
-        .map_err(|e| format!("zstd: {e}"))?
-        .take(most as u64)
-        .read_to_end(&mut unpacked)
-        .map_err(|e| format!("zstd: {e}"))?;
-    Ok(unpacked)
+pub(crate) fn zstd(packed: &[u8], most: u64) -> Result<Vec<u8>, String> {
+    let frames = ruzstd::decoding::StreamingDecoder::new(packed);
+    read("zstd: ", frames.map_err(|e| format!("zstd: {e}"))?, most)
 }
 
 #[cfg(test)]
@@ -132,60 +129,44 @@ mod tests {
     /// The example of TIFF 6.0, section 13: 7 7 7 8 8 7 7 6 6.
     #[test]
     fn lzw_of_the_specification() {
-        let codes: [u32; 9] = [256, 7, 258, 8, 8, 258, 6, 6, 257];
-        let mut bits = Vec::new();
-        for code in codes {
-            bits.extend((0..9).rev().map(|i| code >> i & 1));
-        }
-        let packed: Vec<u8> = bits
-            .chunks(8)
-            .map(|c| c.iter().enumerate().fold(0, |b, (i, &v)| b | (v as u8) << (7 - i)))
-            .collect();
+        let codes: [usize; 9] = [256, 7, 258, 8, 8, 258, 6, 6, 257];
+        let bits: Vec<usize> =
+            codes.iter().flat_map(|code| (0..9).rev().map(move |i| code >> i & 1)).collect();
+        let packed = bytes(&bits);
         assert_eq!(lzw(&packed, 100).unwrap(), [7, 7, 7, 8, 8, 7, 7, 6, 6]);
         assert_eq!(lzw(&packed, 4).unwrap(), [7, 7, 7, 8]);
     }
 
-    /// Long data, through all widths and a full table: what a plain encoder writes comes back.
+    /// Codes as they come, through all widths and a full table, beside the strings that the definition gives.
     #[test]
     fn lzw_through_all_widths() {
-        let data: Vec<u8> = (0..60_000u32).map(|i| (i * i / 7 % 251) as u8).collect();
-        let (mut bits, mut width) = (Vec::<bool>::new(), 9);
-        let mut put =
-            |code: usize, width: usize| bits.extend((0..width).rev().map(|i| code >> i & 1 == 1));
-        let mut table = std::collections::HashMap::new();
-        put(256, 9);
-        let mut held: Vec<u8> = Vec::new();
-        let code_of = |s: &[u8], t: &std::collections::HashMap<Vec<u8>, usize>| {
-            if s.len() == 1 { usize::from(s[0]) } else { t[s] }
-        };
-        for &byte in &data {
-            let mut longer = held.clone();
-            longer.push(byte);
-            if longer.len() == 1 || table.contains_key(&longer) {
-                held = longer;
-                continue;
-            }
-            put(code_of(&held, &table), width);
-            table.insert(longer, 258 + table.len());
-            width = match table.len() + 258 {
-                0..512 => 9,
-                512..1024 => 10,
-                1024..2048 => 11,
-                _ => 12,
+        let (mut bits, mut data) = (Vec::new(), Vec::<u8>::new());
+        let (mut table, mut previous) = (Vec::<Vec<u8>>::new(), Vec::new());
+        for i in 0..9_000usize {
+            let width = [511, 1023, 2047].iter().filter(|last| table.len() + 258 >= **last).count();
+            // A string of the table now and then, the newest ones too, else a byte.
+            let known = i * i / 7 % (table.len() + 1);
+            let (code, string) = match table.get(known).filter(|string| string.len() < 99) {
+                _ if i % 3_700 == 0 => (256, Vec::new()),
+                Some(string) if i % 3 == 0 => (258 + known, string.clone()),
+                _ => (i * 31 % 251, vec![(i * 31 % 251) as u8]),
             };
-            if table.len() + 258 == 4095 {
-                put(256, 12);
+            bits.extend((0..9 + width).rev().map(|bit| code >> bit & 1));
+            if code == 256 {
                 table.clear();
-                width = 9;
+            } else if !previous.is_empty() {
+                table.push([&previous[..], &string[..1]].concat());
             }
-            held = vec![byte];
+            data.extend(&string);
+            previous = string;
         }
-        put(code_of(&held, &table), width);
-        put(257, width);
-        let packed: Vec<u8> = bits
-            .chunks(8)
-            .map(|c| c.iter().enumerate().fold(0, |b, (i, &v)| b | u8::from(v) << (7 - i)))
-            .collect();
-        assert_eq!(lzw(&packed, data.len()).unwrap(), data);
+        assert_eq!(lzw(&bytes(&bits), data.len()).unwrap(), data);
+    }
+
+    /// Bits, the highest of a byte first.
+    fn bytes(bits: &[usize]) -> Vec<u8> {
+        let byte =
+            |bits: &[usize]| bits.iter().enumerate().map(|(i, bit)| bit << (7 - i)).sum::<usize>();
+        bits.chunks(8).map(|bits| byte(bits) as u8).collect()
     }
 }

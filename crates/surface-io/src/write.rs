@@ -15,12 +15,10 @@ pub fn npy(out: &mut impl Write, [ny, nx]: [usize; 2], values: &[f64]) -> io::Re
     if ny.checked_mul(nx) != Some(values.len()) {
         return Err(invalid(format!("{} values for {ny} x {nx} points", values.len())));
     }
-    let mut header = format!("{{'descr': '<f8', 'fortran_order': False, 'shape': ({ny}, {nx}), }}");
+    let header = format!("{{'descr': '<f8', 'fortran_order': False, 'shape': ({ny}, {nx}), }}");
     // The data start at a multiple of 64 bytes.
-    while !(10 + header.len() + 1).is_multiple_of(64) {
-        header.push(' ');
-    }
-    header.push('\n');
+    let width = (10 + header.len() + 1).next_multiple_of(64) - 10 - 1;
+    let header = format!("{header:width$}\n");
     let length = u16::try_from(header.len()).map_err(io::Error::other)?;
     out.write_all(b"\x93NUMPY\x01\x00")?;
     out.write_all(&length.to_le_bytes())?;

@@ -6,15 +6,11 @@ use crate::binary::Bytes;
 use crate::error::ReadError;
 use quick_xml::Reader;
 use quick_xml::escape::resolve_predefined_entity;
-use quick_xml::events::{BytesStart, Event};
-use std::borrow::Cow;
+use quick_xml::events::Event;
 use std::collections::BTreeMap;
 
 /// Elements nested deeper than this are refused.
 const DEEPEST: usize = 32;
-
-/// What the refusal of a file without an element says.
-pub(crate) const ABSENT: &str = "the element is missing or empty";
 
 /// An element at its end.
 pub(crate) struct Element<'e> {
@@ -27,6 +23,11 @@ pub(crate) struct Element<'e> {
 }
 
 impl Element<'_> {
+    /// Name of this element.
+    pub(crate) fn name(&self) -> &str {
+        self.path.last().map_or("", String::as_str)
+    }
+
     /// Value of an attribute.
     pub(crate) fn attribute(&self, name: &str) -> Option<&str> {
         self.attributes.iter().find(|(key, _)| key == name).map(|(_, value)| value.as_str())
@@ -41,6 +42,7 @@ pub(crate) fn walk(
 ) -> Result<(), ReadError> {
     let text = crate::text::decode(xml.data);
     let mut reader = Reader::from_str(&text);
+    reader.config_mut().expand_empty_elements = true;
     let (mut path, mut value) = (Vec::<String>::new(), String::new());
     let mut attributes = Vec::<Vec<(String, String)>>::new();
     loop {
@@ -52,7 +54,11 @@ pub(crate) fn walk(
                     return Err(broken(format!(": elements nested deeper than {DEEPEST}")));
                 }
                 path.push(tag.local_name().as_ref().to_owned());
-                attributes.push(read_attributes(&tag));
+                let own = tag.attributes().filter_map(Result::ok);
+                attributes.push(
+                    own.map(|a| (a.key.local_name().as_ref().to_owned(), a.value.into_owned()))
+                        .collect(),
+                );
                 value.clear();
             }
             Event::End(_) => {
@@ -61,18 +67,17 @@ pub(crate) fn walk(
                 path.pop();
                 value.clear();
             }
-            Event::Empty(tag) => {
-                path.push(tag.local_name().as_ref().to_owned());
-                let own = read_attributes(&tag);
-                visit(&Element { path: &path, attributes: &own, text: "" })?;
-                path.pop();
-            }
             Event::Text(text) => value += text.as_ref(),
             Event::CData(text) => value += text.as_ref(),
             Event::GeneralRef(reference) => {
-                let reference: &str = reference.as_ref();
-                value += &entity(reference)
-                    .ok_or_else(|| broken(format!(": entity &{reference}; is not expanded")))?;
+                // The five entities of XML itself and character references; no others exist here.
+                let known = resolve_predefined_entity(&reference).map(str::to_owned);
+                let known = match known {
+                    None => reference.resolve_char_ref().ok().flatten().map(String::from),
+                    known => known,
+                };
+                let unknown = || broken(format!(": entity &{}; is not expanded", &*reference));
+                value += &known.ok_or_else(unknown)?;
             }
             Event::DocType(declaration) if !declaration.as_ref().contains('[') => {}
             Event::DocType(_) => {
@@ -80,7 +85,7 @@ pub(crate) fn walk(
             }
             Event::Eof if path.is_empty() => return Ok(()),
             Event::Eof => return Err(broken(" ends inside an element".into())),
-            Event::Decl(_) | Event::PI(_) | Event::Comment(_) => {}
+            Event::Decl(_) | Event::PI(_) | Event::Comment(_) | Event::Empty(_) => {}
         }
     }
 }
@@ -98,22 +103,4 @@ pub(crate) fn fields(xml: Bytes<'_>, name: &str) -> Result<BTreeMap<String, Stri
         Ok(())
     })?;
     Ok(fields)
-}
-
-fn read_attributes(tag: &BytesStart<'_>) -> Vec<(String, String)> {
-    let attributes = tag.attributes().filter_map(Result::ok);
-    attributes.map(|a| (a.key.local_name().as_ref().to_owned(), Cow::into_owned(a.value))).collect()
-}
-
-/// The five entities of XML itself and character references; no others exist here.
-fn entity(name: &str) -> Option<String> {
-    if let Some(text) = resolve_predefined_entity(name) {
-        return Some(text.to_owned());
-    }
-    let number = name.strip_prefix('#')?;
-    let code = match number.strip_prefix('x') {
-        Some(hex) => u32::from_str_radix(hex, 16),
-        None => number.parse(),
-    };
-    code.ok().and_then(char::from_u32).map(String::from)
 }

@@ -51,8 +51,8 @@ fn read(request: &Request, file: &[u8], measured: Measurement) -> Result<Value, 
     };
     let channels: Vec<Value> = measured.channels.iter().map(channel).collect();
     let parts = parts(&measured, request.reading.part()?);
-    let about = format!("{} · {} · {}", request.name, measured.format.name(), bytes(file.len()));
-    let ambiguity = measured.ambiguity.map(|a| a.to_string());
+    let about = format!("{} · {} · {}", request.name, measured.format, bytes(file.len()));
+    let ambiguity = measured.ambiguity.map(|a| a.what);
     let [ly, lx] = measured.grid().size();
     let spikes = defects::spikes(&measured)?;
     let mut pictures = before(&measured, &spikes.indices)?;
@@ -194,11 +194,8 @@ fn ask(request: &Request, file: &[u8]) -> Result<Value, Trouble> {
     }
     let [ny, nx] = raw.grid().shape();
     let (low, high, _) = raw.height_summary().unwrap_or_default();
-    let about = format!(
-        "{} · {} · {ny} × {nx} numbers, {low:e} to {high:e}",
-        request.name,
-        raw.format.name()
-    );
+    let about =
+        format!("{} · {} · {ny} × {nx} numbers, {low:e} to {high:e}", request.name, raw.format);
     let asked = |need: &Need| match need {
         Need::PixelSize => ("pixel", "pixel size"),
         Need::LateralUnit => ("lateral_unit", "unit of x and y"),

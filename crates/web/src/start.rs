@@ -27,10 +27,8 @@ pub(crate) fn answer(place: Host) -> Result<Value, Trouble> {
             "points": format!("{ny} × {nx} points"),
         }));
     }
-    let formats: Vec<Value> = FORMATS
-        .iter()
-        .map(|f| json!({ "name": f.format.name(), "endings": f.extensions }))
-        .collect();
+    let formats: Vec<Value> =
+        FORMATS.iter().map(|f| json!({ "name": f.name, "endings": f.extensions })).collect();
     Ok(json!({
         "version": env!("CARGO_PKG_VERSION"), "examples": examples, "formats": formats,
         "materials": table(), "place": place.json(),

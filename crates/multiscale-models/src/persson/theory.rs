@@ -153,7 +153,8 @@ impl Persson {
             integral += gamma * share * (LIGHT.ln() - load.ln());
         }
         let length = self.slope / scales.smallest_wavenumber();
-        require::representable(MODEL, "mean gap", (length * FRAC_2_SQRT_PI * integral).value())
+        let gap = (length * FRAC_2_SQRT_PI * integral).value();
+        require::answer(MODEL, gap, "mean pressure", pressure)
     }
 }
 

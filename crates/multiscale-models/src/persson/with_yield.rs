@@ -70,7 +70,7 @@ impl PerssonWithYield {
         require::not_negative(MODEL, "rms gradient", rms_gradient)?;
         require::positive(MODEL, "hardness", hardness)?;
         let deviation = 0.5 * rms_gradient * modulus.pascals();
-        require::representable(MODEL, "E* times the rms gradient", deviation)?;
+        require::answer(MODEL, deviation, "E* times the rms gradient", deviation)?;
         Ok(Self { deviation, hardness })
     }
 }

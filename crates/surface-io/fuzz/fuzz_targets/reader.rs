@@ -1,4 +1,4 @@
-//! The reader of the format that the variable FORMAT names, or all, each where it recognises its own. Whatever the bytes, a
+//! The reader of the format whose first extension is in the variable FORMAT, or all, each where it recognises its own. Whatever the bytes, a
 //! reader returns a measurement that keeps its promises or a typed error, within small limits.
 #![no_main]
 
@@ -11,8 +11,7 @@ fn format() -> Option<&'static FormatSpec> {
     static FORMAT: OnceLock<Option<&'static FormatSpec>> = OnceLock::new();
     *FORMAT.get_or_init(|| {
         let named = std::env::var("FORMAT").ok()?;
-        let found =
-            FORMATS.iter().find(|spec| format!("{:?}", spec.format).eq_ignore_ascii_case(&named));
+        let found = FORMATS.iter().find(|spec| spec.extensions[0] == named);
         assert!(found.is_some(), "no format is called {named}");
         found
     })

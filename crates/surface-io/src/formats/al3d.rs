@@ -40,7 +40,7 @@ pub(crate) fn parse(b: Bytes<'_>) -> Result<Contents<'_>, ReadError> {
     b.check_items(count as u64)?;
     let metadata: BTreeMap<String, String> =
         (2..2 + count).map(tag).collect::<Result<_, ReadError>>()?;
-    let tags = Entries::new(b, &metadata, "the tag is missing");
+    let tags = Entries::new(b, &metadata);
     let whole = |key: &'static str| {
         let value = tags.number(key)?;
         if (0.0..1e15).contains(&value) && value.fract() == 0.0 {

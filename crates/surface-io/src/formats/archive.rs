@@ -2,13 +2,19 @@
 //!
 //! Nothing is unpacked beyond [`Limits::unpacked_bytes`], whatever the archive claims.
 
-use crate::binary::Bytes;
-use crate::{Format, Limits, ReadError};
+use crate::binary::{Bytes, find};
+use crate::error::ZIP;
+use crate::{Limits, ReadError};
 use std::borrow::Cow;
 use std::io::{Cursor, Read};
 use zip::ZipArchive;
 
-pub(crate) const MAGIC: &[u8] = b"PK\x03\x04";
+const MAGIC: &[u8] = b"PK\x03\x04";
+
+/// True for an archive with a name like this, which stands uncompressed in it, also in a damaged one.
+pub(crate) fn holds(bytes: &[u8], name: &[u8]) -> bool {
+    bytes.starts_with(MAGIC) && find(bytes, name).is_some()
+}
 
 /// An archive in memory.
 pub(crate) struct Archive<'a> {
@@ -38,7 +44,7 @@ impl<'a> Archive<'a> {
     pub(crate) fn unpack(&mut self, name: &str) -> Result<Vec<u8>, ReadError> {
         let Bytes { data, format, limits, .. } = self.b;
         let member = self.zip.by_name(name);
-        let member = member.map_err(|e| format.field("archive", e.to_string()))?;
+        let member = member.map_err(|e| ReadError::at(format, "archive", e.to_string()))?;
         limits.check_unpacked(format, self.total.saturating_add(member.size()))?;
         // The size in the directory is a claim: read no more than the limit, and reserve no more
         // than deflate can make of the packed bytes (1032 : 1).
@@ -47,7 +53,7 @@ impl<'a> Archive<'a> {
         member
             .take((limits.unpacked_bytes - self.total).saturating_add(1))
             .read_to_end(&mut unpacked)
-            .map_err(|e| format.field(name.to_owned(), e.to_string()))?;
+            .map_err(|e| ReadError::at(format, name.to_owned(), e.to_string()))?;
         self.total += unpacked.len() as u64;
         limits.check_unpacked(format, self.total)?;
         Ok(unpacked)
@@ -63,10 +69,14 @@ pub(crate) fn unwrap_single<'a>(
     if bytes.starts_with(b"\x1f\x8b") {
         return gunzip(bytes, limits).map(Cow::Owned);
     }
+    if super::vk::is_packed(bytes) {
+        let packed = Bytes::little(bytes, "Keyence VK", *limits);
+        return Archive::open(packed)?.unpack("Vk4File").map(Cow::Owned);
+    }
     if !bytes.starts_with(MAGIC) {
         return Ok(Cow::Borrowed(bytes));
     }
-    let Ok(mut archive) = Archive::open(Bytes::little(bytes, Format::Zip, *limits)) else {
+    let Ok(mut archive) = Archive::open(Bytes::little(bytes, ZIP, *limits)) else {
         return Ok(Cow::Borrowed(bytes)); // the reader of the inner format names the fault
     };
     let is_ours = |name: &String| {
@@ -91,18 +101,16 @@ pub(crate) fn unwrap_single<'a>(
                 shown.join(", "),
                 if names.len() > 4 { ", ..." } else { "" }
             );
-            Err(Format::Zip.unsupported(feature))
+            Err(ReadError::unsupported(ZIP, feature))
         }
     }
 }
 
 fn gunzip(bytes: &[u8], limits: &Limits) -> Result<Vec<u8>, ReadError> {
-    let mut unpacked = Vec::new();
-    flate2::read::MultiGzDecoder::new(bytes)
-        .take(limits.unpacked_bytes.saturating_add(1))
-        .read_to_end(&mut unpacked)
-        .map_err(|e| Format::Zip.field("gzip data", e.to_string()))?;
-    limits.check_unpacked(Format::Zip, unpacked.len() as u64)?;
+    let gzip = flate2::read::MultiGzDecoder::new(bytes);
+    let unpacked = crate::unpack::read("", gzip, limits.unpacked_bytes.saturating_add(1))
+        .map_err(|what| ReadError::at(ZIP, "gzip data", what))?;
+    limits.check_unpacked(ZIP, unpacked.len() as u64)?;
     Ok(unpacked)
 }
 

@@ -21,7 +21,6 @@ use crate::encoding::{latin1, utf16};
 use crate::text;
 
 const START: &str = "fileformat = bcr";
-const ABSENT: &str = "is missing in the header";
 
 fn is_wide(bytes: &[u8]) -> bool {
     let bytes = bytes.strip_prefix(b"\xff\xfe").unwrap_or(bytes);
@@ -43,7 +42,7 @@ pub(crate) fn parse(mut b: Bytes<'_>) -> Result<Contents<'_>, ReadError> {
     let is_size = |(key, _): &(String, String)| key == "headersize";
     let size = text::lines(&first).find_map(|(_, line)| entry(line).filter(is_size));
     let size = size.into_iter().collect();
-    let start = Entries::new(b, &size, ABSENT)
+    let start = Entries::new(b, &size)
         .parsed::<usize>("headersize", "whole number")?
         .checked_mul(width)
         .filter(|&start| start <= b.data.len())
@@ -53,7 +52,7 @@ pub(crate) fn parse(mut b: Bytes<'_>) -> Result<Contents<'_>, ReadError> {
         b.check_items(metadata.len() as u64)?;
         metadata.extend(entry(line));
     }
-    let entries = Entries::new(b, &metadata, ABSENT);
+    let entries = Entries::new(b, &metadata);
 
     let is_float = entries.get("fileformat").is_some_and(|f| f.to_lowercase().starts_with("bcrf"));
     if entries.get("intelmode") == Some("0") {

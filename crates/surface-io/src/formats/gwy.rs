@@ -23,17 +23,17 @@ enum Component<'a> {
     Number(f64),
     Text(String),
     /// Name and items.
-    Object(String, BTreeMap<String, Component<'a>>),
+    Object(String, Items<'a>),
     /// Numbers of type f64.
     Doubles(Bytes<'a>),
     Other,
 }
 
+type Items<'a> = BTreeMap<String, Component<'a>>;
+
 pub(crate) fn parse(b: Bytes<'_>) -> Result<Contents<'_>, ReadError> {
-    let mut reader = ObjectReader { b, at: 4, end: b.data.len(), count: 0 };
-    let Component::Object(name, items) = reader.object(0)? else {
-        return Err(b.fault(4, "there is no container"));
-    };
+    let mut reader = ObjectReader { file: Cursor { b, at: 4 }, count: 0 };
+    let (name, items) = reader.object(0)?;
     if name != "GwyContainer" {
         return Err(b.fault(4, format!("the object is {name:?}, not \"GwyContainer\"")));
     }
@@ -63,7 +63,7 @@ pub(crate) fn parse(b: Bytes<'_>) -> Result<Contents<'_>, ReadError> {
             let marked = marks().iter().filter(|mark| **mark > 0.0).count();
             let note = format!("{marked} points, read as missing");
             contents.metadata.insert(format!("mask of channel {number}"), note);
-            if mask.data.len() == 8 * channel.shape[0] * channel.shape[1] {
+            if mask.data.len() == 8 * channel.info.shape[0] * channel.info.shape[1] {
                 channel = channel.masked(move || Ok(marks()));
             }
         }
@@ -79,11 +79,7 @@ pub(crate) fn parse(b: Bytes<'_>) -> Result<Contents<'_>, ReadError> {
     Ok(contents)
 }
 
-fn channel<'a>(
-    b: Bytes<'a>,
-    title: String,
-    field: &BTreeMap<String, Component<'a>>,
-) -> Result<Channel<'a>, ReadError> {
+fn channel<'a>(b: Bytes<'a>, title: String, field: &Items<'a>) -> Result<Channel<'a>, ReadError> {
     let number = |key: &'static str| match field.get(key) {
         Some(Component::Number(value)) => Ok(*value),
         _ => Err(b.field(key, "is missing in a data field")),
@@ -114,91 +110,75 @@ fn channel<'a>(
     Ok(Channel::new(title, Some(&unit("si_unit_z")), [ny, nx], pixel, decode))
 }
 
-/// Walks through the items, never outside the object they are in.
+/// Walks through the items of an object, which end with its bytes.
 struct ObjectReader<'a> {
-    b: Bytes<'a>,
-    at: usize,
-    end: usize,
+    file: Cursor<'a>,
     count: u64,
 }
 
 impl<'a> ObjectReader<'a> {
-    /// The next `length` bytes of the object.
-    fn take(&mut self, length: usize) -> Result<&'a [u8], ReadError> {
-        if length > self.end.saturating_sub(self.at) {
-            return Err(self.b.fault(self.at, "a value reaches beyond the end of its object"));
-        }
-        let raw = self.b.slice(self.at, length)?;
-        self.at += length;
-        Ok(raw)
-    }
-
     fn text(&mut self) -> Result<String, ReadError> {
-        let rest = self.b.slice(self.at, self.end.saturating_sub(self.at))?;
-        let length = rest
-            .iter()
-            .position(|&byte| byte == 0)
-            .ok_or_else(|| self.b.fault(self.at, "a text has no end"))?;
-        Ok(text(&self.take(length + 1)?[..length]))
+        let Cursor { b, at } = self.file;
+        let end = b.from(at)?.data.iter().position(|&byte| byte == 0);
+        let length = end.ok_or_else(|| b.fault(at, "a text has no end"))?;
+        Ok(text(self.file.take(length + 1)?))
     }
 
-    fn number(&mut self, sample: Sample) -> Result<f64, ReadError> {
-        let raw = self.take(sample.size())?;
-        Ok(sample.decode(raw, self.b.order)[0])
-    }
-
-    fn length(&mut self) -> Result<usize, ReadError> {
-        self.number(Sample::U32).map(|length| length as usize)
-    }
-
-    fn object(&mut self, depth: usize) -> Result<Component<'a>, ReadError> {
-        if depth > 16 {
-            return Err(self.b.fault(self.at, "objects nested deeper than 16"));
-        }
+    /// Name and items of the object.
+    fn object(&mut self, depth: usize) -> Result<(String, Items<'a>), ReadError> {
         let name = self.text()?;
-        let length = self.length()?;
-        let outer = self.end;
-        if length > outer.saturating_sub(self.at) {
-            let what = format!("object {name:?} reaches beyond its parent");
-            return Err(self.b.fault(self.at, what));
+        let length = self.file.word()?;
+        let Cursor { b, at } = self.file;
+        if depth > 16 {
+            return Err(b.fault(at, "objects nested deeper than 16"));
         }
-        self.end = self.at + length;
+        if self.file.take(length).is_err() {
+            return Err(b.fault(at, format!("object {name:?} reaches beyond its parent")));
+        }
+        let own = Cursor { b: b.with(&b.data[..at + length]), at };
+        let mut reader = ObjectReader { file: own, count: self.count };
         let mut items = BTreeMap::new();
-        while self.at < self.end {
-            self.count += 1;
-            self.b.check_items(self.count)?;
-            let key = self.text()?;
-            let value = self.value(depth)?;
-            items.insert(key, value);
+        while reader.file.at < at + length {
+            reader.step()?;
+            let key = reader.text()?;
+            items.insert(key, reader.value(depth)?);
         }
-        self.end = outer;
-        Ok(Component::Object(name, items))
+        self.count = reader.count;
+        Ok((name, items))
+    }
+
+    /// Counts the items, of all objects together.
+    fn step(&mut self) -> Result<(), ReadError> {
+        self.count += 1;
+        self.file.b.check_items(self.count)
     }
 
     fn value(&mut self, depth: usize) -> Result<Component<'a>, ReadError> {
-        let at = self.at;
-        let kind = self.take(1)?[0];
+        let Cursor { b, at } = self.file;
+        let kind = self.file.take(1)?[0];
         Ok(match kind {
-            b'b' | b'c' => Component::Number(self.number(Sample::U8)?),
-            b'i' => Component::Number(self.number(Sample::I32)?),
-            b'q' => Component::Number(self.number(Sample::I64)?),
-            b'd' => Component::Number(self.number(Sample::F64)?),
+            b'b' | b'c' => Component::Number(self.file.number(Sample::U8)?),
+            b'i' => Component::Number(self.file.number(Sample::I32)?),
+            b'q' => Component::Number(self.file.number(Sample::I64)?),
+            b'd' => Component::Number(self.file.number(Sample::F64)?),
             b's' => Component::Text(self.text()?),
-            b'o' => self.object(depth + 1)?,
+            b'o' => {
+                let (name, items) = self.object(depth + 1)?;
+                Component::Object(name, items)
+            }
             b'C' | b'I' | b'Q' | b'D' => {
                 let size = match kind {
                     b'C' => 1,
                     b'I' => 4,
                     _ => 8,
                 };
-                let length = self.length()?.saturating_mul(size);
-                let data = self.take(length)?;
-                if kind == b'D' { Component::Doubles(self.b.with(data)) } else { Component::Other }
+                let length = self.file.word()?.saturating_mul(size);
+                let data = self.file.take(length)?;
+                if kind == b'D' { Component::Doubles(b.with(data)) } else { Component::Other }
             }
             b'S' | b'O' => {
-                for _ in 0..self.length()? {
-                    self.count += 1;
-                    self.b.check_items(self.count)?;
+                for _ in 0..self.file.word()? {
+                    self.step()?;
                     if kind == b'S' {
                         self.text()?;
                     } else {
@@ -209,7 +189,7 @@ impl<'a> ObjectReader<'a> {
             }
             other => {
                 let what = format!("an item of unknown type {:?}", char::from(other));
-                return Err(self.b.fault(at, what));
+                return Err(b.fault(at, what));
             }
         })
     }

@@ -19,7 +19,6 @@
 use super::npy::transpose;
 use super::prelude::*;
 use super::scattered::Line;
-use crate::binary::find;
 use crate::cells::Digits;
 use crate::hdf5::{self, AttributeValue, Dataset};
 use crate::packed::Packing;
@@ -27,17 +26,6 @@ use crate::packed::Packing;
 /// Attributes that are understood, and have a number or a unit.
 const USED: [&str; 8] =
     ["unit", "units", "Unit", "Units", "pixel", "pixel_unit", "scale_factor", "add_offset"];
-
-pub(crate) fn sniff(bytes: &[u8]) -> bool {
-    [0, 512, 1024, 2048]
-        .iter()
-        .any(|&at| bytes.get(at..).is_some_and(|rest| rest.starts_with(hdf5::MAGIC)))
-}
-
-/// DATX is HDF5 whose data sets say how to convert their axes.
-pub(crate) fn is_datx(bytes: &[u8]) -> bool {
-    sniff(bytes) && find(bytes, b"X Converter").is_some()
-}
 
 pub(crate) fn parse(b: Bytes<'_>) -> Result<Contents<'_>, ReadError> {
     let file = hdf5::File::open(b)?;
@@ -98,7 +86,7 @@ fn channel<'a>(b: Bytes<'_>, path: String, dataset: Dataset<'a>) -> Result<Chann
     Ok(Channel::new(path, unit.as_deref(), shape, pixel, move || {
         let values = values(&dataset)?;
         if values.len() != shape[0] * shape[1] {
-            return Err(format.field("data", "of another size"));
+            return Err(ReadError::at(format, "data", "of another size"));
         }
         Ok(if is_by_columns { transpose(&values, stored) } else { values })
     }))

@@ -35,16 +35,11 @@ pub(crate) fn parse(b: Bytes<'_>) -> Result<Contents<'_>, ReadError> {
         Some(exif) if exif.has(DEVICE) => document(b, &exif, DEVICE)?,
         _ => BTreeMap::new(),
     };
-    let number = |fields: &BTreeMap<String, String>, key: String| {
-        let Some(text) = fields.get(&key) else { return Ok(None) };
-        let value = text.parse::<f64>();
-        value.map(Some).map_err(|_| b.field(key, format!("{text:?} is no number")))
-    };
+    let (fields, device) = (Entries::new(b, &fields), Entries::new(b, &device));
     let scale = |axis: &str| {
-        let key = format!("HeightInfo/HeightDataPerPixel{axis}");
-        let picometres = number(&fields, key.clone())?.ok_or_else(|| b.field(key, "is missing"))?;
+        let picometres = fields.number(&format!("HeightInfo/HeightDataPerPixel{axis}"))?;
         let key = format!("ImageCommonSettingsInfo/MakerCalibrationValue{axis}");
-        Ok::<_, ReadError>(1e-12 * picometres * number(&device, key)?.unwrap_or(1.0))
+        Ok::<_, ReadError>(1e-12 * picometres * device.number_or(&key, 1.0)?)
     };
     let pixel = Pixel::Metres([scale("Y")?, scale("X")?]);
     let step = scale("Z")?;

@@ -46,7 +46,7 @@ pub(crate) fn parse(b: Bytes<'_>) -> Result<Contents<'_>, ReadError> {
             }
         }
     }
-    let entries = Entries::new(b, &contents.metadata, "is missing");
+    let entries = Entries::new(b, &contents.metadata);
     if let Some(kind) = entries.get("fileType").filter(|kind| *kind != "Image") {
         return Err(b.unsupported(format!("a file of type {kind}")));
     }

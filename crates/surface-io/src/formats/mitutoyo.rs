@@ -14,17 +14,12 @@
 //! Sources: SurfaceTopography (open); ISO/IEC 29500 for the container; three made workbooks of that
 //! project, none from an instrument.
 
-use super::archive::{Archive, MAGIC};
+use super::archive::Archive;
 use super::prelude::*;
 use super::scattered::Line;
-use crate::binary::find;
 use crate::cells::Digits;
 use crate::units::quantity;
 use crate::xml;
-
-pub(crate) fn sniff(bytes: &[u8]) -> bool {
-    bytes.starts_with(MAGIC) && find(bytes, b"xl/workbook.xml").is_some()
-}
 
 pub(crate) fn parse(b: Bytes<'_>) -> Result<Contents<'_>, ReadError> {
     let mut book = Book::open(b)?;
@@ -92,9 +87,9 @@ impl<'a> Book<'a> {
             let strings = archive.unpack("xl/sharedStrings.xml")?;
             // A text can be in pieces of different looks: <si><r><t>..</t></r>..</si>.
             xml::walk(b.with(&strings), "sharedStrings.xml", |element| {
-                match element.path.last().map(String::as_str) {
-                    Some("t") => texts.last_mut().expect("there is one").push_str(element.text),
-                    Some("si") => {
+                match element.name() {
+                    "t" => texts.last_mut().expect("there is one").push_str(element.text),
+                    "si" => {
                         b.check_points([texts.len(), 1])?;
                         texts.push(String::new());
                     }
@@ -117,7 +112,7 @@ impl<'a> Book<'a> {
         let mut sheets = BTreeMap::new();
         let workbook = archive.unpack("xl/workbook.xml")?;
         xml::walk(b.with(&workbook), "workbook.xml", |element| {
-            if element.path.last().is_some_and(|name| name == "sheet")
+            if element.name() == "sheet"
                 && let (Some(name), Some(id)) = (element.attribute("name"), element.attribute("id"))
                 && let Some(member) = targets.get(id)
             {
@@ -147,9 +142,9 @@ impl<'a> Book<'a> {
         let mut value = String::new();
         let texts = &self.texts;
         xml::walk(b.with(&sheet), name, |element| {
-            match element.path.last().map(String::as_str) {
-                Some("v" | "t") => element.text.clone_into(&mut value),
-                Some("c") => {
+            match element.name() {
+                "v" | "t" => element.text.clone_into(&mut value),
+                "c" => {
                     let text = std::mem::take(&mut value);
                     let Some(place) = element.attribute("r") else { return Ok(()) };
                     let digit = place.find(|c: char| c.is_ascii_digit()).unwrap_or(place.len());

@@ -44,7 +44,8 @@ pub(crate) fn parse(b: Bytes<'_>) -> Result<Contents<'_>, ReadError> {
 /// Whatever is not as expected: the program that wrote the file knows better.
 fn with_way_out(error: ReadError) -> ReadError {
     match error {
-        ReadError::Malformed { format, place, what } => format.malformed(
+        ReadError::Malformed { format, place, what } => ReadError::at(
+            format,
             place,
             format!("{what}; save the surface as SUR in the program that wrote it"),
         ),
@@ -53,7 +54,10 @@ fn with_way_out(error: ReadError) -> ReadError {
 }
 
 fn unsupported(feature: &str) -> ReadError {
-    Format::Mnt.unsupported(format!("{feature} (save the surface as SUR in Mountains)"))
+    ReadError::unsupported(
+        "Digital Surf MNT",
+        format!("{feature} (save the surface as SUR in Mountains)"),
+    )
 }
 
 fn contents(file: Bytes<'_>) -> Result<Contents<'_>, ReadError> {
@@ -234,7 +238,7 @@ impl StoredSurface {
         let z = part.record(2)?;
         let range = [z.u32(1)?.cast_signed(), z.u32(2)?.cast_signed()];
         let numbers = part.record(1)?.object_of(9049, "heights")?;
-        let numbers = Blob::new(numbers.record(2)?, ny * nx, 4)?;
+        let numbers = Blob::new(numbers.record(2)?, ny * nx, Sample::I32)?;
         let mask = base.record(3)?;
         let mask = if mask.object()?.0 == 0 {
             None
@@ -244,7 +248,7 @@ impl StoredSurface {
                 return Err(unsupported("a mask of another size than its map"));
             }
             let blob = mask.record(5)?.object_of(9048, "a mask")?;
-            Some(Blob::new(blob.record(2)?, (ny + 2) * (nx + 2), 1)?)
+            Some(Blob::new(blob.record(2)?, (ny + 2) * (nx + 2), Sample::U8)?)
         };
         let z = StoredAxis::new(z.record(BASE)?)?;
         Ok(Self { shape: [ny, nx], pixel: [dy, dx], z, range, numbers, mask })
@@ -253,17 +257,15 @@ impl StoredSurface {
     /// In the unit shown.
     fn heights(&self, stream: Bytes<'_>) -> Result<Vec<f64>, ReadError> {
         let [_, nx] = self.shape;
-        let mut numbers = self
-            .numbers
-            .unpack(stream, |b| f64::from(i32::from_le_bytes([b[0], b[1], b[2], b[3]])))?;
+        let mut numbers = self.numbers.unpack(stream)?;
         if let Some(mask) = &self.mask {
-            let mask = mask.unpack(stream, |b| b[0])?;
+            let mask = mask.unpack(stream)?;
             let marks = mask.chunks(nx + 2).skip(1).flat_map(|row| &row[1..=nx]);
             for (number, &mark) in numbers.iter_mut().zip(marks) {
-                match mark {
+                match mark as u8 {
                     9 => {}
                     22 => *number = f64::NAN,
-                    _ => return Err(unsupported(&format!("a mask with the mark {mark}"))),
+                    mark => return Err(unsupported(&format!("a mask with the mark {mark}"))),
                 }
             }
         }
@@ -287,17 +289,17 @@ impl StoredSurface {
 /// Numbers in packed blocks; each is here as first point, points, and where it is in the stream.
 struct Blob {
     points: usize,
-    width: usize,
+    sample: Sample,
     blocks: Vec<[usize; 4]>,
 }
 
 impl Blob {
-    fn new(part: Part<'_>, points: usize, width: usize) -> Result<Self, ReadError> {
+    fn new(part: Part<'_>, points: usize, sample: Sample) -> Result<Self, ReadError> {
         let b = part.bytes;
         let fault = |what: String| b.field(STREAM, format!("{what} at byte {}", part.at));
         let total = b.u64(0)?;
         b.limits.check_unpacked(b.format, total)?;
-        if total != (points as u64).saturating_mul(width as u64) {
+        if total != (points as u64).saturating_mul(sample.size() as u64) {
             return Err(fault(format!("{total} bytes for {points} points")));
         }
         let (mut at, mut blocks) = (8, Vec::new());
@@ -320,25 +322,21 @@ impl Blob {
         if next != points {
             return Err(fault(format!("blocks of {next} points for {points}")));
         }
-        Ok(Self { points, width, blocks })
+        Ok(Self { points, sample, blocks })
     }
 
-    /// All points, each made of its bytes.
-    fn unpack<T>(
-        &self,
-        stream: Bytes<'_>,
-        number: impl Fn(&[u8]) -> T,
-    ) -> Result<Vec<T>, ReadError> {
+    /// All points.
+    fn unpack(&self, stream: Bytes<'_>) -> Result<Vec<f64>, ReadError> {
         let mut values = Vec::with_capacity(self.points);
         for &[_, count, at, packed] in &self.blocks {
-            let length = count * self.width;
+            let length = count * self.sample.size();
             let block = crate::unpack::zlib(stream.slice(at, packed)?, length + 1)
                 .map_err(|what| stream.field(STREAM, format!("block at byte {at}: {what}")))?;
             if block.len() != length {
                 let what = format!("block at byte {at}: it does not hold {length} bytes");
                 return Err(stream.field(STREAM, what));
             }
-            values.extend(block.chunks_exact(self.width).map(&number));
+            values.extend(self.sample.decode(&block, stream.order));
         }
         Ok(values)
     }

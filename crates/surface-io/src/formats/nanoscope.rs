@@ -111,7 +111,7 @@ fn channel<'a>(
     section: &HeaderSection,
     common: &HeaderSection,
 ) -> Result<Channel<'a>, ReadError> {
-    let entries = Entries::new(b, section, "is missing in an image list");
+    let entries = Entries::new(b, section);
     let whole = |key: &'static str| {
         let text = entries.text(key)?;
         whole(text).ok_or_else(|| b.field(key, format!("{text:?} is no whole number")))

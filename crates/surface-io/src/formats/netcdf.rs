@@ -81,7 +81,7 @@ impl Variable {
 
 pub(crate) fn parse(b: Bytes<'_>) -> Result<Contents<'_>, ReadError> {
     let b = Bytes { order: ByteOrder::Big, ..b };
-    let mut header = HeaderCursor { b, at: 4, version: b.u8(3)? };
+    let mut header = HeaderCursor { file: Cursor { b, at: 4 }, version: b.u8(3)? };
     header.count()?; // number of records
     let mut dimensions = Vec::new();
     for _ in 0..header.list(10)? {
@@ -95,12 +95,12 @@ pub(crate) fn parse(b: Bytes<'_>) -> Result<Contents<'_>, ReadError> {
         b.check_items(rank as u64)?;
         let of = (0..rank).map(|_| header.count()).collect::<Result<Vec<_>, _>>()?;
         if let Some(bad) = of.iter().find(|&&d| d >= dimensions.len()) {
-            return Err(b.fault(header.at, format!("dimension {bad} of {}", dimensions.len())));
+            return Err(b.fault(header.file.at, format!("dimension {bad} of {}", dimensions.len())));
         }
         let attributes = header.attributes()?;
-        let sample = sample(header.word()?);
+        let sample = sample(header.file.word()?);
         header.count()?; // size of the variable, which follows from its shape
-        let at = header.offset()?;
+        let at = header.size(header.version > 1)?;
         variables.push(Variable { name, dimensions: of, attributes, sample, at });
     }
 
@@ -206,7 +206,7 @@ fn spacing(
     Ok(Some((line.step, scale)))
 }
 
-fn sample(code: u32) -> Option<Sample> {
+fn sample(code: usize) -> Option<Sample> {
     Some(match code {
         1 => Sample::I8,
         3 => Sample::I16,
@@ -224,74 +224,67 @@ fn sample(code: u32) -> Option<Sample> {
 
 /// Walks through the header.
 struct HeaderCursor<'a> {
-    b: Bytes<'a>,
-    at: usize,
+    file: Cursor<'a>,
     version: u8,
 }
 
-impl HeaderCursor<'_> {
-    fn word(&mut self) -> Result<u32, ReadError> {
-        let word = self.b.u32(self.at)?;
-        self.at += 4;
-        Ok(word)
-    }
-
-    fn long(&mut self) -> Result<usize, ReadError> {
-        let long = self.b.u64(self.at)?;
-        self.at += 8;
-        usize::try_from(long).map_err(|_| self.b.fault(self.at - 8, format!("a size of {long}")))
+impl<'a> HeaderCursor<'a> {
+    fn size(&mut self, is_long: bool) -> Result<usize, ReadError> {
+        if !is_long {
+            return self.file.word();
+        }
+        let Cursor { b, at } = self.file;
+        self.file.at += 8;
+        let size = b.u64(at)?;
+        usize::try_from(size).map_err(|_| b.fault(at, format!("a size of {size}")))
     }
 
     fn count(&mut self) -> Result<usize, ReadError> {
-        if self.version == 5 { self.long() } else { Ok(self.word()? as usize) }
-    }
-
-    fn offset(&mut self) -> Result<usize, ReadError> {
-        if self.version == 1 { Ok(self.word()? as usize) } else { self.long() }
+        self.size(self.version == 5)
     }
 
     /// Number of elements of a list with this tag.
-    fn list(&mut self, tag: u32) -> Result<usize, ReadError> {
-        let at = self.at;
-        let found = self.word()?;
+    fn list(&mut self, tag: usize) -> Result<usize, ReadError> {
+        let Cursor { b, at } = self.file;
+        let found = self.file.word()?;
         let count = self.count()?;
         if found != tag && (found != 0 || count != 0) {
-            return Err(self.b.fault(at, format!("list tag {found}, expected {tag}")));
+            return Err(b.fault(at, format!("list tag {found}, expected {tag}")));
         }
-        self.b.check_items(count as u64)?;
+        b.check_items(count as u64)?;
         Ok(count)
     }
 
     /// Bytes, padded to a multiple of 4.
-    fn padded(&mut self, length: usize) -> Result<Vec<u8>, ReadError> {
-        let raw = self.b.slice(self.at, length)?.to_vec();
-        self.at += length.next_multiple_of(4);
+    fn padded(&mut self, length: usize) -> Result<&'a [u8], ReadError> {
+        let raw = self.file.b.slice(self.file.at, length)?;
+        self.file.at += length.next_multiple_of(4);
         Ok(raw)
     }
 
     fn name(&mut self) -> Result<String, ReadError> {
         let length = self.count()?;
-        Ok(text(&self.padded(length)?))
+        Ok(text(self.padded(length)?))
     }
 
     fn attributes(&mut self) -> Result<Attributes, ReadError> {
         let mut attributes = Attributes::new();
         for _ in 0..self.list(12)? {
             let name = self.name()?;
-            let at = self.at;
-            let code = self.word()?;
+            let Cursor { b, at } = self.file;
+            let code = self.file.word()?;
             let count = self.count()?;
             let attribute = if let Some(sample) = sample(code) {
                 let length = count.checked_mul(sample.size());
-                let length = length.ok_or_else(|| self.b.fault(at, "an endless attribute"))?;
-                let numbers = sample.decode(&self.padded(length)?, self.b.order);
+                let length = length.ok_or_else(|| b.fault(at, "an endless attribute"))?;
+                let numbers = sample.decode(self.padded(length)?, b.order);
                 let numbers: Vec<f64> = numbers.into_iter().take(8).collect();
                 let shown: Vec<String> = numbers.iter().map(f64::to_string).collect();
                 Attribute { text: shown.join(" "), numbers }
             } else if code == 2 {
-                Attribute { text: text(&self.padded(count)?), numbers: Vec::new() }
+                Attribute { text: text(self.padded(count)?), numbers: Vec::new() }
             } else {
-                return Err(self.b.fault(at, format!("an attribute of unknown type {code}")));
+                return Err(b.fault(at, format!("an attribute of unknown type {code}")));
             };
             attributes.insert(name, attribute);
         }

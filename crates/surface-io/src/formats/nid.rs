@@ -24,7 +24,7 @@ pub(crate) fn parse(b: Bytes<'_>) -> Result<Contents<'_>, ReadError> {
     let mut sections = sections(b, &text::decode(&b.data[..end]), "=")?;
     let mut contents = Contents::default();
     let directory = sections.get("DataSet").ok_or_else(|| b.field("[DataSet]", "is missing"))?;
-    let directory = Entries::new(b, directory, ABSENT);
+    let directory = Entries::new(b, directory);
     let count = |key: &str| {
         let count = directory.parsed(key, "whole number")?;
         b.check_items(count).map(|()| count)
@@ -34,7 +34,7 @@ pub(crate) fn parse(b: Bytes<'_>) -> Result<Contents<'_>, ReadError> {
         for channel in 0..count(&format!("Gr{group}-Count"))? {
             let section = directory.get(&format!("Gr{group}-Ch{channel}"));
             let Some(section) = section.and_then(|name| sections.get(name)) else { continue };
-            let section = Entries::new(b, section, ABSENT);
+            let section = Entries::new(b, section);
             let raster = raster(b, at, section)?;
             at = raster.end;
             b.check_items(contents.channels.len() as u64 + 1)?;
@@ -47,8 +47,6 @@ pub(crate) fn parse(b: Bytes<'_>) -> Result<Contents<'_>, ReadError> {
     Ok(contents)
 }
 
-const ABSENT: &str = "is missing";
-
 /// How the numbers of a channel are stored.
 fn raster<'a>(b: Bytes<'a>, at: usize, section: Entries<'_>) -> Result<Raster<'a>, ReadError> {
     let mode = section.text("SaveMode")?;
@@ -58,14 +56,9 @@ fn raster<'a>(b: Bytes<'a>, at: usize, section: Entries<'_>) -> Result<Raster<'a
     let is_little = section.text("SaveOrder")? == "Intel";
     let order = if is_little { ByteOrder::Little } else { ByteOrder::Big };
     let is_signed = section.text("SaveSign")? == "Signed";
-    let bits = section.text("SaveBits")?;
-    let sample = match bits {
-        "8" => Sample::whole(1, is_signed),
-        "16" => Sample::whole(2, is_signed),
-        "32" => Sample::whole(4, is_signed),
-        _ => None,
-    };
-    let sample = sample.ok_or_else(|| b.field("SaveBits", format!("{bits:?}, not 8, 16 or 32")))?;
+    let bits: usize = section.parsed("SaveBits", "whole number")?;
+    let sample = Sample::whole(bits / 8, is_signed).filter(|_| matches!(bits, 8 | 16 | 32));
+    let sample = sample.ok_or_else(|| b.field("SaveBits", format!("{bits}, not 8, 16 or 32")))?;
     let shape = [section.parsed("Lines", "size")?, section.parsed("Points", "size")?];
     Bytes { order, ..b }.raster(at, shape, sample)
 }

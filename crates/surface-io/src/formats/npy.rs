@@ -100,18 +100,7 @@ impl Array {
 
 /// Rows become columns; `shape` is `[ny, nx]` of the input.
 pub(crate) fn transpose(values: &[f64], [ny, nx]: [usize; 2]) -> Vec<f64> {
-    const BLOCK: usize = 32; // two blocks of this side fit the first-level cache
-    let mut turned = vec![0.0; values.len()];
-    for y0 in (0..ny).step_by(BLOCK) {
-        for x0 in (0..nx).step_by(BLOCK) {
-            for iy in y0..ny.min(y0 + BLOCK) {
-                for ix in x0..nx.min(x0 + BLOCK) {
-                    turned[ix * ny + iy] = values[iy * nx + ix];
-                }
-            }
-        }
-    }
-    turned
+    (0..values.len()).map(|i| values[i % ny * nx + i / ny]).collect()
 }
 
 /// `'<f8'` and its like.

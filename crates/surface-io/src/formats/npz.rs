@@ -4,13 +4,9 @@
 //!
 //! Source: <https://numpy.org/doc/stable/reference/generated/numpy.savez.html>.
 
-use super::archive::{Archive, MAGIC, is_npy};
+use super::archive::{Archive, is_npy};
 use super::npy::Array;
 use super::prelude::*;
-
-pub(crate) fn sniff(bytes: &[u8]) -> bool {
-    bytes.starts_with(MAGIC) && crate::binary::find(bytes, b".npy").is_some()
-}
 
 pub(crate) fn parse(b: Bytes<'_>) -> Result<Contents<'_>, ReadError> {
     let mut archive = Archive::open(b)?;

@@ -30,15 +30,14 @@
 //!
 //! Source: SurfaceTopography (an open reader). Not checked against a real file.
 
-use super::archive::{Archive, MAGIC as ZIP, is_oir};
+use super::archive::{Archive, is_oir};
 use super::prelude::*;
-use crate::binary::find;
 use crate::xml;
 use std::borrow::Cow;
 use std::ops::Range;
 use std::rc::Rc;
 
-const MAGIC: &[u8] = b"OLYMPUSRAWFORMAT";
+pub(crate) const MAGIC: &[u8] = b"OLYMPUSRAWFORMAT";
 const FIRST_CHUNK: usize = 96;
 
 /// What the blocks of a kind hold, in their order: `t` a text, `w` four bytes; a `*` in front: a count u32 of such entries.
@@ -46,15 +45,6 @@ const BLOCKS: [&str; 15] =
     ["", "t", "t", "t", "t", "*tt", "*tw", "*tw", "*tw", "*wtt", "*twtt", "*tt", "*tw", "*tw", "t"];
 const PROPERTIES: usize = 2;
 const PREFIX: usize = 6;
-
-pub(crate) fn sniff(bytes: &[u8]) -> bool {
-    bytes.starts_with(MAGIC) || is_packed(bytes)
-}
-
-/// True for an archive with OIR files in it.
-fn is_packed(bytes: &[u8]) -> bool {
-    bytes.starts_with(ZIP) && find(bytes, b".oir").is_some()
-}
 
 pub(crate) fn parse(b: Bytes<'_>) -> Result<Contents<'_>, ReadError> {
     let mut contents = Contents::default();
@@ -83,14 +73,13 @@ fn add<'a>(
 ) -> Result<(), ReadError> {
     let b = file.with(data);
     let parts = FileParts::of(b)?;
-    let xml = b.slice(parts.properties.start, parts.properties.len())?;
-    let (channels, fields) = properties(b.with(xml))?;
-    let image = Entries::new(b, &fields, xml::ABSENT);
+    let (channels, fields) = properties(b.with(parts.properties))?;
+    let image = Entries::new(b, &fields);
     let side = |key: &str| image.parsed::<usize>(key, "size");
     let shape = [side("imageInfo/height")?, side("imageInfo/width")?];
     b.check_points(shape)?;
     for (id, fields) in channels {
-        let own = Entries::new(b, &fields, xml::ABSENT);
+        let own = Entries::new(b, &fields);
         let kind = own.get("imageDefinition/imageType").unwrap_or("Picture");
         let name = format!("{member}{}{kind}", if member.is_empty() { "" } else { ": " });
         let channel = (|| {
@@ -148,15 +137,15 @@ fn scale(
 }
 
 /// Where things are in a file.
-struct FileParts {
-    properties: Range<usize>,
+struct FileParts<'f> {
+    properties: &'f [u8],
     prefix: String,
     /// By the names of the data.
     data: BTreeMap<String, Range<usize>>,
 }
 
-impl FileParts {
-    fn of(b: Bytes<'_>) -> Result<Self, ReadError> {
+impl<'f> FileParts<'f> {
+    fn of(b: Bytes<'f>) -> Result<Self, ReadError> {
         if b.slice(72, 8)?.starts_with(b"FLUOVIEW") {
             return Err(
                 b.unsupported("an image of a fluorescence microscope, which has no heights,")
@@ -171,21 +160,22 @@ impl FileParts {
             let start = at + 8;
             b.slice(start, size)?;
             at = start + size;
+            let chunk = |at| Cursor { b: b.with(&b.data[..start + size]), at };
             match kind {
                 0 => {
-                    for (kind, text) in blocks(b, start..at)? {
+                    for (kind, text) in blocks(chunk(start))? {
                         match kind {
                             PROPERTIES => properties = Some(text),
-                            PREFIX => prefix = Some(b.text(text.start, text.len())?),
+                            PREFIX => prefix = Some(crate::binary::text(text)),
                             _ => {}
                         }
                     }
                 }
                 3 => {
-                    let name = text(b, start + 8, at)?;
+                    let name = chunk(start + 8).text()?;
                     let length = b.u32(at)? as usize;
                     b.slice(at + 8, length)?;
-                    data.insert(b.text(name.start, name.len())?, at + 8..at + 8 + length);
+                    data.insert(name, at + 8..at + 8 + length);
                     at += 8 + length;
                 }
                 _ => {}
@@ -218,44 +208,32 @@ impl FileParts {
 }
 
 /// The first text of every block in a chunk, with the kind of the block.
-fn blocks(b: Bytes<'_>, chunk: Range<usize>) -> Result<Vec<(usize, Range<usize>)>, ReadError> {
+fn blocks(mut chunk: Cursor<'_>) -> Result<Vec<(usize, &[u8])>, ReadError> {
+    let b = chunk.b;
     let mut found = Vec::new();
-    let mut at = chunk.start;
-    while at < chunk.end {
-        let kind = b.u32(at)? as usize;
+    while chunk.at < b.data.len() {
+        let (at, kind) = (chunk.at, chunk.word()?);
         let Some(parts) = BLOCKS.get(kind).filter(|parts| !parts.is_empty()) else {
             return Err(b.fault(at, format!("a block of the unknown kind {kind}")));
         };
-        at += 36;
+        chunk.take(32)?;
         let (count, entry) = match parts.strip_prefix('*') {
-            Some(entry) => (b.u32(at)?, entry),
+            Some(entry) => (chunk.word()?, entry),
             None => (1, *parts),
         };
-        at += if parts.starts_with('*') { 4 } else { 0 };
-        b.check_items(u64::from(count))?;
+        b.check_items(count as u64)?;
         let mut first = None;
         for part in (0..count).flat_map(|_| entry.chars()) {
-            if part == 'w' {
-                at += 4;
-                continue;
+            let length = if part == 'w' { 4 } else { chunk.word()? };
+            let raw = chunk.take(length)?;
+            if part == 't' {
+                first.get_or_insert(raw);
             }
-            let text = text(b, at, chunk.end)?;
-            at = text.end;
-            first.get_or_insert(text);
         }
         found.extend(first.map(|text| (kind, text)));
         b.check_items(found.len() as u64)?;
     }
     Ok(found)
-}
-
-/// Where the bytes of a text are whose length stands at `at`.
-fn text(b: Bytes<'_>, at: usize, end: usize) -> Result<Range<usize>, ReadError> {
-    let (start, length) = (at + 4, b.u32(at)? as usize);
-    if start > end || length > end - start {
-        return Err(b.fault(at, format!("a text of {length} bytes does not fit here")));
-    }
-    Ok(start..start + length)
 }
 
 /// Fields by their paths.

@@ -28,12 +28,8 @@ use super::prelude::*;
 use crate::text;
 
 const ENTRY: usize = 24;
-const TEXT: &[u8] = b"Wyko ASCII Data File Format";
+pub(crate) const TEXT: &[u8] = b"Wyko ASCII Data File Format";
 const MAPS: [&str; 5] = ["RAW DATA", "RAW_DATA", "OPD", "Raw", "SAMPLE_DATA"];
-
-pub(crate) fn sniff(bytes: &[u8]) -> bool {
-    bytes.get(2..12) == Some(b"Directory\0") || bytes.starts_with(TEXT)
-}
 
 pub(crate) fn parse(b: Bytes<'_>) -> Result<Contents<'_>, ReadError> {
     if b.data.starts_with(TEXT) {
@@ -116,26 +112,20 @@ fn parse_text(b: Bytes<'_>) -> Result<Contents<'_>, ReadError> {
         }
         let side = |key: &str| fields.get(key).and_then(|text| text.parse::<usize>().ok());
         let (Some(nx), Some(ny)) = (side("X Size"), side("Y Size")) else {
-            return Err(b.format.line(number, "neither X Size nor Y Size before the map"));
+            return Err(b.line(number, "neither X Size nor Y Size before the map"));
         };
         b.check_points([ny, nx])?;
         let mut values = Vec::new();
         for _ in 0..nx {
             let next = lines.next();
             let (number, line) =
-                next.ok_or_else(|| b.format.line(number, format!("not {nx} columns follow")))?;
-            let before = values.len();
-            for cell in line.split_whitespace() {
-                values.push(match cell.replace(',', ".").parse::<f64>() {
-                    Ok(value) => value,
-                    Err(_) if cell.eq_ignore_ascii_case("bad") => f64::NAN,
-                    Err(_) => return Err(b.format.line(number, format!("{cell:?} is no number"))),
-                });
+                next.ok_or_else(|| b.line(number, format!("not {nx} columns follow")))?;
+            let column = b.numbers((number, &line.replace(',', ".")))?;
+            if column.len() != ny {
+                let what = format!("{} points, a column has {ny}", column.len());
+                return Err(b.line(number, what));
             }
-            if values.len() - before != ny {
-                let what = format!("{} points, a column has {ny}", values.len() - before);
-                return Err(b.format.line(number, what));
-            }
+            values.extend(column);
         }
         maps.push((name.to_owned(), is_other, [nx, ny], values));
     }

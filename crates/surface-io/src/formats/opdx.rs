@@ -33,6 +33,19 @@ use crate::binary::text;
 pub(crate) const MAGIC: &[u8] = b"VCA DATA\x01\0\0\x55";
 const ARRAY_HEAD: usize = 5;
 
+/// Types of single numbers.
+const NUMBERS: [(u8, Sample); 9] = [
+    (1, Sample::U8),
+    (4, Sample::I16),
+    (5, Sample::U16),
+    (6, Sample::I32),
+    (7, Sample::U32),
+    (10, Sample::I64),
+    (11, Sample::U64),
+    (12, Sample::F32),
+    (13, Sample::F64),
+];
+
 enum ItemValue {
     Number(f64),
     Text(String),
@@ -45,8 +58,9 @@ enum ItemValue {
 }
 
 pub(crate) fn parse(b: Bytes<'_>) -> Result<Contents<'_>, ReadError> {
-    let mut reader = ItemReader { b, at: MAGIC.len(), count: 0, items: BTreeMap::new() };
-    while reader.at < b.data.len() && reader.item("", 0)? {}
+    let file = Cursor { b, at: MAGIC.len() };
+    let mut reader = ItemReader { file, count: 0, items: BTreeMap::new() };
+    while reader.file.at < b.data.len() && reader.item("", 0)? {}
     let items = reader.items;
 
     let mut contents = Contents::default();
@@ -120,132 +134,80 @@ fn channel<'a>(
 
 /// Walks through the items.
 struct ItemReader<'a> {
-    b: Bytes<'a>,
-    at: usize,
+    file: Cursor<'a>,
     count: u64,
     items: Items,
 }
 
-impl<'a> ItemReader<'a> {
-    fn take(&mut self, length: usize) -> Result<&'a [u8], ReadError> {
-        let raw = self.b.slice(self.at, length)?;
-        self.at += length;
-        Ok(raw)
-    }
-
-    fn number(&mut self, sample: Sample) -> Result<f64, ReadError> {
-        let raw = self.take(sample.size())?;
-        Ok(sample.decode(raw, self.b.order)[0])
-    }
-
-    fn word(&mut self) -> Result<usize, ReadError> {
-        let at = self.at;
-        self.take(4)?;
-        Ok(self.b.u32(at)? as usize)
-    }
-
-    fn name(&mut self) -> Result<String, ReadError> {
-        let length = self.word()?;
-        Ok(text(self.take(length)?))
-    }
-
-    /// A length of its own width.
-    fn length(&mut self) -> Result<usize, ReadError> {
-        let at = self.at;
-        match self.take(1)?[0] {
-            1 => Ok(usize::from(self.take(1)?[0])),
-            2 => {
-                self.take(2)?;
-                Ok(usize::from(self.b.u16(at + 1)?))
-            }
-            4 => self.word(),
-            width => Err(self.b.fault(at, format!("a length of {width} bytes, not 1, 2 or 4"))),
-        }
+impl ItemReader<'_> {
+    /// The end of content behind a length of its own width.
+    fn end(&mut self) -> Result<usize, ReadError> {
+        let (at, width) = (self.file.at, self.file.take(1)?[0]);
+        let Some(sample) = Sample::whole(width.into(), false).filter(|_| width < 8) else {
+            let what = format!("a length of {width} bytes, not 1, 2 or 4");
+            return Err(self.file.b.fault(at, what));
+        };
+        let length = self.file.number(sample)? as usize;
+        Ok(self.file.at.saturating_add(length))
     }
 
     /// Reads one item; false at the end of a container.
     fn item(&mut self, folder: &str, depth: usize) -> Result<bool, ReadError> {
         self.count += 1;
-        self.b.check_items(self.count)?;
+        self.file.b.check_items(self.count)?;
         if depth > 32 {
-            return Err(self.b.fault(self.at, "containers nested deeper than 32"));
+            return Err(self.file.b.fault(self.file.at, "containers nested deeper than 32"));
         }
-        let path = format!("{folder}/{}", self.name()?);
-        let at = self.at;
-        let value = match self.take(1)?[0] {
-            1 => Some(ItemValue::Number(self.number(Sample::U8)?)),
-            4 => Some(ItemValue::Number(self.number(Sample::I16)?)),
-            5 => Some(ItemValue::Number(self.number(Sample::U16)?)),
-            6 => Some(ItemValue::Number(self.number(Sample::I32)?)),
-            7 => Some(ItemValue::Number(self.number(Sample::U32)?)),
-            10 => Some(ItemValue::Number(self.number(Sample::I64)?)),
-            11 => Some(ItemValue::Number(self.number(Sample::U64)?)),
-            12 => Some(ItemValue::Number(self.number(Sample::F32)?)),
-            13 => Some(ItemValue::Number(self.number(Sample::F64)?)),
-            18 => {
-                let length = self.length()?;
-                Some(ItemValue::Text(text(self.take(length)?)))
+        let path = format!("{folder}/{}", self.file.text()?);
+        let at = self.file.at;
+        let kind = self.file.take(1)?[0];
+        if let Some((_, sample)) = NUMBERS.iter().find(|(number, _)| *number == kind) {
+            let value = ItemValue::Number(self.file.number(*sample)?);
+            self.items.insert(path, value);
+            return Ok(true);
+        }
+        match kind {
+            21 => return self.file.take(9).map(|_| true),
+            127 => return Ok(false),
+            0 => {
+                self.file.text()?;
+                self.file.word()?;
+                self.file.text()?;
             }
+            14 | 64 | 66 | 69 | 124 => drop(self.file.text()?),
+            18 | 19 | 24 | 70 | 71 | 125 => {}
+            _ => return Err(self.file.b.fault(at, format!("an item of unknown type {kind}"))),
+        }
+        let end = self.end()?;
+        let start = self.file.at;
+        let value = match kind {
+            18 => Some(ItemValue::Text(text(self.file.b.slice(start, end - start)?))),
             19 => {
-                let length = self.length()?;
-                let end = self.at.saturating_add(length);
-                let value = self.number(Sample::F64)?;
-                self.name()?;
-                let symbol = self.name()?;
-                self.skip_to(end)?;
-                Some(ItemValue::Quantity { value, symbol })
+                let value = self.file.number(Sample::F64)?;
+                self.file.text()?;
+                Some(ItemValue::Quantity { value, symbol: self.file.text()? })
             }
-            21 => {
-                self.take(9)?;
-                None
+            64 => {
+                let shape = [1, (end - start).saturating_sub(ARRAY_HEAD) / 8];
+                Some(ItemValue::Numbers(start + ARRAY_HEAD, shape, Sample::F64))
             }
-            24 => {
-                let length = self.length()?;
-                self.take(length)?;
-                None
-            }
-            kind @ (14 | 64 | 66 | 124) => {
-                self.name()?;
-                let length = self.length()?;
-                let at = self.at;
-                self.take(length)?;
-                let shape = [1, length.saturating_sub(ARRAY_HEAD) / 8];
-                let at = at + ARRAY_HEAD;
-                (kind == 64).then_some(ItemValue::Numbers(at, shape, Sample::F64))
-            }
-            kind @ (0 | 69) => {
-                self.name()?;
-                if kind == 0 {
-                    self.word()?;
-                    self.name()?;
-                }
-                let length = self.length()?;
-                let end = self.at.saturating_add(length);
-                let shape = [self.word()?, self.word()?];
-                let at = self.at;
-                self.skip_to(end)?;
-                Some(ItemValue::Numbers(at, shape, Sample::F32))
+            0 | 69 => {
+                let shape = [self.file.word()?, self.file.word()?];
+                Some(ItemValue::Numbers(self.file.at, shape, Sample::F32))
             }
             70 | 71 | 125 => {
-                let length = self.length()?;
-                let end = self.at.saturating_add(length);
                 while self.item(&path, depth + 1)? {}
-                self.skip_to(end)?;
                 None
             }
-            127 => return Ok(false),
-            kind => return Err(self.b.fault(at, format!("an item of unknown type {kind}"))),
+            _ => None,
         };
+        let rest = end.checked_sub(self.file.at);
+        let rest =
+            rest.ok_or_else(|| self.file.b.fault(self.file.at, "an item reaches beyond its end"))?;
+        self.file.take(rest)?;
         if let Some(value) = value {
             self.items.insert(path, value);
         }
         Ok(true)
-    }
-
-    fn skip_to(&mut self, end: usize) -> Result<(), ReadError> {
-        let length = end
-            .checked_sub(self.at)
-            .ok_or_else(|| self.b.fault(self.at, "an item reaches beyond its end"))?;
-        self.take(length).map(|_| ())
     }
 }

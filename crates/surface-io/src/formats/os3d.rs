@@ -18,14 +18,9 @@ use super::prelude::*;
 pub(crate) const MAGIC: &[u8] = b"OmniSurf3D";
 
 pub(crate) fn parse(b: Bytes<'_>) -> Result<Contents<'_>, ReadError> {
-    let mut at = MAGIC.len() + 8;
-    let mut text = || {
-        let length = b.u32(at)? as usize;
-        let text = b.text(at + 4, length)?;
-        at += 4 + length;
-        Ok::<_, ReadError>(text)
-    };
-    let metadata = [("identification", text()?), ("date", text()?)];
+    let mut head = Cursor { b, at: MAGIC.len() + 8 };
+    let metadata = [("identification", head.text()?), ("date", head.text()?)];
+    let at = head.at;
     let shape = [b.u32(at + 4)? as usize, b.u32(at)? as usize];
     let pixel = Pixel::Metres([b.f64(at + 16)?, b.f64(at + 8)?].map(|um| um * 1e-6));
     let raster = b.raster(at + 40, shape, Sample::F32)?;

@@ -10,22 +10,15 @@
 //!
 //! Sources: SurfaceTopography, surfalize (both open readers). Not checked against a real file.
 
-use super::archive::{Archive, MAGIC};
+use super::archive::Archive;
 use super::prelude::*;
-use crate::binary::find;
 use crate::xml;
-
-pub(crate) fn sniff(bytes: &[u8]) -> bool {
-    bytes.starts_with(MAGIC)
-        && find(bytes, b"index.xml").is_some()
-        && find(bytes, b"LAYER_0").is_some()
-}
 
 pub(crate) fn parse(b: Bytes<'_>) -> Result<Contents<'_>, ReadError> {
     let mut archive = Archive::open(b)?;
     let index = archive.unpack("index.xml")?;
     let mut fields = xml::fields(b.with(&index), "index.xml")?;
-    let entries = Entries::new(b, &fields, xml::ABSENT);
+    let entries = Entries::new(b, &fields);
     let side = |key: &str| entries.parsed::<usize>(key, "size");
     let shape = [side("GENERAL/IMAGE_SIZE_Y")?, side("GENERAL/IMAGE_SIZE_X")?];
     b.check_points(shape)?;

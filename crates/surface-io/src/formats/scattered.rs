@@ -1,9 +1,9 @@
 //! Coordinates to a grid: lists of x y z and profiles x z.
 
 use crate::cells::Digits;
+use crate::error::TEXT;
 use crate::measurement::{Channel, Pixel};
-use crate::{Format, Limits, ReadError, metres_per};
-use std::collections::HashSet;
+use crate::{Limits, ReadError, metres_per};
 
 /// Evenly spaced positions found in a column of coordinates.
 #[derive(Debug, Clone)]
@@ -12,10 +12,9 @@ pub(crate) struct Line {
     pub(crate) step: f64,
     pub(crate) is_falling: bool,
     count: usize,
-    /// Largest deviation in steps, if more than the printed digits explain.
-    pub(crate) uneven: Option<f64>,
-    /// Distances of the points from the lowest one in steps, rising, if they are uneven.
-    pub(crate) places: Option<Vec<f64>>,
+    /// Largest deviation in steps, if more than the printed digits explain, and distances of the points from the lowest
+    /// one in steps, rising.
+    pub(crate) uneven: Option<(f64, Vec<f64>)>,
 }
 
 impl Line {
@@ -47,21 +46,15 @@ impl Line {
             .map(|(i, x)| (x - first - i as f64 * step).abs())
             .fold(0.0, f64::max);
         let step = step.abs();
-        let uneven = deviation > tolerance(step, digits, last.abs().max(first.abs()));
-        let places = uneven.then(|| {
+        let is_uneven = deviation > tolerance(step, digits, last.abs().max(first.abs()));
+        let uneven = is_uneven.then(|| {
             let mut places: Vec<f64> = x.iter().map(|x| (x - first.min(last)) / step).collect();
             if is_falling {
                 places.reverse();
             }
-            places
+            (deviation / step, places)
         });
-        Ok(Self {
-            step,
-            is_falling,
-            count: x.len(),
-            uneven: uneven.then_some(deviation / step),
-            places,
-        })
+        Ok(Self { step, is_falling, count: x.len(), uneven })
     }
 
     /// The profile of `count` heights, at positions in a unit if it has some.
@@ -90,7 +83,7 @@ impl Line {
         let pixel = Pixel::scaled([self.step; 2], [x_unit.and_then(metres_per); 2]);
         let channel = Channel::new(name, unit, [1, count], pixel, decode);
         let channel = if self.is_falling { channel.mirrored() } else { channel };
-        Channel { uneven: self.uneven, places: self.places, ..channel }
+        Channel { uneven: self.uneven, ..channel }
     }
 }
 
@@ -131,7 +124,7 @@ pub(crate) fn grid(
     let x = GridLines::new(values, columns, 0, digits[0])?;
     let y = GridLines::new(values, columns, 1, digits[1])?;
     let (nx, ny, n) = (x.count, y.count, values.len() / columns);
-    limits.check_points(Format::Text, [ny, nx])?;
+    limits.check_points(TEXT, [ny, nx])?;
     if nx.saturating_mul(ny) > n.saturating_mul(2) {
         return Err(unsupported(format!(
             "a list x y z of {n} points that fill less than half of their {ny} x {nx} grid and are \
@@ -144,7 +137,7 @@ pub(crate) fn grid(
         let at = y.index(row[1]) * nx + x.index(row[0]);
         if std::mem::replace(&mut seen[at], true) {
             let what = format!("x = {}, y = {} is already in the list", row[0], row[1]);
-            return Err(Format::Text.field(format!("point {}", i + 1), what));
+            return Err(ReadError::at(TEXT, format!("point {}", i + 1), what));
         }
         for (heights, height) in heights.iter_mut().zip(&row[2..]) {
             heights[at] = *height;
@@ -159,7 +152,7 @@ pub(crate) fn grid(
 }
 
 fn unsupported(feature: String) -> ReadError {
-    Format::Text.unsupported(feature)
+    ReadError::unsupported(TEXT, feature)
 }
 
 /// One coordinate of a list.
@@ -178,22 +171,14 @@ impl GridLines {
         digits: Digits,
     ) -> Result<Self, ReadError> {
         let name = if column == 0 { "x" } else { "y" };
-        let mut distinct = HashSet::new();
-        let mut last = None;
-        for (i, row) in values.chunks_exact(columns).enumerate() {
-            let value = row[column] + 0.0; // -0 becomes 0
-            if !value.is_finite() {
-                return Err(
-                    Format::Text.field(format!("point {}", i + 1), format!("{name} is {value}"))
-                );
-            }
-            // Along a scan line one coordinate repeats: look up only what changes.
-            if last.replace(value.to_bits()) != Some(value.to_bits()) {
-                distinct.insert(value.to_bits());
-            }
+        let column = values.iter().skip(column).step_by(columns);
+        let mut positions: Vec<f64> = column.map(|x| x + 0.0).collect(); // -0 becomes 0
+        if let Some(i) = positions.iter().position(|x| !x.is_finite()) {
+            let (place, what) = (format!("point {}", i + 1), format!("{name} is {}", positions[i]));
+            return Err(ReadError::at(TEXT, place, what));
         }
-        let mut positions: Vec<f64> = distinct.into_iter().map(f64::from_bits).collect();
         positions.sort_unstable_by(f64::total_cmp);
+        positions.dedup();
         let (first, end) = (positions[0], positions[positions.len() - 1]);
         let range = end - first;
         // Values closer than a hundredth of the widest gap are one grid line.

@@ -27,13 +27,6 @@ use crate::text;
 /// then the header lies about the size.
 const LONGEST_TRAILER: usize = 1 << 16;
 
-pub(crate) fn sniff(bytes: &[u8]) -> bool {
-    matches!(
-        bytes,
-        [b'a' | b'b', b'I', b'S', b'O', b'-', ..] | [b'a' | b'b', b'B', b'C', b'R', b'-', ..]
-    )
-}
-
 pub(crate) fn parse(b: Bytes<'_>) -> Result<Contents<'_>, ReadError> {
     if b.data.starts_with(b"b") { binary(b) } else { ascii(b) }
 }
@@ -116,7 +109,7 @@ fn ascii(b: Bytes<'_>) -> Result<Contents<'_>, ReadError> {
             metadata.insert(key.trim().to_owned(), value.trim().to_owned());
         }
     }
-    let entries = Entries::new(b, &metadata, "the field is missing");
+    let entries = Entries::new(b, &metadata);
     let whole = |key: &str| entries.parsed::<usize>(key, "whole number");
     refuse_compression(b, whole("Compression").unwrap_or(0) as u64)?;
     let data_type = u8::try_from(whole("DataType")?).unwrap_or(u8::MAX);
@@ -126,20 +119,11 @@ fn ascii(b: Bytes<'_>) -> Result<Contents<'_>, ReadError> {
     let (_, height) = encoding(b, data_type, entries.number("Zscale")?)?;
     let [ny, nx] = shape;
     let mut values = Vec::new(); // grows with the text, whatever the header claims
-    'data: for (line, text) in lines {
-        for word in text.split_ascii_whitespace() {
-            if word.starts_with('*') {
-                break 'data;
-            }
-            let raw = match word.parse::<f64>() {
-                Ok(raw) => raw,
-                Err(_) if word.eq_ignore_ascii_case("BAD") => f64::NAN,
-                Err(_) => {
-                    let word: String = word.chars().take(40).collect();
-                    return Err(b.format.line(line, format!("{word:?} is no number")));
-                }
-            };
-            values.push(height(raw));
+    for (line, text) in lines {
+        let numbers = text.split('*').next().unwrap_or_default();
+        values.extend(b.numbers((line, numbers))?.into_iter().map(height));
+        if numbers.len() < text.len() {
+            break;
         }
     }
     if values.len() != ny * nx {

@@ -21,7 +21,7 @@ pub(crate) fn sniff(bytes: &[u8]) -> bool {
 
 pub(crate) fn parse(b: Bytes<'_>) -> Result<Contents<'_>, ReadError> {
     let fields = xml::fields(b, "the softgauge")?;
-    let entries = Entries::new(b, &fields, xml::ABSENT);
+    let entries = Entries::new(b, &fields);
     let kind = entries.get("DATAFILE/DATA_TYPE").unwrap_or("2D");
     if kind != "2D" {
         return Err(b.unsupported(format!("a softgauge of type {kind} (profiles 2D are)")));

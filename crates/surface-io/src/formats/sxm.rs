@@ -23,7 +23,7 @@ pub(crate) fn parse(mut b: Bytes<'_>) -> Result<Contents<'_>, ReadError> {
     let end =
         find(b.data, b"\x1a\x04").ok_or_else(|| b.fault(b.data.len(), "there are no data"))?;
     let fields = header(b, &b.data[..end])?;
-    let entries = Entries::new(b, &fields, "is missing");
+    let entries = Entries::new(b, &fields);
     let pair = |key: &'static str| {
         let text = entries.text(key)?;
         let numbers: Vec<f64> = text.split_whitespace().filter_map(|w| w.parse().ok()).collect();

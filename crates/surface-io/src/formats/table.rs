@@ -32,13 +32,12 @@ use self::sheet::{HEIGHTS, INDEX, Sheet, two_readings};
 use super::scattered::{self, Line};
 use crate::binary::Bytes;
 use crate::cells::Digits;
+use crate::error::TEXT;
 use crate::header::{Header, Title};
 use crate::measurement::{Channel, Contents, Pixel};
 use crate::text::{self, NumberTable, NumberedLines, is_monotone};
 use crate::units::metres_per;
-use crate::{Ambiguity, Format, Layout, Need, ReadError, ReadOptions};
-
-const FORMAT: Format = Format::Text;
+use crate::{Ambiguity, Layout, Need, ReadError, ReadOptions};
 
 pub(crate) fn parse(b: Bytes<'_>) -> Result<Contents<'_>, ReadError> {
     parse_as(b.data, &ReadOptions { limits: b.limits, ..ReadOptions::default() })
@@ -57,12 +56,12 @@ pub(crate) fn parse_as<'a>(
     let several = tables.len() > 1;
     let mut contents = Contents::default();
     for (number, table) in tables.into_iter().enumerate() {
-        options.limits.check_points(FORMAT, [table.values.len(), 1])?;
-        options.limits.check_items(FORMAT, table.header.len() as u64)?;
+        options.limits.check_points(TEXT, [table.values.len(), 1])?;
+        options.limits.check_items(TEXT, table.header.len() as u64)?;
         if table.rows() == 0 {
             let start: String = text.trim_start().chars().take(24).collect();
             let obstacle = table.obstacle(options);
-            return Err(obstacle.unwrap_or(ReadError::UnknownFormat { start }));
+            return Err(obstacle.unwrap_or(ReadError::UnknownFormat(start)));
         }
         let mut header = Header::parse(&table);
         if several && header.channel.is_none() {
@@ -80,6 +79,22 @@ pub(crate) fn parse_as<'a>(
     }
     Ok(contents)
 }
+
+const MATRIX: Need = Need::Layout(Layout::Matrix);
+const COLUMN: Ambiguity =
+    Ambiguity { what: "one column, read as the heights of a profile", needs: &[MATRIX] };
+const PROFILE: Ambiguity = Ambiguity {
+    what: "two columns, read as a profile x z; they could as well be heights",
+    needs: &[MATRIX],
+};
+const LIST: Ambiguity = Ambiguity {
+    what: "three columns, read as a list x y z; they could as well be heights",
+    needs: &[MATRIX],
+};
+const LIST_OR_TRACES: Ambiguity = Ambiguity {
+    what: "three columns, read as a list x y z; they could as well be positions and the heights of two traces, or heights",
+    needs: &[Need::Layout(Layout::Traces), MATRIX],
+};
 
 /// What the columns of a table are taken for.
 enum Reading {
@@ -132,8 +147,8 @@ fn channels(
         2 => Reading::Profile,
         3 => Reading::List(sheet.grid(&options.limits).map_err(|error| {
             let others = match (order.is_some(), is_monotone(&sheet.column(0))) {
-                (false, true) if layout.is_none() => Some(Ambiguity::ListOrTraces),
-                _ => (!is_told).then_some(Ambiguity::List),
+                (false, true) if layout.is_none() => Some(LIST_OR_TRACES),
+                _ => (!is_told).then_some(LIST),
             };
             others.into_iter().fold(error, or_matrix)
         })?),
@@ -153,7 +168,7 @@ fn channels(
         Reading::Traces => traces(&sheet, header),
         Reading::List(map) => {
             let is_plain = is_told || map.is_complete && map.is_wide();
-            Ok(list(map, &sheet, header, (!is_plain).then_some(Ambiguity::List)))
+            Ok(list(map, &sheet, header, (!is_plain).then_some(LIST)))
         }
         Reading::Matrix => {
             sheet.leave_out_axes(header, layout)?;
@@ -168,8 +183,8 @@ fn channels(
             let (x, z) = (sheet.column(0), sheet.column(1));
             let units = [sheet.unit(0), sheet.unit(1)];
             let mut channel = profile(&x, z, sheet.digits[0], units, header)
-                .map_err(|e| if is_told { e } else { or_matrix(e, Ambiguity::Profile) })?;
-            channel.ambiguity = (!is_told).then_some(Ambiguity::Profile);
+                .map_err(|e| if is_told { e } else { or_matrix(e, PROFILE) })?;
+            channel.ambiguity = (!is_told).then_some(PROFILE);
             Ok(vec![channel])
         }
         Reading::Column => {
@@ -178,7 +193,7 @@ fn channels(
             let (shape, z) = ([1, sheet.rows()], sheet.values);
             let mut channel =
                 Channel::new(header.name(), unit.as_deref(), shape, pixel, move || Ok(z));
-            channel.ambiguity = Some(Ambiguity::Column);
+            channel.ambiguity = Some(COLUMN);
             Ok(vec![channel])
         }
     }
@@ -201,14 +216,14 @@ fn refuse_other_counts(reading: &Reading, sheet: &Sheet, header: &Header) -> Res
                 "the header says {rows} rows of {columns} numbers, {found} are there: the file was cut off. To read \
                  these, change the number of rows in the header to {found}"
             );
-            Err(FORMAT.field("rows", what))
+            Err(ReadError::at(TEXT, "rows", what))
         }
         _ => Ok(()),
     }
 }
 
 fn bad_layout(layout: Layout, reason: &'static str) -> ReadError {
-    ReadError::BadLayout { format: FORMAT, layout, reason: reason.into() }
+    ReadError::BadLayout { format: TEXT, layout, reason: reason.into() }
 }
 
 /// A refusal of columns that may be something else.
@@ -218,8 +233,8 @@ fn or_matrix(error: ReadError, ambiguity: Ambiguity) -> ReadError {
         ReadError::Malformed { place, what, .. } => format!("{place}: {what}"),
         other => return other,
     };
-    let what = format!("{what} ({ambiguity})");
-    ReadError::Ambiguous { format: FORMAT, what, needs: ambiguity.needs() }
+    let what = format!("{what} ({})", ambiguity.what);
+    ReadError::Ambiguous { format: TEXT, what, needs: ambiguity.needs.to_vec() }
 }
 
 /// Titles of columns with positions along a line.
@@ -246,8 +261,8 @@ fn traces(sheet: &Sheet, header: &Header) -> Result<Vec<Channel<'static>>, ReadE
     let trace = |i: usize| -> Result<Channel<'static>, ReadError> {
         let units = [sheet.unit(0), sheet.unit(i).or(sheet.unit(1))];
         let mut channel = profile(&x, sheet.column(i), sheet.digits[0], units, header)?;
-        channel.name = if are_named { name(i).to_owned() } else { format!("trace {i}") };
-        channel.is_trace = columns > 2;
+        channel.info.name = if are_named { name(i).to_owned() } else { format!("trace {i}") };
+        channel.info.is_trace = columns > 2;
         Ok(channel)
     };
     (1..columns).map(trace).collect()
@@ -276,7 +291,7 @@ fn list(
             Channel::new(name, unit.map(String::as_str), shape, pixel, move || Ok(heights));
         channel.ambiguity = ambiguity.filter(|_| i == 0);
         // Without a unit it is as likely an intensity.
-        channel.is_height = i == 0 && channel.is_height || channel.scale.is_some();
+        channel.info.is_height = i == 0 && channel.info.is_height || channel.scale.is_some();
         channel
     };
     map.heights.into_iter().enumerate().map(channel).collect()
@@ -306,14 +321,14 @@ fn maps(
              one of {rows} rows",
             parted.len() + 1
         );
-        let needs = vec![Need::Channel, Need::Layout(Layout::Matrix)];
-        return Err(ReadError::Ambiguous { format: FORMAT, what, needs });
+        let needs = vec![Need::Channel, MATRIX];
+        return Err(ReadError::Ambiguous { format: TEXT, what, needs });
     }
     let parts = sheet.values.chunks_exact(each * columns).enumerate();
     Ok(parts
         .map(|(i, part)| {
             let mut channel = matrix(&sheet, header, part.to_vec());
-            channel.name = format!("table {}", i + 1);
+            channel.info.name = format!("table {}", i + 1);
             channel
         })
         .collect())
@@ -342,9 +357,9 @@ fn matrix(sheet: &Sheet, header: &Header, values: Vec<f64>) -> Channel<'static> 
     let decode = move || Ok(values);
     let mut channel = Channel::new(header.name(), unit.as_deref(), shape, pixel, decode);
     channel = channel.converted(convert);
-    if let Some(scale) = header.value_scale.filter(|_| channel.unit.is_none()) {
+    if let Some(scale) = header.value_scale.filter(|_| channel.info.unit.is_none()) {
         channel.scale = Some(scale);
-        channel.unit = Some(format!("{scale:e} m"));
+        channel.info.unit = Some(format!("{scale:e} m"));
     }
     channel
 }
@@ -356,7 +371,7 @@ fn profile(
     [x_unit, z_unit]: [Option<String>; 2],
     header: &Header,
 ) -> Result<Channel<'static>, ReadError> {
-    let line = Line::new(x, digits).map_err(|what| FORMAT.field("column 1", what))?;
+    let line = Line::new(x, digits).map_err(|what| ReadError::at(TEXT, "column 1", what))?;
     let z_unit = header.value_unit.clone().or(z_unit);
     let x_unit = x_unit.or(header.lateral_unit.clone());
     Ok(line.profile(header.name(), z_unit.as_deref(), x_unit.as_deref(), move || Ok(z)))

@@ -20,14 +20,16 @@
 //! Sources: SurfaceTopography, surfalize (both open readers); a VK6 file of a VK-X3000.
 
 use super::prelude::*;
-use std::borrow::Cow;
-use std::rc::Rc;
+
+/// True for a file around a VK4, which is taken out of it before.
+pub(crate) fn is_packed(bytes: &[u8]) -> bool {
+    matches!(bytes, [b'V', b'K', b'6' | b'7', ..])
+}
 
 pub(crate) fn parse(b: Bytes<'_>) -> Result<Contents<'_>, ReadError> {
-    let is_packed = matches!(b.data, [_, _, b'6' | b'7', ..]);
-    let file = if is_packed { unpack(b)?.into() } else { Cow::Borrowed(b.data) };
-    let file = Rc::new(file);
-    let (whole, b) = (b, b.with(&file));
+    if is_packed(b.data) {
+        return Err(b.unsupported("VK6 and VK7 without the feature `zip`"));
+    }
     if b.u32(8)? != 0 {
         return Err(b.fault(8, "4 zeros expected here"));
     }
@@ -43,23 +45,19 @@ pub(crate) fn parse(b: Bytes<'_>) -> Result<Contents<'_>, ReadError> {
         }
         let image = b.from(at)?;
         let shape = [image.u32(4)? as usize, image.u32(0)? as usize];
-        b.check_points(shape)?;
         let sample = match image.u32(8)? {
             8 => Sample::U8,
             16 => Sample::U16,
             32 => Sample::U32,
             bits => return Err(b.fault(at + 8, format!("{bits} bits a point, not 8, 16 or 32"))),
         };
-        let length = b.map_length(at + 796, shape, sample)?;
-        if image.u32(16)? as usize != length {
+        let raster = b.raster(at + 796, shape, sample)?;
+        if image.u32(16)? as usize != raster.end - (at + 796) {
             let what = format!("{} bytes for {} x {} points", image.u32(16)?, shape[0], shape[1]);
             return Err(b.fault(at + 16, what));
         }
         let name = if number == 0 { "Height".to_owned() } else { format!("Height {}", number + 1) };
-        let file = Rc::clone(&file);
-        let decode = move || whole.with(&file).samples(at + 796, shape[0] * shape[1], sample);
-        let channel = Channel::new(name, Some("m"), shape, pixel, decode);
-        channels.push(channel.converted(move |raw| raw * step));
+        channels.push(Channel::raster(name, "m", pixel, raster, move |raw| raw * step));
     }
     if channels.is_empty() {
         return Err(b.fault(36, "the file has no height image"));
@@ -71,14 +69,4 @@ pub(crate) fn parse(b: Bytes<'_>) -> Result<Contents<'_>, ReadError> {
     let [year, month, day, hour, minute, second] = date;
     let date = format!("{year}-{month:02}-{day:02} {hour:02}:{minute:02}:{second:02}");
     Ok(Contents::new(channels, [("date", date)]))
-}
-
-#[cfg(feature = "zip")]
-fn unpack(b: Bytes<'_>) -> Result<Vec<u8>, ReadError> {
-    super::archive::Archive::open(b)?.unpack("Vk4File")
-}
-
-#[cfg(not(feature = "zip"))]
-fn unpack(b: Bytes<'_>) -> Result<Vec<u8>, ReadError> {
-    Err(b.unsupported("VK6 and VK7 without the feature `zip`"))
 }

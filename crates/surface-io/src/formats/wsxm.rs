@@ -39,7 +39,7 @@ pub(crate) fn parse(b: Bytes<'_>) -> Result<Contents<'_>, ReadError> {
             entries.into_iter().map(move |(key, value)| (format!("{section}/{key}"), value))
         })
         .collect();
-    let entries = Entries::new(b, &metadata, "is missing");
+    let entries = Entries::new(b, &metadata);
     let measured = |key: &'static str| {
         let text = entries.text(key)?;
         quantity(text).ok_or_else(|| b.field(key, format!("{text:?} is no quantity")))

@@ -32,20 +32,20 @@ pub(crate) fn parse(b: Bytes<'_>) -> Result<Contents<'_>, ReadError> {
     let mut archive = Archive::open(b)?;
     let calibration = member(&mut archive, CALIBRATION)?;
     let fields = xml::fields(b.with(&calibration), "calibration")?;
-    let entries = Entries::new(b, &fields, "is missing");
+    let entries = Entries::new(b, &fields);
     let pixel = Pixel::Metres([entries.number("XYCalibration/MeterPerPixel")?; 2]);
     let step = entries.number("ZCalibration/MeterPerUnit")?;
     let heights = member(&mut archive, HEIGHTS)?;
-    let (shape, decode) = matrix(b, heights, Sample::I32, HEIGHTS)?;
-    let mut channel = Channel::new("Height", Some("m"), shape, pixel, decode);
+    let (shape, heights) = matrix(b.with(&heights), Sample::I32, HEIGHTS)?;
+    let mut channel = Channel::new("Height", Some("m"), shape, pixel, || Ok(heights));
     channel = channel.converted(move |raw| raw * step);
     if archive.names.iter().any(|name| name == MASK) {
         let mask = member(&mut archive, MASK)?;
-        let ([ny, nx], marks) = matrix(b, mask, Sample::U8, MASK)?;
+        let ([ny, nx], marks) = matrix(b.with(&mask), Sample::U8, MASK)?;
         if [ny, nx] != shape {
             return Err(b.field(MASK, format!("a mask of {ny} x {nx} points")));
         }
-        channel = channel.masked(marks);
+        channel = channel.masked(|| Ok(marks));
     }
     let mut metadata = BTreeMap::new();
     for name in ABOUT {
@@ -65,21 +65,18 @@ fn member(archive: &mut Archive<'_>, name: &'static str) -> Result<Vec<u8>, Read
     if !raw.starts_with(b"\x28\xb5\x2f\xfd") {
         return Ok(raw);
     }
-    let most = usize::try_from(b.limits.unpacked_bytes).unwrap_or(usize::MAX).saturating_add(1);
+    let most = b.limits.unpacked_bytes.saturating_add(1);
     let unpacked = crate::unpack::zstd(&raw, most).map_err(|what| b.field(name, what))?;
     b.limits.check_unpacked(b.format, unpacked.len() as u64)?;
     Ok(unpacked)
 }
 
-/// Rows of numbers behind a header of 16 bytes: how many, and what reads them.
-#[allow(clippy::type_complexity, reason = "a shape and a closure")]
-fn matrix<'a>(
-    b: Bytes<'a>,
-    raw: Vec<u8>,
+/// Rows of numbers behind a header of 16 bytes, and how many.
+fn matrix(
+    m: Bytes<'_>,
     sample: Sample,
     name: &'static str,
-) -> Result<([usize; 2], impl FnOnce() -> Result<Vec<f64>, ReadError> + use<'a>), ReadError> {
-    let m = b.with(&raw);
+) -> Result<([usize; 2], Vec<f64>), ReadError> {
     let shape = [m.u32(4)? as usize, m.u32(0)? as usize];
     m.check_points(shape)?;
     let (size, row_bytes) = (m.u32(8)? as usize, m.u32(12)? as usize);
@@ -88,5 +85,5 @@ fn matrix<'a>(
         return Err(m.field(name, what));
     }
     m.slice(16, row_bytes.saturating_mul(shape[0]))?;
-    Ok((shape, move || b.with(&raw).rows(16, shape, row_bytes, sample)))
+    Ok((shape, m.rows(16, shape, row_bytes, sample)?))
 }

@@ -24,10 +24,6 @@
 use super::prelude::*;
 use super::zygo_text;
 
-pub(crate) fn sniff(bytes: &[u8]) -> bool {
-    matches!(bytes, [0x88, 0x1b, 0x03, 0x6f..=0x71, ..]) || zygo_text::sniff(bytes)
-}
-
 pub(crate) fn parse(b: Bytes<'_>) -> Result<Contents<'_>, ReadError> {
     if zygo_text::sniff(b.data) {
         return zygo_text::parse(b);

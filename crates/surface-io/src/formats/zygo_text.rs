@@ -29,7 +29,7 @@ pub(crate) fn parse(b: Bytes<'_>) -> Result<Contents<'_>, ReadError> {
     let lines: Vec<&str> = text::lines(&text).map(|(_, line)| line.trim()).collect();
     // A comment can hold any sign, a line of it only "#" between quotation marks.
     let ends: Vec<usize> = (0..lines.len()).filter(|&i| lines[i] == "#").collect();
-    let place = |line: usize, what: String| b.format.line(line + 1, what);
+    let place = |line: usize, what: String| b.line(line + 1, what);
     let (Some(&start), true) = (ends.first(), lines.len() > 10) else {
         return Err(place(lines.len(), "the header has no end".into()));
     };
@@ -90,11 +90,8 @@ pub(crate) fn parse(b: Bytes<'_>) -> Result<Contents<'_>, ReadError> {
         let step = number(7, 1)? * number(7, 2)? * number(7, 4)? / resolution;
         let mut values = Vec::new();
         for i in phase {
-            for cell in lines[i].split_whitespace() {
-                let raw: f64 =
-                    cell.parse().map_err(|_| place(i, format!("{cell:?} is no number")))?;
-                values.push(if raw >= 2_147_483_640.0 { f64::NAN } else { raw * step });
-            }
+            let height = |raw| if raw >= 2_147_483_640.0 { f64::NAN } else { raw * step };
+            values.extend(b.numbers((i + 1, lines[i]))?.into_iter().map(height));
         }
         (values, "m")
     };

@@ -7,7 +7,13 @@ use crate::error::ReadError;
 pub(super) const WAY_OUT: &str = "`h5repack -f NONE -l CONTI IN OUT` writes the form that is";
 
 /// The first bytes of the superblock.
-pub(crate) const MAGIC: &[u8] = b"\x89HDF\r\n\x1a\n";
+pub(super) const MAGIC: &[u8] = b"\x89HDF\r\n\x1a\n";
+
+/// Where the superblock is.
+pub(crate) fn superblock(bytes: &[u8]) -> Option<usize> {
+    let starts = |&at: &usize| bytes.get(at..).is_some_and(|rest| rest.starts_with(MAGIC));
+    [0, 512, 1024, 2048].into_iter().find(starts)
+}
 
 /// An HDF5 file in memory.
 #[derive(Debug, Clone, Copy)]
@@ -31,9 +37,7 @@ pub(crate) struct Message {
 
 impl<'a> File<'a> {
     pub(crate) fn open(whole: Bytes<'a>) -> Result<Self, ReadError> {
-        let start = [0, 512, 1024, 2048]
-            .into_iter()
-            .find(|&at| whole.data.get(at..at + MAGIC.len()).is_some_and(|start| start == MAGIC));
+        let start = superblock(whole.data);
         let b = whole.from(start.ok_or_else(|| whole.fault(0, "there is no superblock"))?)?;
         let version = b.u8(8)?;
         let (sizes, root_at): (usize, fn(usize, usize) -> usize) = match version {
@@ -137,10 +141,8 @@ impl<'a> File<'a> {
         let Some(at) = self.address(message.at + place)? else { return Ok(None) };
         // Only the first level: shared messages do not point at shared messages.
         if self.b.slice(at, 4)? == b"OHDR" {
-            return Err(self
-                .b
-                .format
-                .unsupported(format!("a shared message in a header of version 2 ({WAY_OUT})")));
+            let feature = format!("a shared message in a header of version 2 ({WAY_OUT})");
+            return Err(self.b.unsupported(feature));
         }
         let mut at = at + 16;
         for _ in 0..16 {

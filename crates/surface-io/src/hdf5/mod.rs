@@ -22,7 +22,7 @@ mod types;
 mod write;
 
 pub(crate) use dataset::Dataset;
-pub(crate) use file::{File, MAGIC};
+pub(crate) use file::{File, superblock};
 pub(crate) use groups::datasets;
 pub(crate) use types::AttributeValue;
 pub use write::hdf5;

@@ -5,7 +5,7 @@
 //!
 //! Source: The HDF Group, *HDF5 File Format Specification Version 3.0*, sections II.A, IV.A.1.b, IV.A.2.
 
-use super::MAGIC;
+use super::file::MAGIC;
 use contact_types::Grid;
 use std::io::{self, Write};
 

@@ -1,10 +1,13 @@
 //! Every format gives the same surface, from bytes and from a file.
 
+use crate::common::instruments::netcdf;
 use crate::common::{
     self, SayMore as _, assert_refused, assert_sample, sample, samples, scaled, unaided, units,
 };
 use surface_io::HeightUnit::{Always, IfSilent};
-use surface_io::{Cut, Fill, FillError, Layout, Need, ReadError, ReadOptions, read, read_bytes};
+use surface_io::{
+    Cut, FORMATS, Fill, FillError, Layout, Need, ReadError, ReadOptions, read, read_bytes,
+};
 
 #[test]
 fn every_sample_is_read_right() {
@@ -26,15 +29,19 @@ fn what_the_file_does_not_say_is_needed() {
         assert!(text.contains("1001 points over 1 mm") && !text.contains("--"), "{text}");
     }
     let text = b"# Width: 2 um\n# Height: 2 um\n# Value units: nm\n1 2\n3 4\n";
-    let found = read_bytes(text, &ReadOptions::default().height(IfSilent(1e-6))).unwrap();
-    assert_eq!(found.heights()[3].to_bits(), (4.0 * 1e-9f64).to_bits());
-    assert_eq!(found.kept_unit(), Some("nm"));
-    let found = read_bytes(text, &ReadOptions::default().height(IfSilent(1e-9))).unwrap();
-    assert_eq!(found.kept_unit(), None);
-    let found = read_bytes(text, &ReadOptions::default().height(Always(1e-6))).unwrap();
-    assert_eq!(found.heights()[3].to_bits(), 4e-6f64.to_bits());
-    assert_eq!(found.metadata["overridden height unit"], "nm");
-    assert_eq!(found.kept_unit(), None);
+    let [kept, overridden] = ["height unit of the file, kept", "overridden height unit"];
+    for (given, metres, noted) in [
+        (IfSilent(1e-6), 1e-9f64, Some(kept)),
+        (IfSilent(1e-9), 1e-9, None),
+        (Always(1e-6), 1e-6, Some(overridden)),
+    ] {
+        let found = read_bytes(text, &ReadOptions::default().height(given)).unwrap();
+        assert_eq!(found.heights()[3].to_bits(), (4.0 * metres).to_bits());
+        for note in [kept, overridden] {
+            let unit = found.metadata.get(note).map(String::as_str);
+            assert_eq!(unit, (noted == Some(note)).then_some("nm"));
+        }
+    }
 }
 
 /// Columns called so are traces of one surface, others if asked for; all are read, or the one asked
@@ -187,10 +194,7 @@ fn fill_is_refused_with_the_way_out() {
     assert_eq!((inner.cropped, inner.missing()), (Some([2, 1, 2, 4]), 0));
     let line = found.crop(Cut::Rectangle([0, 0, 2, 3])).unwrap();
     let all_gone = line.crop(Cut::Rectangle([0, 1, 2, 2])).unwrap();
-    assert!(matches!(
-        all_gone.crop(Cut::Complete),
-        Err(ReadError::NothingComplete { shape: [2, 2] })
-    ));
+    assert!(matches!(all_gone.crop(Cut::Complete), Err(ReadError::NothingComplete([2, 2]))));
 }
 
 #[test]
@@ -294,7 +298,8 @@ fn write_fuzz_seeds() {
     let seeds = std::path::Path::new(env!("CARGO_MANIFEST_DIR")).join("fuzz/seeds");
     for (number, sample) in samples().into_iter().enumerate() {
         let found = sample.read().unwrap();
-        let folder = seeds.join(format!("{:?}", found.format).to_lowercase());
+        let spec = FORMATS.iter().find(|spec| spec.name == found.format).unwrap();
+        let folder = seeds.join(spec.extensions[0]);
         std::fs::create_dir_all(&folder).unwrap();
         std::fs::write(folder.join(number.to_string()), &sample.bytes).unwrap();
     }
@@ -322,46 +327,23 @@ fn profiles_of_formats_for_maps() {
     assert_eq!((found.channel.as_str(), found.grid().shape()), ("z", [1, 5]));
     assert!((found.grid().pixel()[1] / 0.5e-6 - 1.0).abs() < 1e-12 && found.is_profile());
 
-    let file = line_scan(&[0.0, 1.0, 2.5, 3.0]);
+    // A line scan as contact.engineering writes it, packed; the last height is missing.
+    let packing =
+        [("scale_factor", Err(0.5)), ("add_offset", Err(100.0)), ("_FillValue", Err(-1.0))];
+    let file = netcdf(
+        1,
+        &[("n", 4)],
+        &[
+            ("x", &[0], &[("unit", Ok("um"))], vec![0.0, 1.0, 2.5, 3.0]),
+            ("heights", &[0], &packing, vec![0.0, 10.0, 20.0, -1.0]),
+        ],
+    );
     let found = read_bytes(&file, &options).unwrap();
     assert_eq!((found.channel.as_str(), found.missing()), ("heights", 1));
     assert!(found.is_profile() && found.uneven.is_some());
     // Stored 10, in steps of 0.5 from 100, in the unit of x.
     assert!((found.heights()[1] / 105e-6 - 1.0).abs() < 1e-12);
     assert!((found.positions.unwrap()[2] / 2.5e-6 - 1.0).abs() < 1e-12);
-}
-
-/// A line scan in NetCDF classic as contact.engineering writes it, packed: dimension `n`, variables
-/// `x` with a unit and `heights` without one; the last height is missing.
-fn line_scan(x: &[f64]) -> Vec<u8> {
-    let text = |text: &str| {
-        let mut raw = (text.len() as u32).to_be_bytes().to_vec();
-        raw.extend(text.bytes());
-        raw.resize(raw.len().next_multiple_of(4), 0);
-        raw
-    };
-    let words = |words: &[u32]| words.iter().flat_map(|w| w.to_be_bytes()).collect::<Vec<u8>>();
-    let double = |name: &str, value: f64| {
-        [text(name), words(&[6, 1]), value.to_be_bytes().to_vec()].concat()
-    };
-    let n = x.len() as u32;
-    let unit = [text("unit"), words(&[2]), text("um")].concat();
-    let packing =
-        [double("scale_factor", 0.5), double("add_offset", 100.0), double("_FillValue", -1.0)];
-    let mut file = [
-        b"CDF\x01".to_vec(),
-        words(&[0, 10, 1]),
-        text("n"),
-        words(&[n, 0, 0, 11, 2]),
-        [text("x"), words(&[1, 0, 12, 1]), unit, words(&[6, 8 * n, 512])].concat(),
-        [text("heights"), words(&[1, 0, 12, 3])].concat(),
-        [packing.concat(), words(&[6, 8 * n, 512 + 8 * n])].concat(),
-    ]
-    .concat();
-    file.resize(512, 0);
-    let heights = (0..x.len()).map(|i| if i + 1 == x.len() { -1.0 } else { 10.0 * i as f64 });
-    file.extend(x.iter().copied().chain(heights).flat_map(f64::to_be_bytes));
-    file
 }
 
 /// Waves of older versions are named as such.

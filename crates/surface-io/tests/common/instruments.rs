@@ -243,9 +243,12 @@ fn bcrf(kind: &str) -> Vec<u8> {
     w.0
 }
 
-/// Heights as (y, x), or as (x, y) with a mask as `SurfaceTopography` writes them.
-fn netcdf(version: u8, is_x_slow: bool) -> Vec<u8> {
-    let mut w = Writer::default();
+/// A variable of f64 in NetCDF classic: name, numbers of its dimensions, attributes, which are texts or numbers, values.
+pub type StoredVariable<'v> =
+    (&'v str, &'v [usize], &'v [(&'v str, Result<&'v str, f64>)], Vec<f64>);
+
+/// A file of these dimensions and variables, whose data begin at byte 1024.
+pub fn netcdf(version: u8, sides: &[(&str, usize)], variables: &[StoredVariable<'_>]) -> Vec<u8> {
     let count = |n: usize| match version {
         5 => (n as u64).to_be_bytes().to_vec(),
         _ => (n as u32).to_be_bytes().to_vec(),
@@ -256,48 +259,60 @@ fn netcdf(version: u8, is_x_slow: bool) -> Vec<u8> {
         raw.resize(raw.len().next_multiple_of(4), 0);
         raw
     };
-    let unit = |text: &str| {
-        [&12u32.to_be_bytes()[..], &count(1), &name("units"), &2u32.to_be_bytes(), &name(text)]
-            .concat()
-    };
-    let sides = if is_x_slow { [("x", NX), ("y", NY)] } else { [("y", NY), ("x", NX)] };
-    w.put(b"CDF").put([version]).put(count(0)).put(10u32.to_be_bytes()).put(count(2));
+    let [of_text, of_double, of_dimensions, of_variables, of_attributes] =
+        [2, 6, 10, 11, 12].map(u32::to_be_bytes);
+    let mut w = Writer::default();
+    w.put(b"CDF").put([version]).put(count(0)).put(of_dimensions).put(count(sides.len()));
     for (side, n) in sides {
-        w.put(name(side)).put(count(n));
+        w.put(name(side)).put(count(*n));
     }
-    w.put(0u32.to_be_bytes()).put(count(0)).put(11u32.to_be_bytes()).put(count(3));
-    // The offsets of the data follow from the length of the header, which has this size.
-    let start = 1024;
-    let variables = [
-        (sides[0].0, vec![0], "um", start),
-        (sides[1].0, vec![1], "um", start + 64),
-        ("heights", vec![0, 1], "nm", start + 128),
-    ];
-    for (variable, dimensions, units, at) in variables {
+    w.put([0; 4]).put(count(0)).put(of_variables).put(count(variables.len()));
+    let mut at = 1024;
+    for (variable, dimensions, attributes, values) in variables {
         w.put(name(variable)).put(count(dimensions.len()));
-        for dimension in dimensions {
-            w.put(count(dimension));
+        for dimension in *dimensions {
+            w.put(count(*dimension));
         }
-        w.put(unit(units)).put(6u32.to_be_bytes()).put(count(0));
+        w.put(of_attributes).put(count(attributes.len()));
+        for (key, value) in *attributes {
+            w.put(name(key));
+            match value {
+                Ok(text) => w.put(of_text).put(name(text)),
+                Err(number) => w.put(of_double).put(count(1)).put(number.to_be_bytes()),
+            };
+        }
+        w.put(of_double).put(count(0));
         match version {
             1 => w.put((at as u32).to_be_bytes()),
             _ => w.put((at as u64).to_be_bytes()),
         };
+        at += 8 * values.len();
     }
-    for (i, (side, n)) in sides.into_iter().enumerate() {
-        w.to(start + 64 * i);
-        for k in 0..n {
-            let step = if side == "x" { 2.0 } else { 3.0 };
-            w.put((5.0 + step * k as f64).to_be_bytes());
-        }
-    }
-    w.to(start + 128);
-    let values = points(f64::NAN);
-    for i in 0..NX * NY {
-        let at = if is_x_slow { i % NY * NX + i / NY } else { i };
-        w.put(values[at].to_be_bytes());
+    w.to(1024);
+    for value in variables.iter().flat_map(|variable| &variable.3) {
+        w.put(value.to_be_bytes());
     }
     w.0
+}
+
+/// Heights as (y, x), or as (x, y).
+fn netcdf_map(version: u8, is_x_slow: bool) -> Vec<u8> {
+    let line = |n: usize, step: f64| (0..n).map(|k| 5.0 + step * k as f64).collect::<Vec<_>>();
+    let mut axes = [("y", NY, line(NY, 3.0)), ("x", NX, line(NX, 2.0))];
+    let mut heights = points(f64::NAN);
+    if is_x_slow {
+        axes.reverse();
+        let stored = heights.clone();
+        heights = (0..NX * NY).map(|i| stored[i % NY * NX + i / NY]).collect();
+    }
+    let [slow, fast] = axes;
+    let (um, nm) = ([("units", Ok("um"))], [("units", Ok("nm"))]);
+    let variables = [
+        (slow.0, &[0][..], &um[..], slow.2),
+        (fast.0, &[1], &um, fast.2),
+        ("heights", &[0, 1], &nm, heights),
+    ];
+    netcdf(version, &[(slow.0, slow.1), (fast.0, fast.1)], &variables)
 }
 
 fn ibw() -> Vec<u8> {
@@ -444,9 +459,9 @@ pub fn samples() -> Vec<SampleFile> {
         SampleFile::new("tmd", tmd()),
         SampleFile::new("bcrf, UTF-16", bcrf("bcrf_unicode")),
         SampleFile::new("bcrstm", bcrf("bcrstm")),
-        SampleFile::new("netcdf 1", netcdf(1, false)),
-        SampleFile::new("netcdf 2, x slow", netcdf(2, true)),
-        SampleFile::new("netcdf 5", netcdf(5, false)),
+        SampleFile::new("netcdf 1", netcdf_map(1, false)),
+        SampleFile::new("netcdf 2, x slow", netcdf_map(2, true)),
+        SampleFile::new("netcdf 5", netcdf_map(5, false)),
         SampleFile::new("ibw", ibw()),
         SampleFile::new("opdx", opdx()),
         SampleFile::new("frt", frt()),

@@ -2,11 +2,10 @@
 
 use super::super::scattered::{self, Line};
 use crate::cells::Digits;
+use crate::error::TEXT;
 use crate::header::{Header, Title};
 use crate::text::{NumberTable, is_monotone};
-use crate::{Format, Layout, Limits, Need, ReadError};
-
-const FORMAT: Format = Format::Text;
+use crate::{Layout, Limits, Need, ReadError};
 
 /// Titles of columns with running numbers.
 pub(super) const INDEX: [&str; 17] = [
@@ -313,5 +312,5 @@ fn runs(numbers: &[f64]) -> bool {
 
 pub(super) fn two_readings(what: String, needs: &[Layout]) -> ReadError {
     let needs = needs.iter().copied().map(Need::Layout).collect();
-    ReadError::Ambiguous { format: FORMAT, what, needs }
+    ReadError::Ambiguous { format: TEXT, what, needs }
 }
