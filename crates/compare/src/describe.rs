@@ -6,7 +6,7 @@ use crate::theory::Assumes;
 use crate::{Origin, Registry, Settings, poisson};
 use contact_types::{AmplitudeSpectrum, ContactModulus, HeightMap};
 use std::f64::consts::TAU;
-use surface_stats::spectrum::{PowerSpectrum, Ring, radial};
+use surface_stats::spectrum::{Ring, radial};
 use surface_stats::{Edges, Spectra, StatsError, StatsOptions, SurfaceStatistics, level};
 
 /// Removes the form and takes the statistics. A map made from a recipe repeats; a measured one
@@ -55,13 +55,13 @@ pub(crate) fn model_inputs(
 
 /// Moments and radial PSD by the spectrum: of the map as it repeats if it does, under a Hann
 /// window otherwise, or the jump at the edges would count as roughness.
-pub(crate) fn spectral(power: &PowerSpectrum, statistics: &SurfaceStatistics) -> Spectral {
+pub(crate) fn spectral(found: &Spectra, statistics: &SurfaceStatistics) -> Spectral {
     let windowed = statistics.edges == Edges::Open;
     Spectral {
-        moments: power.moments(),
-        resolved: power.resolved_gradient(),
+        moments: found.power.moments(),
+        resolved: found.resolved,
         windowed,
-        psd: thinned(&power.rings()),
+        psd: thinned(&found.rings),
     }
 }
 

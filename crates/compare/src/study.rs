@@ -136,9 +136,8 @@ fn compare(
     );
     let (map, statistics, spectra) = described.map_err(refused)?;
     drop(heights);
-    let Spectra { power, amplitudes, seconds, .. } = spectra;
-    let spectral = spectral(&power, &statistics);
-    drop(power);
+    let spectral = spectral(&spectra, &statistics);
+    let Spectra { amplitudes, seconds, .. } = spectra;
     let mut inputs = model_inputs(&map, &statistics, amplitudes, modulus, asked);
     inputs.surface = Some(name.clone());
     let setup_seconds = setup.elapsed().as_secs_f64();

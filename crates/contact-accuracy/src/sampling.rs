@@ -10,7 +10,7 @@
 //!
 //! and `r + r²/2` to the upper side, as for a count (Garwood 1936, doi:10.1093/biomet/28.3-4.437).
 
-use contact_types::{Grid, HeightMap};
+use contact_types::HeightMap;
 use fft_bem_solver::Solution;
 use std::f64::consts::TAU;
 
@@ -28,8 +28,9 @@ const STIFFNESS: [f64; 2] = [1.8, 3.7];
 /// point.
 pub(crate) fn sampling(solution: &Solution, height: f64) -> Option<[f64; 3]> {
     let touches = solution.pressure.iter().any(|p| *p > 0.0);
-    let l = scatter(&solution.pressure, solution.grid).filter(|_| touches)?;
-    let b = scatter(&solution.coarse_gap, solution.coarse_grid())?;
+    let [_, nx] = solution.grid.shape();
+    let l = scatter(solution.pressure.chunks_exact(nx)).filter(|_| touches)?;
+    let b = scatter(solution.coarse_gap.iter().map(Vec::as_slice))?;
     let half = |factors: [f64; 2], x: f64, y: f64| {
         let r = (factors[0] * x).hypot(factors[1] * y);
         r + 0.5 * r * r
@@ -37,14 +38,14 @@ pub(crate) fn sampling(solution: &Solution, height: f64) -> Option<[f64; 3]> {
     Some([half(AREA, l, height), half(GAP, b, height), half(STIFFNESS, l, b)])
 }
 
-/// Relative standard error of the mean of a field by its blocks; 0 where it is nowhere above 0.
-fn scatter(field: &[f64], grid: Grid) -> Option<f64> {
-    let [ny, nx] = grid.shape();
-    if field.len() != grid.len() || ny.min(nx) < BLOCKS {
+/// Relative standard error of the mean of a field, given by rows, by its blocks; 0 where it is nowhere above 0.
+fn scatter<'a>(rows: impl ExactSizeIterator<Item = &'a [f64]> + Clone) -> Option<f64> {
+    let [ny, nx] = [rows.len(), rows.clone().next()?.len()];
+    if ny.min(nx) < BLOCKS {
         return None;
     }
     let mut sums = vec![[0.0; 2]; BLOCKS * BLOCKS];
-    for (iy, row) in field.chunks_exact(nx).enumerate() {
+    for (iy, row) in rows.enumerate() {
         let blocks = &mut sums[iy * BLOCKS / ny * BLOCKS..][..BLOCKS];
         for (column, [sum, points]) in blocks.iter_mut().enumerate() {
             let [from, to] = [column, column + 1].map(|c| (c * nx).div_ceil(BLOCKS));

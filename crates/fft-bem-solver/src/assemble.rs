@@ -7,11 +7,13 @@ use crate::simd::vectorised;
 use crate::tally::{Tally, tally};
 use crate::{
     Boundary, Diagnostics, Load, Maps, PERIMETER_CORRECTION, Real, Residuals, Solution, Yielded,
-    certificate, fields,
-    solution::{Section, coarse},
+    certificate, fields, solution::Section,
 };
 use contact_types::{Clock, ContactState, Grid};
 use grid_fft::parallel::prelude::*;
+
+/// Most blocks along a side of [`Solution::coarse_gap`].
+const BLOCKS: usize = 32;
 
 impl<T: Real> Engine<T> {
     pub(crate) fn solution(
@@ -47,16 +49,15 @@ impl<T: Real> Engine<T> {
         let gap = |i: usize| (u[i].wide() - h[i].wide() - level) * units.height;
         let (pixels, n) = (p.len(), p.len() as f64);
         let grid = problem.given;
-        let blocks = coarse(grid).shape();
+        let blocks = grid.shape().map(|n| n.min(BLOCKS));
         let mut coarse_gap = vec![0.0; blocks[0] * blocks[1]];
         let (shape, boundary) = (grid.shape(), settings.boundary);
         let Tally { sums, extremes: [lowest, largest] } = under!(ceiling, top => {
             tally(top, [p, u, h], level, boundary, shape, blocks, &mut coarse_gap)
         });
         let [below, contact, full, work, complementarity, duality, open] = sums;
-        for gap in &mut coarse_gap {
-            *gap *= units.height;
-        }
+        let scaled = |row: &[f64]| row.iter().map(|gap| gap * units.height).collect();
+        let coarse_gap = coarse_gap.chunks_exact(blocks[1]).map(scaled).collect();
         let borne = if full > 0.0 { full * hardness } else { 0.0 };
         let load_sum = below * units.pressure + borne;
         let [perimeter, sharp] = edges(problem.grid, p, ceiling, settings.boundary);

@@ -25,8 +25,8 @@ pub struct Solution {
     pub gap: Vec<f64>,
     /// Pressure and gap along one row, if the solver was [asked](crate::SolverBuilder::section) for one.
     pub section: Option<Section>,
-    /// Mean gap (m) of the blocks of [`coarse_grid`](Self::coarse_grid), row-major; in contact it counts as 0.
-    pub coarse_gap: Vec<f64>,
+    /// Mean gap (m) of blocks, at most 32 along each side, row by row; in contact it counts as 0.
+    pub coarse_gap: Vec<Vec<f64>>,
     /// How the answer was found and how accurate it is.
     pub diagnostics: Diagnostics,
 }
@@ -44,26 +44,11 @@ pub struct Section {
     pub gap: Vec<f64>,
 }
 
-/// Most blocks along a side of [`Solution::coarse_grid`].
-const BLOCKS: usize = 32;
-
 impl Solution {
-    /// The grid of [`coarse_gap`](Self::coarse_gap): at most 32 blocks along each side.
-    pub fn coarse_grid(&self) -> Grid {
-        coarse(self.grid)
-    }
-
     /// Pixels that carry pressure over all pixels: more than the area, by what the contact line cuts.
     pub fn touching_fraction(&self) -> f64 {
         self.diagnostics.contact_pixels as f64 / self.grid.len() as f64
     }
-}
-
-pub(crate) fn coarse(grid: Grid) -> Grid {
-    let ([ny, nx], [dy, dx]) = (grid.shape(), grid.pixel());
-    let [by, bx] = [ny, nx].map(|n| n.min(BLOCKS));
-    let pixel = [dy * ny as f64 / by as f64, dx * nx as f64 / bx as f64];
-    Grid::new([by, bx], pixel).unwrap_or(grid) // only where a side of the map is no number
 }
 
 impl std::fmt::Debug for Solution {

@@ -4,7 +4,7 @@ use crate::clean::{RowOffsets, row_offsets};
 use crate::fractal::{SpectralScales, check_range};
 use crate::level::{tilted, without_form};
 use crate::seam::{MOST_SEAM_JUMP, seam_jump};
-use crate::spectrum::{PowerSpectrum, amplitudes, apply_window};
+use crate::spectrum::{PowerSpectrum, Ring, amplitudes, apply_window};
 use crate::{
     DirectionalMoments, Edges, HeightStatistics, Level, StatsError, Summits, Warning, scale, steps,
 };
@@ -191,6 +191,10 @@ pub const STATISTICS: [Statistic; 29] = [
 pub struct Spectra {
     /// All waves: of the map as it repeats, or, with open edges, under a Hann window.
     pub power: PowerSpectrum,
+    /// That, averaged over directions.
+    pub rings: Vec<Ring>,
+    /// Rms gradient that finite differences see of these waves over the one they have.
+    pub resolved: f64,
     /// Amplitudes of the rows.
     pub amplitudes: AmplitudeSpectrum,
     /// Time of the moments, of the amplitudes and of the power spectrum of the levelled map (s).
@@ -323,7 +327,7 @@ impl SurfaceStatistics {
             rows.as_ref(),
         );
         let seconds = [of_moments, of_amplitudes, of_spectrum];
-        Ok((statistics, Spectra { power, amplitudes, seconds }))
+        Ok((statistics, Spectra { power, rings, resolved, amplitudes, seconds }))
     }
 
     /// m0, m2, m4 by finite differences.

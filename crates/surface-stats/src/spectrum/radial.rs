@@ -85,7 +85,7 @@ impl PowerSpectrum {
 
     /// Rms gradient that forward differences see of these waves over the one they have: 1 if all
     /// waves are long, and without a wave; 2/π if all are two pixels short.
-    pub fn resolved_gradient(&self) -> f64 {
+    pub(crate) fn resolved_gradient(&self) -> f64 {
         let [dy, dx] = self.grid.pixel();
         let (mut seen, mut all) = (0.0, 0.0);
         self.for_each(|[qy, qx], weight, variance| {
