@@ -3,20 +3,27 @@
 use crate::conduction;
 use crate::loads::{rising, shown};
 use crate::text;
+use rough_contact::compare::Joint;
 use rough_contact::contact_accuracy::NoUncertainty;
 use rough_contact::fft_bem_solver::{Load, Yielded};
 use rough_contact::front_end::Point;
 use std::fmt::Write as _;
 
-/// The cells of its row; `has_spot` if one spot is among what is conducted.
-pub(crate) fn cells(point: &Point, has_spot: bool) -> Vec<String> {
+/// The cells of its row; a number that is asked for and not there is a dash, so that the others stand under their
+/// headings.
+pub(crate) fn cells(point: &Point, asked: &Joint, has_stiffness: bool) -> Vec<String> {
+    let mut cells = match &point.conducted {
+        Some(found) => conduction::first_cells(found, asked.hardness.is_some()),
+        None => vec!["–".to_owned(); conduction::first_headings(asked, true).len()],
+    };
     let (Some(solution), Some(budget)) = (&point.solution, &point.budget) else {
-        return vec![shown(point.load), "refused".to_owned()];
+        cells.extend([shown(point.load), "refused".to_owned()]);
+        return cells;
     };
     let (state, d) = (&solution.state, &solution.diagnostics);
     let mean = budget.real_pressure().map(|r| r.value);
     let area = &budget.area;
-    let mut cells = vec![text::pressure(state.mean_pressure)];
+    cells.push(text::pressure(state.mean_pressure));
     if budget.gap_is_given {
         let load = budget.mean_pressure;
         cells.push(text::relative(load.value, load.interval().ok(), text::pressure));
@@ -33,13 +40,14 @@ pub(crate) fn cells(point: &Point, has_spot: bool) -> Vec<String> {
         format!("{:.1e}", d.residuals.preconditioned),
         text::seconds(d.seconds),
     ]);
-    cells.extend(budget.stiffness.map(|k| format!("{:.2e} Pa/m", k.value)));
+    if has_stiffness {
+        cells.push(text::or_dash(budget.stiffness, |k| format!("{:.2e} Pa/m", k.value)));
+    }
     if let Some(Yielded { area_fraction, load_share, .. }) = d.yielded {
         cells.extend([area_fraction, load_share].map(text::percent));
     }
     if let Some(found) = &point.conducted {
         cells.extend(conduction::cells(found));
-        cells.splice(0..0, conduction::first_cells(found, has_spot));
     }
     cells
 }

@@ -279,7 +279,8 @@ impl Solve {
             "residual",
             "time",
         ]);
-        if self.stiffness || joint.is_asked() {
+        let has_stiffness = self.stiffness || joint.is_asked();
+        if has_stiffness {
             headings.push("stiffness");
         }
         if answer.hardness.is_some() {
@@ -288,7 +289,7 @@ impl Solve {
         headings.extend(conduction::headings(&joint));
         let mut columns = Columns::new(&headings);
         for point in &answer.points {
-            let mut cells = cells(point, joint.hardness.is_some());
+            let mut cells = cells(point, &joint, has_stiffness);
             if spread.is_some() {
                 cells.insert(0, point.force.map_or_else(|| "–".to_owned(), text::force));
             }

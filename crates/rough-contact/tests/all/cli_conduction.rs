@@ -88,3 +88,21 @@ fn nothing_is_said_unasked_and_limits_are_allowed() {
     assert!(number(&none["conduction"]["points"][1]["thermal_conductance"]).abs() < 1e-300);
     at.refuses(&format!("compare a.x3p {LOADS} --resistivity 5 --out q"), &["unit"]);
 }
+
+/// A load that is refused, and one that is not solved to the tolerance, stand under the headings of the others.
+#[test]
+fn a_load_without_resistances_keeps_its_place_in_the_table() {
+    let at = &surface();
+    let line =
+        format!("solve a.x3p --modulus 110GPa {BODIES} --hardness 3GPa --pressure 1e-25Pa,9MPa");
+    for (more, row, cell, heading) in [
+        ("", 1, "refused", "touching"),
+        ("--precision f32 --tolerance 1e-10", 2, "9.00 MPa", "mean pressure"),
+    ] {
+        let out = at.run(&format!("{line} {more}")).out;
+        let table: Vec<&str> = out.lines().skip_while(|l| !l.contains("mean pressure")).collect();
+        let end =
+            |row: &str, cell: &str| row[..row.find(cell).unwrap() + cell.len()].chars().count();
+        assert_eq!(end(table[row], cell), end(table[0], heading), "{out}");
+    }
+}
