@@ -204,7 +204,7 @@ impl<'a> Bytes<'a> {
         self.slice(at, length).map_err(|_| {
             let size = self.data.len();
             let what = format!(
-                "{ny} x {nx} points need {length} bytes from here, the file ends at byte {size}"
+                "{ny} x {nx} points need {length} bytes from here, the data end at byte {size}"
             );
             self.fault(at, what)
         })?;
@@ -234,12 +234,15 @@ impl<'a> Bytes<'a> {
 
     /// A `Malformed` error in a line of text.
     pub(crate) fn line(&self, line: usize, what: impl Into<Cow<'static, str>>) -> ReadError {
-        self.field(format!("line {line}"), what)
+        ReadError::line(self.format, line, what)
     }
 
     /// The numbers in a line of text, NaN where it says `BAD`.
-    pub(crate) fn numbers(&self, (line, text): (usize, &str)) -> Result<Vec<f64>, ReadError> {
-        let number = |word: &str| match word.parse::<f64>() {
+    pub(crate) fn numbers(
+        &self,
+        (line, text): (usize, &str),
+    ) -> impl Iterator<Item = Result<f64, ReadError>> {
+        let number = move |word: &str| match word.parse::<f64>() {
             Ok(value) => Ok(value),
             Err(_) if word.eq_ignore_ascii_case("bad") => Ok(f64::NAN),
             Err(_) => {
@@ -247,7 +250,7 @@ impl<'a> Bytes<'a> {
                 Err(self.line(line, format!("{word:?} is no number")))
             }
         };
-        text.split_whitespace().map(number).collect()
+        text.split_whitespace().map(number)
     }
 
     /// A `Malformed` error in a named field.
@@ -285,7 +288,9 @@ impl<'a> Cursor<'a> {
     }
 
     pub(crate) fn word(&mut self) -> Result<usize, ReadError> {
-        self.number(Sample::U32).map(|word| word as usize)
+        let word = self.b.u32(self.at)?;
+        self.at += 4;
+        Ok(word as usize)
     }
 
     /// A text behind its length.

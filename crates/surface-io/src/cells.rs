@@ -38,8 +38,8 @@ impl ReadOptions {
         let two_words = self.words().filter(|mark| mark.contains(' ')).chain(["no data"]);
         let mut joined = std::borrow::Cow::Borrowed(line);
         for mark in two_words {
-            let mark = mark.to_ascii_lowercase();
-            while let Some(at) = joined.to_ascii_lowercase().find(&mark) {
+            let is_mark = |words: &[u8]| words.eq_ignore_ascii_case(mark.as_bytes());
+            while let Some(at) = joined.as_bytes().windows(mark.len()).position(is_mark) {
                 joined.to_mut().replace_range(at..at + mark.len(), "nan");
             }
         }

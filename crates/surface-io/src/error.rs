@@ -231,6 +231,15 @@ impl ReadError {
     ) -> Self {
         Self::Malformed { format, place: place.into(), what: what.into() }
     }
+
+    /// The same in a line of text.
+    pub(crate) fn line(
+        format: &'static str,
+        line: usize,
+        what: impl Into<Cow<'static, str>>,
+    ) -> Self {
+        Self::at(format, format!("line {line}"), what)
+    }
 }
 
 fn missing_scale(format: &'static str, needs: &[Need], unused: Option<&str>) -> String {

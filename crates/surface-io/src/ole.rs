@@ -59,7 +59,7 @@ impl Sectors<'_> {
         let fault = |what: String| Err(b.field(name.to_owned(), what));
         let most = b.data.len() as u64;
         if let Some(length) = length.filter(|&length| length > most) {
-            return fault(format!("{length} bytes are more than the file has"));
+            return fault(format!("{length} bytes are more than the {most} there are"));
         }
         let wanted = length.unwrap_or(most) as usize;
         let (mut at, mut chain) = (start, Vec::new()); // grows with what is there
@@ -69,7 +69,10 @@ impl Sectors<'_> {
             }
             let place = (at as usize).saturating_mul(self.size).saturating_add(self.first);
             chain.extend_from_slice(b.slice(place, self.size.min(wanted - chain.len()))?);
-            at = self.next.get(at as usize).copied().unwrap_or(END);
+            let Some(&next) = self.next.get(at as usize) else {
+                return fault(format!("the sector table does not reach to sector {at}"));
+            };
+            at = next;
         }
         if length.is_none() && at < END {
             return fault("its sectors never end".into());

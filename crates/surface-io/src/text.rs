@@ -137,7 +137,7 @@ impl<'a> NumberTable<'a> {
         }
         whole.map_or(Ok(()), |(number, numbers)| {
             let what = format!("a row of {numbers} numbers stands before lines that are no rows");
-            Err(ReadError::at(TEXT, format!("line {number}"), what))
+            Err(ReadError::line(TEXT, number, what))
         })
     }
 
@@ -197,7 +197,7 @@ impl<'a> NumberTable<'a> {
                         let column = column + 1;
                         let what =
                             format!("cell {column}: {text:?}, the cells above are in {known}");
-                        return Err(ReadError::at(TEXT, format!("line {number}"), what));
+                        return Err(ReadError::line(TEXT, number, what));
                     }
                     value
                 }
@@ -209,11 +209,8 @@ impl<'a> NumberTable<'a> {
         if found == expected {
             return Ok(());
         }
-        Err(ReadError::at(
-            TEXT,
-            format!("line {number}"),
-            format!("{found} values, the rows before have {expected}"),
-        ))
+        let what = format!("{found} values, the rows before have {expected}");
+        Err(ReadError::line(TEXT, number, what))
     }
 
     /// A separator at the end of every row is no column, nor are empty columns behind a list of
@@ -259,7 +256,7 @@ fn scan<'a>(
     let (mut tables, mut marks) = (Vec::new(), Marks::default());
     let mut table = NumberTable::empty(Vec::new());
     // The line before, if it may be the first row: the next one decides.
-    let mut held: Option<(usize, &str)> = None;
+    let mut held: Option<((usize, &str), RowShape)> = None;
     let mut started = false;
     let mut counts: NumberedLines<'_> = Vec::new();
     // Lines between rows: comments, or the header of the next table. And why the first of them is no row.
@@ -274,7 +271,7 @@ fn scan<'a>(
             match (started, is_blank) {
                 (true, false) => between.push((number, line)),
                 (false, false) => {
-                    table.header.extend(held.take());
+                    table.header.extend(held.take().map(|(line, _)| line));
                     table.header.push((number, line));
                 }
                 (_, true) => {}
@@ -329,16 +326,16 @@ fn scan<'a>(
         let shape = row_shape(line, options);
         let before = held.take();
         match (before, shape) {
-            (Some(first), Some(shape)) if row_shape(first.1, options) == Some(shape) => {
+            (Some((first, known)), Some(shape)) if known == shape => {
                 ((table.separator, table.columns), started) = (shape, true);
                 counts = vec![first, (number, line)];
                 table.push(first, options, &mut marks)?;
                 table.push((number, line), options, &mut marks)?;
             }
             (_, shape) => {
-                table.header.extend(before);
+                table.header.extend(before.map(|(line, _)| line));
                 match shape {
-                    Some(_) => held = Some((number, line)),
+                    Some(shape) => held = Some(((number, line), shape)),
                     None => table.header.push((number, line)),
                 }
             }
@@ -347,8 +344,8 @@ fn scan<'a>(
     if let Some(error) = trouble {
         return Err(error);
     }
-    if let Some(only) = held {
-        (table.separator, table.columns) = row_shape(only.1, options).unwrap_or((BLANK, 0));
+    if let Some((only, shape)) = held {
+        (table.separator, table.columns) = shape;
         table.push(only, options, &mut marks)?;
     }
     if tables.is_empty() || table.rows() > 0 {
@@ -379,8 +376,11 @@ fn separators(line: &str) -> &'static [char] {
     }
 }
 
-/// Separator and number of cells of a line that is a row of numbers or missing cells.
-fn row_shape(line: &str, options: &ReadOptions) -> Option<(char, usize)> {
+/// Separator and number of cells of a row.
+type RowShape = (char, usize);
+
+/// Of a line that is a row of numbers or missing cells.
+fn row_shape(line: &str, options: &ReadOptions) -> Option<RowShape> {
     separators(line).iter().copied().find_map(|separator| {
         let line = if separator == BLANK { options.joined(line) } else { line.into() };
         let mut count = 0;

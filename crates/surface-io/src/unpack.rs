@@ -147,7 +147,7 @@ mod tests {
             // A string of the table now and then, the newest ones too, else a byte.
             let known = i * i / 7 % (table.len() + 1);
             let (code, string) = match table.get(known).filter(|string| string.len() < 99) {
-                _ if i % 3_700 == 0 => (256, Vec::new()),
+                _ if i % 3_839 == 0 => (256, Vec::new()),
                 Some(string) if i % 3 == 0 => (258 + known, string.clone()),
                 _ => (i * 31 % 251, vec![(i * 31 % 251) as u8]),
             };

@@ -1,5 +1,5 @@
-//! The reader of the format whose first extension is in the variable FORMAT, or all, each where it recognises its own. Whatever the bytes, a
-//! reader returns a measurement that keeps its promises or a typed error, within small limits.
+//! The reader of the format whose first extension is in the variable FORMAT, or all, each where it recognises its own.
+//! Whatever the bytes, a reader returns a measurement that keeps its promises or a typed error, within small limits.
 #![no_main]
 
 use libfuzzer_sys::fuzz_target;

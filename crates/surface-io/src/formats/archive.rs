@@ -61,17 +61,22 @@ impl<'a> Archive<'a> {
 }
 
 /// The single file in a ZIP archive that is no format of its own, or in a gzip file; any other
-/// bytes as they are.
+/// bytes as they are. Of a packed VK6 or VK7 the VK4 in it.
 pub(crate) fn unwrap_single<'a>(
     bytes: &'a [u8],
     limits: &Limits,
 ) -> Result<Cow<'a, [u8]>, ReadError> {
+    let inner = unwrap_one(bytes, limits)?;
+    if !super::vk::is_packed(&inner) {
+        return Ok(inner);
+    }
+    let packed = Bytes::little(&inner, "Keyence VK", *limits);
+    Archive::open(packed)?.unpack("Vk4File").map(Cow::Owned)
+}
+
+fn unwrap_one<'a>(bytes: &'a [u8], limits: &Limits) -> Result<Cow<'a, [u8]>, ReadError> {
     if bytes.starts_with(b"\x1f\x8b") {
         return gunzip(bytes, limits).map(Cow::Owned);
-    }
-    if super::vk::is_packed(bytes) {
-        let packed = Bytes::little(bytes, "Keyence VK", *limits);
-        return Archive::open(packed)?.unpack("Vk4File").map(Cow::Owned);
     }
     if !bytes.starts_with(MAGIC) {
         return Ok(Cow::Borrowed(bytes));

@@ -120,12 +120,14 @@ fn parse_text(b: Bytes<'_>) -> Result<Contents<'_>, ReadError> {
             let next = lines.next();
             let (number, line) =
                 next.ok_or_else(|| b.line(number, format!("not {nx} columns follow")))?;
-            let column = b.numbers((number, &line.replace(',', ".")))?;
-            if column.len() != ny {
-                let what = format!("{} points, a column has {ny}", column.len());
-                return Err(b.line(number, what));
+            let before = values.len();
+            for value in b.numbers((number, &line.replace(',', "."))) {
+                values.push(value?);
             }
-            values.extend(column);
+            let found = values.len() - before;
+            if found != ny {
+                return Err(b.line(number, format!("{found} points, a column has {ny}")));
+            }
         }
         maps.push((name.to_owned(), is_other, [nx, ny], values));
     }

@@ -121,7 +121,9 @@ fn ascii(b: Bytes<'_>) -> Result<Contents<'_>, ReadError> {
     let mut values = Vec::new(); // grows with the text, whatever the header claims
     for (line, text) in lines {
         let numbers = text.split('*').next().unwrap_or_default();
-        values.extend(b.numbers((line, numbers))?.into_iter().map(height));
+        for raw in b.numbers((line, numbers)) {
+            values.push(height(raw?));
+        }
         if numbers.len() < text.len() {
             break;
         }

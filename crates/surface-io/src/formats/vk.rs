@@ -28,7 +28,7 @@ pub(crate) fn is_packed(bytes: &[u8]) -> bool {
 
 pub(crate) fn parse(b: Bytes<'_>) -> Result<Contents<'_>, ReadError> {
     if is_packed(b.data) {
-        return Err(b.unsupported("VK6 and VK7 without the feature `zip`"));
+        return Err(b.unsupported("a VK6 or VK7 that was not unpacked (feature `zip`)"));
     }
     if b.u32(8)? != 0 {
         return Err(b.fault(8, "4 zeros expected here"));

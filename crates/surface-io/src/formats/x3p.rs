@@ -64,7 +64,10 @@ pub(crate) fn parse(b: Bytes<'_>) -> Result<Contents<'_>, ReadError> {
     };
     let mut z = match raw {
         Some(raw) if raw.len() / sample.size() >= points => {
-            sample.decode(&raw[..points * sample.size()], ByteOrder::Little)
+            let mut z = sample.decode(&raw[..points * sample.size()], ByteOrder::Little);
+            // Some writers mark a missing point by infinity instead of NaN.
+            z.iter_mut().filter(|z| z.is_infinite()).for_each(|z| *z = f64::NAN);
+            z
         }
         Some(raw) => {
             let (n, size) = (raw.len(), sample.size());
@@ -78,8 +81,7 @@ pub(crate) fn parse(b: Bytes<'_>) -> Result<Contents<'_>, ReadError> {
         None => bad.map_or(Ok(list), Err)?,
     };
     for z in &mut z {
-        // Some writers mark a missing point by infinity instead of NaN.
-        *z = if z.is_infinite() { f64::NAN } else { *z * factor + offset };
+        *z = *z * factor + offset;
     }
     if let Some(mask) = mask {
         if mask.len() < points.div_ceil(8) {
@@ -92,16 +94,17 @@ pub(crate) fn parse(b: Bytes<'_>) -> Result<Contents<'_>, ReadError> {
         }
     }
 
-    let layer = |number: usize| {
-        let behind = z.split_off(nx * ny);
-        let z = std::mem::replace(&mut z, behind);
+    // From the end, so that each layer is moved once.
+    let mut parts: Vec<_> = (1..layers).rev().map(|layer| z.split_off(layer * nx * ny)).collect();
+    parts.push(z);
+    let layer = |(number, z): (usize, Vec<f64>)| {
         let name = match layers {
             1 => "Topography".to_owned(),
-            _ => format!("Topography, layer {number}"),
+            _ => format!("Topography, layer {}", number + 1),
         };
         Channel::new(name, Some("m"), [ny, nx], pixel, move || Ok(z))
     };
-    let channels = (1..=layers).map(layer).collect();
+    let channels = parts.into_iter().rev().enumerate().map(layer).collect();
     let metadata = fields.iter().filter_map(|(path, value)| {
         let key = path.strip_prefix("Record2/").or_else(|| path.strip_prefix("Record1/"))?;
         (!key.starts_with("Axes/")).then(|| (key.to_owned(), value.clone()))

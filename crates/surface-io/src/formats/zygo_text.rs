@@ -91,7 +91,9 @@ pub(crate) fn parse(b: Bytes<'_>) -> Result<Contents<'_>, ReadError> {
         let mut values = Vec::new();
         for i in phase {
             let height = |raw| if raw >= 2_147_483_640.0 { f64::NAN } else { raw * step };
-            values.extend(b.numbers((i + 1, lines[i]))?.into_iter().map(height));
+            for raw in b.numbers((i + 1, lines[i])) {
+                values.push(height(raw?));
+            }
         }
         (values, "m")
     };

@@ -1,6 +1,6 @@
 //! Samples of the formats of microscopes and profilers that came later than the others.
 
-use super::binary::{Writer, doubles, floats, shorts, upside_down, utf16, words, zip, zlib};
+use super::binary::{Writer, doubles, floats, gzip, shorts, upside_down, utf16, words, zip, zlib};
 use super::{DX, DY, NX, NY, SampleFile, points};
 use std::io::Read as _;
 
@@ -345,6 +345,7 @@ pub fn samples() -> Vec<SampleFile> {
     vec![
         SampleFile::new("vk4", vk4()).complete(),
         SampleFile::new("vk6", vk6()).complete(),
+        SampleFile::new("vk6, gzip", gzip(&vk6())).complete(),
         SampleFile::new("plux", plux()),
         SampleFile::new("zmg", zmg()).complete(),
         SampleFile::new("os3d", os3d()),
