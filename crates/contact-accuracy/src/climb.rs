@@ -139,17 +139,18 @@ pub fn climb(task: &Task<'_>, sink: &mut dyn Sink) -> Result<Reached, LadderErro
     };
     if task.aim != Aim::AsGiven && possible(0.5) {
         let low = attempt(task, 0.5, sink)?;
-        if low.missed == 0 {
+        if low.reached.unmet.is_none() {
             return Ok(low.reached(Some(1.0), start));
         }
     }
     let given = attempt(task, 1.0, sink)?;
     let next = (possible(2.0) && !given.between_points).then_some(2.0);
-    if given.missed == 0 || next.is_none() {
+    if given.reached.unmet.is_none() || next.is_none() {
         return Ok(given.reached(next, start));
     }
     let high = attempt(task, 2.0, sink)?;
-    if high.missed == 0 || high.widest < given.widest {
+    let widest = |attempt: &Attempt| attempt.reached.half_width.unwrap_or(f64::INFINITY);
+    if high.reached.unmet.is_none() || widest(&high) < widest(&given) {
         return Ok(high.reached(None, start));
     }
     Ok(attempt(task, 1.0, sink)?.reached(None, start))
@@ -165,10 +166,6 @@ fn half(grid: Grid) -> Grid {
 struct Attempt {
     /// The result of this rung alone, without the one above.
     reached: Reached,
-    /// How many loads miss the request.
-    missed: usize,
-    /// Widest relative half width; infinite if a load has none.
-    widest: f64,
     /// Whether an answer depends on what lies between the points.
     between_points: bool,
 }
@@ -198,7 +195,7 @@ fn attempt(task: &Task<'_>, factor: f64, sink: &mut dyn Sink) -> Result<Attempt,
         Setup { builder, finer, section: setup.section.map(row), ..setup.clone() },
     )?;
     sink.begin(ladder.map(), &ladder.known);
-    let (mut widest, mut missed, mut any_between, mut unmet) = (0.0_f64, 0, false, None);
+    let (mut widest, mut any_between, mut unmet) = (0.0_f64, false, None);
     for (index, &load) in loads.iter().enumerate() {
         let result = ladder.solve(load, |now| sink.iterated(index, now));
         if matches!(result, Err(SolverError::Stopped(_))) {
@@ -209,14 +206,12 @@ fn attempt(task: &Task<'_>, factor: f64, sink: &mut dyn Sink) -> Result<Attempt,
         let between_points = indicator.is_some_and(|i| i > LIMIT);
         any_between |= between_points;
         widest = widest.max(*here.as_ref().unwrap_or(&f64::INFINITY));
-        let misses = !aim.is_met(&here);
-        if misses {
-            missed += 1;
-            let first = Unmet { first: load, missed, of: loads.len(), here, between_points };
-            unmet.get_or_insert(first).missed = missed;
-        }
-        if factor < 1.0 && misses {
-            break;
+        if !aim.is_met(&here) {
+            let first = Unmet { first: load, missed: 0, of: loads.len(), here, between_points };
+            unmet.get_or_insert(first).missed += 1;
+            if factor < 1.0 {
+                break;
+            }
         }
         if sink.take(index, result).is_break() {
             return Err(LadderError::Stopped);
@@ -233,7 +228,7 @@ fn attempt(task: &Task<'_>, factor: f64, sink: &mut dyn Sink) -> Result<Attempt,
         next: None,
         unmet,
     };
-    Ok(Attempt { reached, missed, widest, between_points: any_between })
+    Ok(Attempt { reached, between_points: any_between })
 }
 
 /// Relative half width of the area, or why there is none.

@@ -28,9 +28,9 @@ const STIFFNESS: [f64; 2] = [1.8, 3.7];
 /// point.
 pub(crate) fn sampling(solution: &Solution, height: f64) -> Option<[f64; 3]> {
     let touches = solution.pressure.iter().any(|p| *p > 0.0);
-    let [_, nx] = solution.grid.shape();
-    let l = scatter(solution.pressure.chunks_exact(nx)).filter(|_| touches)?;
-    let b = scatter(solution.coarse_gap.iter().map(Vec::as_slice))?;
+    let l = scatter(solution.grid.shape(), &solution.pressure).filter(|_| touches)?;
+    let (blocks, coarse_gap) = &solution.coarse_gap;
+    let b = scatter(*blocks, coarse_gap)?;
     let half = |factors: [f64; 2], x: f64, y: f64| {
         let r = (factors[0] * x).hypot(factors[1] * y);
         r + 0.5 * r * r
@@ -38,14 +38,13 @@ pub(crate) fn sampling(solution: &Solution, height: f64) -> Option<[f64; 3]> {
     Some([half(AREA, l, height), half(GAP, b, height), half(STIFFNESS, l, b)])
 }
 
-/// Relative standard error of the mean of a field, given by rows, by its blocks; 0 where it is nowhere above 0.
-fn scatter<'a>(rows: impl ExactSizeIterator<Item = &'a [f64]> + Clone) -> Option<f64> {
-    let [ny, nx] = [rows.len(), rows.clone().next()?.len()];
-    if ny.min(nx) < BLOCKS {
+/// Relative standard error of the mean of a field by its blocks; 0 where it is nowhere above 0.
+fn scatter([ny, nx]: [usize; 2], field: &[f64]) -> Option<f64> {
+    if field.len() != ny * nx || ny.min(nx) < BLOCKS {
         return None;
     }
     let mut sums = vec![[0.0; 2]; BLOCKS * BLOCKS];
-    for (iy, row) in rows.enumerate() {
+    for (iy, row) in field.chunks_exact(nx).enumerate() {
         let blocks = &mut sums[iy * BLOCKS / ny * BLOCKS..][..BLOCKS];
         for (column, [sum, points]) in blocks.iter_mut().enumerate() {
             let [from, to] = [column, column + 1].map(|c| (c * nx).div_ceil(BLOCKS));

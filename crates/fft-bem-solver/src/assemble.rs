@@ -56,8 +56,10 @@ impl<T: Real> Engine<T> {
             tally(top, [p, u, h], level, boundary, shape, blocks, &mut coarse_gap)
         });
         let [below, contact, full, work, complementarity, duality, open] = sums;
-        let scaled = |row: &[f64]| row.iter().map(|gap| gap * units.height).collect();
-        let coarse_gap = coarse_gap.chunks_exact(blocks[1]).map(scaled).collect();
+        for gap in &mut coarse_gap {
+            *gap *= units.height;
+        }
+        let coarse_gap = (blocks, coarse_gap);
         let borne = if full > 0.0 { full * hardness } else { 0.0 };
         let load_sum = below * units.pressure + borne;
         let [perimeter, sharp] = edges(problem.grid, p, ceiling, settings.boundary);

@@ -14,7 +14,8 @@ const NATIVE_ITERATIONS: usize = 60;
 const LEVELLING_OFF: f64 = 1.5;
 
 /// Loads to try before giving up, elastic and under a ceiling; a few are enough but for rounding.
-const MOST_LOADS: [usize; 2] = [100, 60];
+const MOST_LOADS: usize = 100;
+const MOST_YIELDING: usize = 60;
 /// Largest change of the logarithm of the load, or of y under a ceiling, from one load to the next.
 const FARTHEST: f64 = 2.0;
 
@@ -154,7 +155,7 @@ impl<T: Real> Search<'_, '_, T> {
                 let end = if residual <= task.tolerance { End::Converged } else { End::Rounding };
                 return Outcome { end, residual, ..self.spent };
             }
-            if self.spent.iterations >= task.max_iterations || loads >= MOST_LOADS[0] {
+            if self.spent.iterations >= task.max_iterations || loads >= MOST_LOADS {
                 return Outcome { end: End::Exhausted, residual, ..self.spent };
             }
             // Only an answer clearly on one side of the target may narrow the bracket; one that leaves
@@ -194,7 +195,7 @@ impl<T: Real> Search<'_, '_, T> {
         let [mut low, mut high] = [f64::NEG_INFINITY, f64::INFINITY];
         let mut last: Option<[f64; 2]> = None; // y, gap
         let mut slope = None;
-        for _ in 0..MOST_LOADS[1] {
+        for _ in 0..MOST_YIELDING {
             let load = load_of(y);
             let tolerance = accuracy.max(finest);
             let known = slope;

@@ -16,8 +16,10 @@ pub trait Real:
     /// `tests/certificate.rs`, with the free boundary.
     const ATTAINABLE: f64;
     /// A vector of four of them.
+    #[doc(hidden)]
     type Four<S: Simd>: SimdFloat<S, Element = Self>;
     /// The same four numbers as `f64`, exactly.
+    #[doc(hidden)]
     fn widened<S: Simd>(four: Self::Four<S>) -> f64x4<S>;
     /// The nearest number of this type.
     fn of(value: f64) -> Self;

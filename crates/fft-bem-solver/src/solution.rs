@@ -25,8 +25,8 @@ pub struct Solution {
     pub gap: Vec<f64>,
     /// Pressure and gap along one row, if the solver was [asked](crate::SolverBuilder::section) for one.
     pub section: Option<Section>,
-    /// Mean gap (m) of blocks, at most 32 along each side, row by row; in contact it counts as 0.
-    pub coarse_gap: Vec<Vec<f64>>,
+    /// Mean gap (m) of blocks, at most 32 along each side, row-major behind their shape; in contact it counts as 0.
+    pub coarse_gap: ([usize; 2], Vec<f64>),
     /// How the answer was found and how accurate it is.
     pub diagnostics: Diagnostics,
 }

@@ -281,8 +281,8 @@ fn two_harmonics(options: &Options, n: usize) -> CaseResult {
     Ok((solution, numbers))
 }
 
-/// The egg box `amplitude cos(2 pi x / wavelength) cos(2 pi y / wavelength)` on `n` x `n` pixels, a summit at `[y0, x0]`
-/// pixels (m), and the mean pressure that closes every gap, `p* = sqrt(2) pi E* amplitude / wavelength` (Pa).
+/// Heights (m) of the egg box `amplitude cos(2 pi x / wavelength) cos(2 pi y / wavelength)` on `n` x `n` pixels, a summit at
+/// `[y0, x0]` pixels, and the mean pressure that closes every gap, `p* = sqrt(2) pi E* amplitude / wavelength` (Pa).
 ///
 /// # Source
 /// Johnson, Greenwood & Higginson (1985), *Int. J. Mech. Sci.* 27, 383–396, doi:10.1016/0020-7403(85)90029-3.
@@ -326,7 +326,7 @@ fn closed(options: &Options, n: usize) -> CaseResult {
     let (map, p_star) = egg_box(n, [0.0, 0.0])?;
     let mut exact = map.heights().to_vec();
     PeriodicHalfSpace::new(map.grid(), modulus()?).invert(&mut exact);
-    let least = -exact.iter().copied().fold(f64::INFINITY, f64::min);
+    let least = -crate::fields::min(&exact);
     for p in &mut exact {
         *p = *p + least + 0.1 * least;
     }

@@ -83,13 +83,12 @@ impl CutCells {
     /// What the cells `first..` gather from `pixels`, which begin at `2 first - 2`.
     #[inline(always)]
     pub(crate) fn interpolate_transposed(&self, first: usize, pixels: &[f32], cells: &mut [f32]) {
-        let (even, odd) = (|c| self.even(c), |c| self.odd(c));
         let [x, y, z] = [0, 2, 4].map(|first| pixels[first..].as_chunks::<2>().0);
         for (k, (((out, x), y), z)) in cells.iter_mut().zip(x).zip(y).zip(z).enumerate() {
             let c = number(first + k);
-            let left = even(c - 1.0).max(0.0) * x[0] + odd(c - 1.0) * x[1];
-            let own = left + (1.0 - even(c).abs()) * y[0] + (1.0 - odd(c)) * y[1];
-            *out = own + (-even(c + 1.0)).max(0.0) * z[0];
+            let left = self.even(c - 1.0).max(0.0) * x[0] + self.odd(c - 1.0) * x[1];
+            let own = left + (1.0 - self.even(c).abs()) * y[0] + (1.0 - self.odd(c)) * y[1];
+            *out = own + (-self.even(c + 1.0)).max(0.0) * z[0];
         }
         // The cells of an axis whose neighbour is at its other end, and the one that was left out.
         for k in [0, cells.len() - 1] {

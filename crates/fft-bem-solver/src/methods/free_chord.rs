@@ -118,13 +118,11 @@ impl<T: Real> ContactMethod<T> for FreeChord<T> {
             unreachable!("an isolated contact has no mean gap to prescribe")
         };
         // The pressure begins as constant on the map, and K is not known to make nothing of it.
-        let mut transforms = 0.0;
         // Nor may what stood near the ceiling be scaled beyond it.
         let factor = load * state.pressure.len() as f64 / fields::sum(&state.pressure);
         let is_beyond = under!(task.ceiling, top => top.is_passed(factor, &state.pressure));
-        if start == Start::Cold || is_beyond {
-            transforms += state.fill(load, operator);
-        }
+        let is_begun = start == Start::Cold || is_beyond;
+        let transforms = if is_begun { state.fill(load, operator) } else { 0.0 };
         let around = T::of(1.5 * fields::max(&state.displacement).max(0.0));
         embed(map, &state.pressure, T::zero(), stride, &mut self.state.pressure);
         embed(map, &state.displacement, around, stride, &mut self.state.displacement);

@@ -5,6 +5,7 @@ use super::choice::operator;
 use super::chord::{Chord, StepKind};
 use super::contract::{ContactMethod, ContactTask, Outcome, Start, State, Target};
 use super::polonsky_keer::PolonskyKeer;
+use super::stanley_kato::StanleyKato;
 use crate::problem::{self, Problem};
 use crate::simd::IS_PLAIN;
 use crate::{Boundary, End, Real, fields};
@@ -33,11 +34,21 @@ fn run<T: Real>(
     tolerance: f64,
     load: f64,
 ) -> (Outcome, State<T>) {
+    run_up_to(20_000, method, problem, tolerance, load)
+}
+
+fn run_up_to<T: Real>(
+    max_iterations: usize,
+    method: &mut dyn ContactMethod<T>,
+    problem: &Problem<T>,
+    tolerance: f64,
+    load: f64,
+) -> (Outcome, State<T>) {
     let mut half_space = operator(problem.grid, Boundary::Periodic);
     let mut state = State::new(problem.grid.len());
     let target = Target::Pressure(load);
     let ceiling = f64::INFINITY;
-    let task = ContactTask { problem, target, ceiling, tolerance, max_iterations: 20_000 };
+    let task = ContactTask { problem, target, ceiling, tolerance, max_iterations };
     let mut watch = |_: &super::contract::IterateView<'_, T>| ControlFlow::Continue(());
     let outcome = method.solve(&task, half_space.as_mut(), Start::Cold, &mut state, &mut watch);
     (outcome, state)
@@ -78,6 +89,24 @@ fn each_kind_of_step_alone_finds_the_solution() {
                 assert_eq!(chord.work.pairs.has_room(), has_room || asks);
             }
         }
+    }
+}
+
+/// Out of iterations each method says so, and what it reached carries the load.
+#[test]
+fn a_run_that_ends_early_hands_over_what_it_reached() {
+    let (problem, grid) = surface();
+    let n = problem.grid.len();
+    let methods: [Box<dyn ContactMethod<f64>>; 3] = [
+        Box::new(Chord::new(grid)),
+        Box::new(Baseline::<f64, PolonskyKeer>::new(n)),
+        Box::new(Baseline::<f64, StanleyKato>::new(n)),
+    ];
+    for mut method in methods {
+        let (outcome, found) = run_up_to(3, method.as_mut(), &problem, 1e-12, 0.05);
+        assert_eq!((outcome.end, outcome.iterations), (End::Exhausted, 3));
+        assert!(outcome.residual.is_finite());
+        assert!((fields::mean(&found.pressure) / 0.05 - 1.0).abs() < 1e-12);
     }
 }
 

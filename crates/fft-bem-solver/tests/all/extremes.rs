@@ -174,6 +174,7 @@ fn nothing_is_lost_when_a_run_ends_early() {
     let reached = error.solution().unwrap();
     assert_eq!(reached.diagnostics.iterations, 20_000);
     assert!(reached.diagnostics.residuals.preconditioned.is_finite());
+    assert!((reached.pressure.iter().sum::<f64>() / 42.0 / 0.03 - 1.0).abs() < 1e-12);
 
     let map = self_affine(unit_grid(64, 64), 0.8, 16.0, 2.0, 6);
     for method in METHODS {

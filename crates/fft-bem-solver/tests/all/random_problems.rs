@@ -69,7 +69,7 @@ fn survey(count: u64, longest: f64) -> ([Vec<f64>; 3], f64) {
     let mut optimism = 0.0_f64;
     for k in 0..count {
         let (surface, load, what) = problem(k, longest);
-        let chord = || Solver::builder().method(Method::Chord);
+        let chord = || Solver::builder().method(Method::Chord).threads(1);
         let exact = solve(&surface, chord().tolerance(1e-12), load);
         let error = |p: &[f64]| difference(p, &exact.pressure);
         let found = solve(&surface, chord().tolerance(1e-10), load);
