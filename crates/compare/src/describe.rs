@@ -58,7 +58,7 @@ pub(crate) fn model_inputs(
 pub(crate) fn spectral(found: &Spectra, statistics: &SurfaceStatistics) -> Spectral {
     let windowed = statistics.edges == Edges::Open;
     Spectral {
-        moments: found.power.moments(),
+        moments: found.moments,
         resolved: found.resolved,
         windowed,
         psd: thinned(&found.rings),

@@ -2,7 +2,6 @@
 
 use crate::finding::{Fact, Finding, Pressed};
 use surface_stats::Warning;
-use surface_stats::clean::RowOffsets;
 
 /// Rms gradient from which small-slope elasticity strains: errors of the slopes squared.
 const STEEP: f64 = 0.3;
@@ -44,8 +43,8 @@ pub struct Scene {
     pub rms_height: Option<f64>,
     /// Radius of asperities (m), if they have one.
     pub radius: Option<f64>,
-    /// How its rows stand against each other, where no statistics say it.
-    pub rows: Option<RowOffsets>,
+    /// That its rows jump, where no statistics say it.
+    pub rows: Option<Warning>,
     /// That it is tilted, where no statistics say it.
     pub tilted: Option<Warning>,
     /// Spacing of doubles at the heights as they were given (m), where no statistics say it.
@@ -58,8 +57,7 @@ impl Scene {
     /// What is said before any number: units, yield, slopes.
     pub(crate) fn findings(&self) -> Vec<Finding> {
         let found = [self.unit(), self.rounding(), self.beyond_yield(), self.steep()];
-        let rows = self.rows.as_ref().and_then(RowOffsets::warning);
-        let warned = self.tilted.into_iter().chain(rows).map(Finding::warned);
+        let warned = self.tilted.into_iter().chain(self.rows).map(Finding::warned);
         found.into_iter().flatten().chain(warned).collect()
     }
 

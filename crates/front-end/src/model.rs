@@ -15,10 +15,10 @@ use contact_types::{
 };
 use serde_json::{Value, json};
 use std::path::Path;
-use surface_stats::clean::{Record, RowOffsets, row_offsets};
+use surface_stats::clean::{Record, row_offsets};
 use surface_stats::profile::ProfileStatistics;
 use surface_stats::spectrum::{amplitudes, radial};
-use surface_stats::{Edges, StatsError, StatsOptions, SurfaceStatistics, level, moments};
+use surface_stats::{Edges, StatsError, Warning, level, moments, spectral_scales};
 
 /// What is asked of the model.
 #[derive(Clone, Copy, Debug)]
@@ -127,7 +127,7 @@ fn results(
 }
 
 /// What is asked of elasticity, with the results by rising load.
-fn scene(card: &Card, inputs: &Inputs, points: &[ModelPoint], rows: Option<RowOffsets>) -> Scene {
+fn scene(card: &Card, inputs: &Inputs, points: &[ModelPoint], rows: Option<Warning>) -> Scene {
     let pressed = |point: &ModelPoint| {
         let state = &point.answer.as_ref().ok()?.state;
         let mean = state.real_pressure()?;
@@ -156,7 +156,7 @@ fn scene(card: &Card, inputs: &Inputs, points: &[ModelPoint], rows: Option<RowOf
 pub struct ModelSubject {
     /// Numbers for its inputs. What no surface says is added by who asks.
     pub inputs: Inputs,
-    rows: Option<RowOffsets>,
+    rows: Option<Warning>,
     spikes: Spikes,
     cleaned: Vec<Record>,
     level: Option<Level>,
@@ -204,7 +204,8 @@ impl ModelSubject {
         let (origin, heights) = (surface.origin, surface.heights);
         let pair = origin.pair().cloned();
         let spikes = Spikes::left(&heights, &cleaned, pair.as_ref());
-        let rows = row_offsets(heights.grid(), heights.heights()).ok();
+        let rows =
+            row_offsets(heights.grid(), heights.heights()).ok().and_then(|rows| rows.warning);
         let form = origin.level(asked).on(&heights).map_err(refused)?;
         let edges = edges.unwrap_or_else(|| origin.edges());
         let mut inputs = Inputs::new(modulus);
@@ -214,22 +215,14 @@ impl ModelSubject {
         inputs.is_measured = true;
         inputs.moments = Some(moments(&map, edges).map_err(refused)?);
         // Spectra take several times the memory of the map: what was not levelled goes before.
+        drop(heights);
         match card.of_map {
             OfMap::Fractal => {
-                let missing = origin.missing();
-                let options =
-                    StatsOptions { level: form, edges, missing, ..StatsOptions::default() };
-                let all = SurfaceStatistics::of(&heights, &options).map_err(refused)?;
-                (inputs.dimension, inputs.fractal) = (all.dimension, all.fractal());
+                ([_, inputs.dimension], inputs.fractal) =
+                    spectral_scales(&map, edges).map_err(refused)?;
             }
-            OfMap::Spectrum => {
-                drop(heights);
-                inputs.spectrum = Some(radial(&map).map_err(refused)?);
-            }
-            OfMap::Amplitudes => {
-                drop(heights);
-                inputs.amplitudes = Some(amplitudes(&map).map_err(refused)?);
-            }
+            OfMap::Spectrum => inputs.spectrum = Some(radial(&map).map_err(refused)?),
+            OfMap::Amplitudes => inputs.amplitudes = Some(amplitudes(&map).map_err(refused)?),
             OfMap::Moments => {}
         }
         Ok(Self { inputs, rows, spikes, cleaned, level: Some(form), pair, profile: None })

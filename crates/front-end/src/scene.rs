@@ -1,12 +1,10 @@
 //! What is asked of elasticity, and whether the bodies stick, of one map.
 
-use contact_compare::{Adhesion, Inputs, Level, Scene, WorkOfAdhesion};
+use contact_compare::{Adhesion, Inputs, Scene, WorkOfAdhesion};
 use contact_types::{AsperityStatistics, ContactModulus, HeightMap};
 use surface_stats::clean::row_offsets;
 use surface_stats::profile::{self, Trace};
-use surface_stats::{
-    Edges, HeightStatistics, StatsError, StatsOptions, SurfaceStatistics, moments,
-};
+use surface_stats::{Edges, HeightStatistics, StatsError, moments, spectral_scales};
 
 /// The scene of a map, or of the section of ridges.
 ///
@@ -31,7 +29,7 @@ pub(crate) fn of(
     Ok(Scene {
         gradient: Some(moments.rms_gradient()),
         radius: AsperityStatistics::from_moments(moments).ok().map(|a| a.radius),
-        rows: row_offsets(map.grid(), map.heights()).ok(),
+        rows: row_offsets(map.grid(), map.heights()).ok().and_then(|rows| rows.warning),
         ..scene
     })
 }
@@ -48,11 +46,11 @@ pub(crate) fn adhesion(
     contacts: &[[f64; 2]],
 ) -> Result<Adhesion, StatsError> {
     let moments = moments(map, Edges::Open)?;
-    let as_it_is = StatsOptions { level: Level::None, ..StatsOptions::default() };
     let inputs = Inputs {
         moments: Some(moments),
         spectrum: surface_stats::spectrum::radial(map).ok(),
         ..Inputs::new(modulus)
     };
-    Ok(Adhesion::of(given, &inputs, SurfaceStatistics::of(map, &as_it_is)?.cutoff, contacts))
+    let ([cutoff, _], _) = spectral_scales(map, Edges::Open)?;
+    Ok(Adhesion::of(given, &inputs, cutoff, contacts))
 }

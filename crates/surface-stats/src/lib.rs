@@ -39,7 +39,9 @@ pub use error::StatsError;
 pub use heights::HeightStatistics;
 pub use level::{Level, level, tilted};
 pub use seam::{repeats, seam_jump};
-pub use statistics::{STATISTICS, Spectra, Statistic, StatsOptions, SurfaceStatistics};
+pub use statistics::{
+    STATISTICS, Spectra, Statistic, StatsOptions, SurfaceStatistics, spectral_scales,
+};
 pub use steps::height_step;
 pub use summits::Summits;
 pub use warning::Warning;

@@ -1,6 +1,6 @@
 //! The one call most users need.
 
-use crate::clean::{RowOffsets, row_offsets};
+use crate::clean::row_offsets;
 use crate::fractal::{SpectralScales, check_range};
 use crate::level::{tilted, without_form};
 use crate::seam::{MOST_SEAM_JUMP, seam_jump};
@@ -185,13 +185,29 @@ pub const STATISTICS: [Statistic; 29] = [
     number("reliable_wavelength", "", "reliable wavelength", "m", |s| s.reliable_wavelength),
 ];
 
+/// `[cut-off (m), fractal dimension]`, and D with G (absent unless 1 < D < 2), of a levelled map, as among all its statistics.
+///
+/// # Errors
+/// [`StatsError`] of a map without a spectrum.
+pub fn spectral_scales(
+    map: &HeightMap,
+    edges: Edges,
+) -> Result<([Option<f64>; 2], Option<FractalParameters>), StatsError> {
+    let rings = PowerSpectrum::of(map, edges)?.rings();
+    let rms_height = HeightStatistics::of(map).rms_height;
+    let scales = SpectralScales::of_map(&rings, map.grid(), rms_height, None);
+    let fractal = scales.power_law.map(|law| law.fractal_of_surface());
+    let dimension = fractal.map(|(dimension, _)| dimension);
+    Ok(([scales.cutoff, dimension], fractal.and_then(|(_, found)| found)))
+}
+
 /// The spectra that [`SurfaceStatistics`] are taken from, of the levelled map.
 #[derive(Debug)]
 #[non_exhaustive]
 pub struct Spectra {
-    /// All waves: of the map as it repeats, or, with open edges, under a Hann window.
-    pub power: PowerSpectrum,
-    /// That, averaged over directions.
+    /// Moments by all waves: of the map as it repeats, or, with open edges, under a Hann window.
+    pub moments: SpectralMoments,
+    /// These waves, averaged over directions.
     pub rings: Vec<Ring>,
     /// Rms gradient that finite differences see of these waves over the one they have.
     pub resolved: f64,
@@ -246,7 +262,10 @@ impl SurfaceStatistics {
             },
             || {
                 // Levelling may take heights at the end of the range beyond it: then rows are not compared.
-                let lines = || (seam_jump(&surface), row_offsets(grid, surface.heights()).ok());
+                let lines = || {
+                    let rows = row_offsets(grid, surface.heights()).ok();
+                    (seam_jump(&surface), rows.and_then(|rows| rows.warning))
+                };
                 let waves = || {
                     let start = Clock::now();
                     let power = PowerSpectrum::of_field(grid, surface.heights());
@@ -268,6 +287,7 @@ impl SurfaceStatistics {
             PowerSpectrum::of_field(grid, &heights)
         };
         let (resolved, rings) = join(|| power.resolved_gradient(), || power.rings());
+        let by_waves = if periodic { spectral } else { power.moments() };
 
         let rms_height = distribution.rms_height;
         let moments = differences.isotropic(rms_height * rms_height);
@@ -324,10 +344,10 @@ impl SurfaceStatistics {
             spacing,
             edge_jump,
             directional,
-            rows.as_ref(),
+            rows,
         );
         let seconds = [of_moments, of_amplitudes, of_spectrum];
-        Ok((statistics, Spectra { power, rings, resolved, amplitudes, seconds }))
+        Ok((statistics, Spectra { moments: by_waves, rings, resolved, amplitudes, seconds }))
     }
 
     /// m0, m2, m4 by finite differences.
@@ -348,7 +368,7 @@ impl SurfaceStatistics {
         spacing: f64,
         edge_jump: f64,
         anisotropy: Option<f64>,
-        rows: Option<&RowOffsets>,
+        rows: Option<Warning>,
     ) -> Vec<Warning> {
         let mut warnings = Vec::new();
         if let Some(flat) = Warning::flat(self.rms_height, spacing) {
@@ -361,7 +381,7 @@ impl SurfaceStatistics {
         }
         warnings.extend(tilted);
         warnings.extend(unresolved);
-        if let Some(jump) = rows.and_then(RowOffsets::warning) {
+        if let Some(jump) = rows {
             warnings.push(jump); // slopes across the rows are those of the jumps: no lay is known
         } else if let Some(ratio) = anisotropy.filter(|&r| r > 2.0) {
             warnings.push(Warning::Anisotropic { ratio });

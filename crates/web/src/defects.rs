@@ -80,7 +80,7 @@ pub(crate) fn of(
         add("note", claim, text, "fill", "Fill", None);
     }
     let rows = row_offsets(grid, heights).map_err(|e| Failure::from(&e))?;
-    if remedies.rows || rows.warning().is_some() {
+    if remedies.rows || rows.warning.is_some() {
         let numbers = remedied.both("rows")?;
         let claim = format!("Scan lines: rows jump by {} rms.", length(rows.jump));
         let text = "Slopes across them are those of the scan, not of the surface.";

@@ -130,7 +130,7 @@ impl Function {
     /// α -> -∞: J_n = x^n (1 + c), x = -α, with x^n as a sum of two doubles.
     fn overlap(&self, x: f64) -> f64 {
         if x == f64::INFINITY {
-            return if self.n > 0.0 { f64::MAX } else { 1.0 };
+            return f64::MAX;
         }
         let (power, low, exponent) = half_power((2.0 * self.n) as i32, x);
         let sum = power + (low + power * overlap_correction(self.n, x));

@@ -136,10 +136,7 @@ impl Persson {
     /// # Source
     /// Persson (2007), doi:10.1103/PhysRevLett.99.125502, eq. (17); Yang & Persson (2008),
     /// doi:10.1088/0953-8984/20/21/215214.
-    fn mean_gap(&self, scales: &Scales, pressure: f64) -> Result<f64, ModelError> {
-        let Some(load) = self.load(pressure) else {
-            return Ok(0.0); // flat
-        };
+    fn mean_gap(&self, scales: &Scales, pressure: f64, load: Wide) -> Result<f64, ModelError> {
         let x = load.value();
         if x > FULL {
             return Ok(0.0);
@@ -166,16 +163,16 @@ impl ContactModel for Persson {
 
     fn at_pressure(&self, mean_pressure: f64) -> Result<ContactState, ModelError> {
         require::pressure(MODEL, mean_pressure)?;
-        let area_fraction = match self.load(mean_pressure) {
-            Some(x) => erf(x.value()),
-            None if mean_pressure > 0.0 => 1.0, // flat: all or nothing
-            None => 0.0,
-        };
-        let mean_gap = match self.scales.as_deref() {
-            Some(scales) if mean_pressure > 0.0 => Some(self.mean_gap(scales, mean_pressure)?),
+        let load = self.load(mean_pressure);
+        let is_flat = load.is_none() && mean_pressure > 0.0; // all or nothing
+        let area_fraction = load.map_or(if is_flat { 1.0 } else { 0.0 }, |x| erf(x.value()));
+        let mean_gap = match (self.scales.as_deref(), load) {
+            (Some(scales), Some(load)) if mean_pressure > 0.0 => {
+                Some(self.mean_gap(scales, mean_pressure, load)?)
+            }
+            (Some(_), None) if is_flat => Some(0.0),
             _ => None,
         };
-        let is_flat = self.slope.is_zero() && mean_pressure > 0.0;
         let gradient = (self.slope * SQRT_2).value();
         let caveat = underflow(mean_pressure, area_fraction)
             .or_else(|| if is_flat { Some(saturated()) } else { steep(gradient) });

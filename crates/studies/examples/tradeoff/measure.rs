@@ -105,6 +105,7 @@ fn surface(plan: &Plan, surface: Surface, take: &mut dyn FnMut(TradeoffRow)) -> 
     let options =
         StatsOptions { level: Level::None, edges: Edges::Periodic, ..StatsOptions::default() };
     // Everything a model may need of a map.
+    black_box((SurfaceStatistics::of(&map, &options)?, amplitudes(&map)?));
     let seconds = shortest(0.0, || {
         let clock = Instant::now();
         let _ = black_box((SurfaceStatistics::of(&map, &options), amplitudes(&map)));

@@ -20,7 +20,7 @@ use std::io::Cursor;
 use std::ops::ControlFlow;
 use surface_io::{Fill, HeightUnit, ReadOptions};
 use surface_stats::spectrum::{amplitudes, radial};
-use surface_stats::{Edges, StatsOptions, SurfaceStatistics, moments};
+use surface_stats::{Edges, StatsOptions, SurfaceStatistics, moments, spectral_scales};
 
 /// One call and what it took from the allocator, on one thread.
 pub(crate) struct Case {
@@ -185,6 +185,9 @@ fn statistics(map: &HeightMap) -> Vec<Case> {
         }),
         Case::on(package, "amplitudes of rows (for stacked)", (map, 0.1), || {
             black_box(amplitudes(map).expect("a surface"));
+        }),
+        Case::on(package, "scales and power law (for Majumdar–Bhushan)", (map, 2.2), || {
+            black_box(spectral_scales(map, Edges::Open).expect("a surface"));
         }),
         Case::on(package, "all statistics, periodic", (map, 2.2), || all(Edges::Periodic)),
         Case::on(package, "all statistics, open", (map, 2.2), || all(Edges::Open)),

@@ -65,7 +65,7 @@ pub(crate) fn short_waves(
     cutoff: f64,
 ) -> Result<Vec<f64>, StatsError> {
     let long = gaussian_filter(grid, heights, cutoff)?;
-    Ok(heights.iter().zip(long).map(|(h, long)| h - long).collect())
+    Ok(long.into_iter().zip(heights).map(|(long, h)| h - long).collect())
 }
 
 /// Half of the symmetric weights along one axis, from the middle outwards.

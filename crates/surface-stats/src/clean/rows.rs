@@ -14,7 +14,9 @@ pub struct RowOffsets {
     pub(super) offsets: Vec<f64>,
     /// Rms of the jumps from row to row (m).
     pub jump: f64,
-    warning: Option<Warning>,
+    /// That the rows jump: their offsets make a good part of the slope across them, far more than those of columns, and
+    /// are neither waves nor a few edges. A lay along the rows that is as fine as the rows looks the same.
+    pub warning: Option<Warning>,
 }
 
 /// Share of the differences from which rows are said to jump.
@@ -57,14 +59,6 @@ pub fn row_offsets(grid: Grid, heights: &[f64]) -> Result<RowOffsets, StatsError
     let jump = (square / jumps_of_rows.len().max(1) as f64).sqrt();
     let warning = rows_jump.then_some(Warning::RowsJump { jump, share });
     Ok(RowOffsets { offsets, jump, warning })
-}
-
-impl RowOffsets {
-    /// The warning of rows that jump: their offsets make a good part of the slope across them, far more than those of
-    /// columns, and are neither waves nor a few edges. A lay along the rows that is as fine as the rows looks the same.
-    pub fn warning(&self) -> Option<Warning> {
-        self.warning
-    }
 }
 
 /// How many jumps make up the sum of their squares.
@@ -149,7 +143,7 @@ mod tests {
     #[test]
     fn planted_offsets_come_off() {
         let (grid, mut heights) = relief(3);
-        assert!(row_offsets(grid, &heights).unwrap().warning().is_none());
+        assert!(row_offsets(grid, &heights).unwrap().warning.is_none());
         let align = |heights: &mut Vec<f64>| {
             let records = apply(grid, heights, &[Step::Rows]).unwrap();
             let Record::Rows { jump, largest } = records[0] else { panic!("{records:?}") };
@@ -164,7 +158,7 @@ mod tests {
             }
         }
         heights[5000..5100].fill(f64::NAN);
-        assert!(row_offsets(grid, &heights).unwrap().warning().is_some());
+        assert!(row_offsets(grid, &heights).unwrap().warning.is_some());
         let [jump, largest] = align(&mut heights);
         // The difference of two numbers between -1 and 1 has the variance 2/3.
         assert!((jump / 30e-9 - (2.0f64 / 3.0).sqrt()).abs() < 0.1, "{jump:e}");
@@ -182,7 +176,7 @@ mod tests {
                 assert_abs_diff_eq!(*h, w + left[i / nx], epsilon = 1e-15);
             }
         }
-        assert!(row_offsets(grid, &heights).unwrap().warning().is_none());
+        assert!(row_offsets(grid, &heights).unwrap().warning.is_none());
     }
 
     /// A lay that several rows show, along or across them, a tilt, a step edge and terraces are no scan lines.
@@ -205,7 +199,7 @@ mod tests {
                     .map(|(i, h)| h + shape((i / SHAPE[1]) as f64, (i % SHAPE[1]) as f64))
                     .collect();
                 let found = row_offsets(grid, &heights).unwrap();
-                assert!(found.warning().is_none(), "{seed} {k}: {found:?}");
+                assert!(found.warning.is_none(), "{seed} {k}: {found:?}");
             }
         }
     }
@@ -217,7 +211,7 @@ mod tests {
         {
             let grid = Grid::new(shape, [1e-6, 1e-6]).unwrap();
             let found = row_offsets(grid, &vec![height; grid.len()]).unwrap();
-            assert!(found.warning().is_none() && found.jump == 0.0);
+            assert!(found.warning.is_none() && found.jump == 0.0);
         }
     }
 }

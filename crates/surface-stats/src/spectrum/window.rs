@@ -34,9 +34,11 @@ pub(crate) fn apply_window(grid: Grid, heights: &mut [f64], edges: Edges) {
             *h -= mean;
         }
     }
-    for (row, wy) in heights.chunks_exact_mut(nx).zip(&wy).filter(|_| is_open) {
-        for (h, wx) in row.iter_mut().zip(&wx) {
-            *h *= wy * wx;
+    if is_open {
+        for (row, wy) in heights.chunks_exact_mut(nx).zip(&wy) {
+            for (h, wx) in row.iter_mut().zip(&wx) {
+                *h *= wy * wx;
+            }
         }
     }
 }

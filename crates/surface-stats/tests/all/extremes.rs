@@ -49,6 +49,7 @@ fn flat_surfaces_are_answered() {
             let m = map(shape, [1e-6, 2e-6], |_, _| height);
             let s = all_finite(&m);
             assert_eq!((s.rms_height, s.m2, s.m4, s.bandwidth), (0.0, 0.0, 0.0, None));
+            assert_eq!((s.m0, s.m4_spectral), (0.0, 0.0));
             assert_eq!((s.skewness, s.kurtosis), (None, None));
             let flat =
                 |w: &Warning| matches!(w, Warning::Flat { rms_height, .. } if *rms_height <= 0.0);
