@@ -59,6 +59,7 @@ impl SurfaceComparison {
         settings: &Settings,
         watch: &mut LoadListener<'_, '_>,
     ) -> Option<(Solver, Solution)> {
+        watch.go_on().ok()?;
         let whole = settings.edges.around(map).ok()?;
         let builder = settings.solver().maps(Maps::None);
         let mut solver = builder.build(whole.grid(), self.inputs.modulus).ok()?;
@@ -78,8 +79,10 @@ fn look_closer(
         return;
     }
     let area = certify(surface, settings, watch);
-    let choices = choices(surface, settings, area, watch);
-    surface.choices = watch.go_on().is_ok().then_some(choices);
+    if watch.go_on().is_ok() {
+        let choices = choices(surface, settings, area, watch);
+        surface.choices = watch.go_on().is_ok().then_some(choices);
+    }
 }
 
 /// Solves the headline once more with the rigorous bound and the stiffness of its contact set. Answers with the

@@ -75,7 +75,7 @@ impl Sink for Curve<'_, '_> {
         let (point, mut solution) = solved(mean_pressure, result, self.materials, &self.found.map);
         let score = self.distance(index, point.answer.as_ref());
         let found = &mut self.found;
-        found.sections.extend(solution.as_mut().and_then(|s| s.section.take()));
+        found.sections.push(solution.as_mut().and_then(|s| s.section.take()));
         let (first, maps) = (found.first_contact.take(), found.pressure_maps.take());
         let repeats = found.edges == EdgesName::Periodic;
         let fields = solution.as_ref().map(|s| (&s.pressure[..], &s.gap[..], s.grid));

@@ -103,7 +103,12 @@ impl Inputs {
     /// The weight that Persson's mean gap has \[-\]; `None` if it cannot be made from these.
     pub fn gamma(&self) -> Option<f64> {
         let has_gap = self.spectrum.is_some() || self.self_affine.is_some();
-        has_gap.then(|| self.gamma.unwrap_or(Persson::GAMMA))
+        has_gap.then(|| self.weight())
+    }
+
+    /// The weight that is asked for, or the usual one.
+    pub(crate) fn weight(&self) -> f64 {
+        self.gamma.unwrap_or(Persson::GAMMA)
     }
 
     /// The moment m2 \[-\].

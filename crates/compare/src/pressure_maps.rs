@@ -103,6 +103,7 @@ mod tests {
         assert_eq!((heavy.classes[1], heavy.classes[341]), (255, 1));
         assert_eq!(heavy.classes.iter().filter(|c| **c > 0).count(), 2);
         assert_eq!(PressureMaps::with(Some(maps), 2, grid, &[]), None, "no solution");
+        assert_eq!(pressure_top(&[0.0]), (1.0, false));
         assert_eq!(PressureMaps::with(None, 1, grid, &field), None, "the load before has none");
     }
 }

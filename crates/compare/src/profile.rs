@@ -55,7 +55,7 @@ impl ProfileSurface {
 pub struct ProfileComparison {
     /// What was asked for; what concerns the solver is not used.
     pub settings: Settings,
-    /// The traces.
+    /// Name, origin, and the traces as their moments are taken.
     pub surface: ProfileSurface,
     /// Their statistics.
     pub statistics: ProfileStatistics,
@@ -225,11 +225,11 @@ fn ask(
 ) -> ModelComparison {
     let card = theory.card().clone();
     let outcome = curve_of(theory, inputs, pressures).map(|curve| {
-        let answered = curve.points.iter().map(Result::is_ok).zip(pressures);
-        let interval = |(is_ok, pressure): (bool, &f64)| {
-            is_ok.then(|| area_interval(theory, inputs, statistics, *pressure))?
+        let interval = |(point, pressure): (&Result<_, _>, &f64)| {
+            point.as_ref().ok().and_then(|_| area_interval(theory, inputs, statistics, *pressure))
         };
-        ModelCurve { intervals: answered.map(interval).collect(), ..curve }
+        let intervals = curve.points.iter().zip(pressures).map(interval).collect();
+        ModelCurve { intervals, ..curve }
     });
     let judged = Judged {
         gradient: inputs.rms_gradient(),

@@ -183,8 +183,8 @@ pub enum StudyError {
     #[error("a curve needs at least one point")]
     EmptyCurve,
     /// A point that no curve has.
-    #[error("point {index} of the curve: {why}")]
-    BadPoint { index: usize, why: String },
+    #[error("point {index} of the curve: {quantity} {value:e} {requirement}")]
+    BadPoint { index: usize, quantity: &'static str, value: f64, requirement: &'static str },
     /// The observer asked to stop.
     #[error("stopped")]
     Stopped,

@@ -96,8 +96,8 @@ pub struct SurfaceComparison {
     pub first_contact: Option<FirstContact>,
     /// The pressure of every load; `None` unless every load has a solution.
     pub pressure_maps: Option<PressureMaps>,
-    /// One row of the grid solved at each load; fewer than there are loads unless every load has a solution.
-    pub sections: Vec<Section>,
+    /// One row of the grid solved at each load; `None` of a load without a solution.
+    pub sections: Vec<Option<Section>>,
     /// How pressure, gap and spots are distributed at each load; `None` where nothing touches.
     pub distributions: Vec<Option<Distributions>>,
     /// Every model of the list.

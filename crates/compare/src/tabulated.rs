@@ -42,19 +42,21 @@ impl Tabulated {
         let mut before = 0.0;
         for (index, point) in points.iter().enumerate() {
             let CurvePoint { mean_pressure: p, area_fraction: area, mean_gap } = *point;
-            let why = if !(p.is_finite() && p > before) {
-                format!(
-                    "nominal pressure {p:e} Pa must be finite, greater than 0 and greater than that of the point before"
-                )
-            } else if !(0.0..=1.0).contains(&area) {
-                format!("area fraction {area:e} must be from 0 to 1")
-            } else if let Some(gap) = mean_gap.filter(|gap| !(gap.is_finite() && *gap >= 0.0)) {
-                format!("mean gap {gap:e} m must be finite and at least 0")
-            } else {
-                before = p;
-                continue;
+            let bad = |quantity, value, requirement| {
+                Err(StudyError::BadPoint { index, quantity, value, requirement })
             };
-            return Err(StudyError::BadPoint { index, why });
+            if !(p.is_finite() && p > before) {
+                let must =
+                    "Pa must be finite, greater than 0 and greater than that of the point before";
+                return bad("nominal pressure", p, must);
+            }
+            if !(0.0..=1.0).contains(&area) {
+                return bad("area fraction", area, "must be from 0 to 1");
+            }
+            if let Some(gap) = mean_gap.filter(|gap| !(gap.is_finite() && *gap >= 0.0)) {
+                return bad("mean gap", gap, "m must be finite and at least 0");
+            }
+            before = p;
         }
         Ok(Self { card, surface: None, points: points.into() })
     }

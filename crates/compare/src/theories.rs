@@ -284,7 +284,7 @@ fn joint(inputs: &Inputs, model: &'static str) -> Result<(f64, f64), BuildError>
 }
 
 fn persson(inputs: &Inputs) -> Result<Box<dyn ContactModel>, BuildError> {
-    let with_gamma = |model: Persson| model.with_gamma(inputs.gamma.unwrap_or(Persson::GAMMA));
+    let with_gamma = |model: Persson| model.with_gamma(inputs.weight());
     if let Some(spectrum) = inputs.self_affine {
         let model = Persson::from_self_affine(spectrum, inputs.modulus);
         return Ok(Box::new(with_gamma(model)?));

@@ -67,6 +67,7 @@ fn the_elastic_study_stands_beside_that_of_bodies_that_yield() {
                 && answer.diagnostics.max_pressure <= 4e9
         );
     }
+    assert!(yielding.models.iter().any(|model| model.card.name == "ceb"));
     for name in ["gw", "persson", "bgt"] {
         let (here, there) = (model(&yielding, name), model(&elastic, name));
         let [here_curve, there_curve] = [here, there].map(|m| m.outcome.as_ref().unwrap());

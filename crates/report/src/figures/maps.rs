@@ -7,6 +7,8 @@ use crate::draw::svg::{COLUMN, Canvas, Figure, Text, num, text_width};
 use crate::numbers::{METRES, PASCALS, Unit, chosen, significant, unit_for};
 use contact_compare::{PressureMaps, pressure_top};
 use contact_types::Grid;
+use grid_fft::parallel::join;
+use std::borrow::Cow;
 
 /// Lightness of the relief where nothing touches, and its depth.
 const RELIEF: (f64, f64) = (0.965, 0.022);
@@ -20,9 +22,19 @@ pub(crate) const FEWEST_STEPS: u8 = 31;
 pub(crate) type MapPart = [usize; 4];
 
 /// That part of a field.
-pub(super) fn cut(field: &[f64], grid: Grid, [y0, x0, ny, nx]: MapPart) -> Vec<f64> {
-    let rows = field.chunks_exact(grid.shape()[1]).skip(y0).take(ny);
+pub(super) fn cut(field: &[f64], grid: Grid, [y0, x0, ny, nx]: MapPart) -> Cow<'_, [f64]> {
+    let all = grid.shape()[1];
+    if nx == all {
+        return Cow::Borrowed(&field[y0 * nx..(y0 + ny) * nx]);
+    }
+    let rows = field.chunks_exact(all).skip(y0).take(ny);
     rows.flat_map(|row| &row[x0..x0 + nx]).copied().collect()
+}
+
+/// The shape of at most `limit` pixels along the longer side.
+fn limited([ny, nx]: [usize; 2], limit: usize) -> [usize; 2] {
+    let factor = (ny.max(nx) as f64 / limit.max(1) as f64).max(1.0);
+    [ny, nx].map(|n| ((n as f64 / factor).round() as usize).max(1))
 }
 
 /// Mean over what each of at most `limit` pixels along the longer side covers, the ends in part: heights.
@@ -31,8 +43,7 @@ pub(crate) fn averaged(
     [ny, nx]: [usize; 2],
     limit: usize,
 ) -> (Vec<f64>, [usize; 2]) {
-    let factor = (ny.max(nx) as f64 / limit.max(1) as f64).max(1.0);
-    let shape = [ny, nx].map(|n| ((n as f64 / factor).round() as usize).max(1));
+    let shape = limited([ny, nx], limit);
     let mut out = Vec::with_capacity(shape[0] * shape[1]);
     // New pixel j covers old pixels [j n/m, (j+1) n/m), the ends in part.
     let span = |j: usize, n: usize, m: usize| -> Vec<(usize, f64)> {
@@ -149,8 +160,11 @@ pub(crate) fn contact(
     limit: usize,
     key: &str,
 ) -> Figure {
-    let (h, shape) = averaged(heights, grid.shape(), limit);
-    let p = combined(pressure, grid.shape(), shape, f64::max);
+    let small = limited(grid.shape(), limit);
+    let ((h, shape), p) = join(
+        || averaged(heights, grid.shape(), limit),
+        || combined(pressure, grid.shape(), small, f64::max),
+    );
     let (top, clipped) = pressure_top(pressure);
     let unit = unit_for(top, PASCALS);
     let mut canvas = map_canvas(&contact_picture(&p, &h, shape, top), grid.size(), "");
@@ -344,7 +358,7 @@ mod tests {
         let peaks = combined(&field, [7, 10], shape, f64::max);
         assert!((top(&peaks) - top(&field)).abs() < 1e-12);
         let grid = Grid::new([7, 10], [1.0, 1.0]).unwrap();
-        assert_eq!(cut(&field, grid, [2, 3, 2, 3]), [23, 24, 25, 33, 34, 35].map(|i| field[i]));
+        assert_eq!(*cut(&field, grid, [2, 3, 2, 3]), [23, 24, 25, 33, 34, 35].map(|i| field[i]));
         assert_eq!(averaged(&field, [7, 10], 64), (field, [7, 10]));
     }
 

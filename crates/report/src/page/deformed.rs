@@ -14,7 +14,9 @@ use serde_json::json;
 
 /// What lies along the row of a surface, and which row it is; `None` if not every load has an answer or nothing is rough.
 pub(crate) fn cut(surface: &SurfaceComparison) -> Option<(SectionCut, usize)> {
-    let Section { row, .. } = *surface.sections.first()?;
+    let sections: Vec<&Section> =
+        surface.sections.iter().map(Option::as_ref).collect::<Option<_>>()?;
+    let row = sections.first()?.row;
     let map = surface.solved_map();
     let [ny, nx] = map.grid().shape();
     let (low, high) = map.range();
@@ -29,7 +31,7 @@ pub(crate) fn cut(surface: &SurfaceComparison) -> Option<(SectionCut, usize)> {
         combined(values, [1, nx], [1, nx.min(LARGEST)], both)
     };
     let along = map.heights()[row * nx..(row + 1) * nx].iter().map(|z| z - mean);
-    let pressed = surface.deterministic.iter().zip(surface.sections.iter().zip(&tops));
+    let pressed = surface.deterministic.iter().zip(sections.into_iter().zip(&tops));
     let loads: Option<Vec<PressedRow>> = pressed
         .map(|(point, (Section { gap, pressure, .. }, top))| {
             let open = |(p, g): (&f64, &f64)| if *p > 0.0 { 0.0 } else { g.max(0.0) };

@@ -140,13 +140,12 @@ pub(crate) fn tolerance_words(tolerance: f64) -> String {
 
 /// How much of the row touches at each load, as the caption says it.
 pub(crate) fn touching(surface: &SurfaceComparison) -> Vec<String> {
-    if surface.sections.len() < surface.deterministic.len() {
-        return Vec::new();
-    }
-    let share = |Section { pressure, .. }: &Section| {
-        pressure.iter().filter(|p| **p > 0.0).count() as f64 / pressure.len().max(1) as f64
+    let share = |section: &Option<Section>| {
+        let Section { pressure, .. } = section.as_ref()?;
+        let touching = pressure.iter().filter(|p| **p > 0.0).count();
+        Some(percent(touching as f64 / pressure.len().max(1) as f64))
     };
-    surface.sections.iter().map(|section| percent(share(section))).collect()
+    surface.sections.iter().map(share).collect::<Option<_>>().unwrap_or_default()
 }
 
 /// JSON inside an attribute in single quotes.

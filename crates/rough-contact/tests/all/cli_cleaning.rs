@@ -129,8 +129,14 @@ fn cleaning_that_makes_no_sense_is_refused() {
             ("--l-filter 5", &["has no unit", "5um"]),
             ("--s-filter 1um", &["1e-6 m", "2e-6 m", "leave it out"]),
             ("--s-filter 9um --l-filter 5um", &["9e-6 m", "5e-6 m", "shorter cut-off"]),
+            ("--s-filter 5um --l-filter 5um", &["5e-6 m", "shorter cut-off"]),
         ],
     );
+    // Two points are enough, along the longer side of a pixel.
+    at.done(&format!("stats rough.txt {UNITS} --s-filter 2um"));
+    let oblong = "stats rough.txt --pixel 2um,1um --height-unit um";
+    at.done(&format!("{oblong} --s-filter 4um"));
+    at.refuses(&format!("{oblong} --s-filter 3.9um"), &["3.9e-6 m", "4e-6 m"]);
     let typed = "model gw --m0 1um^2 --m2 0.01 --m4 1e9m^-2 --modulus 1GPa --pressure 1MPa";
     at.refuses(&format!("{typed} --s-filter 5um"), &["FILE"]);
     at.refuses("compare --out r --s-filter 5um", &["FILE"]);
