@@ -12,10 +12,7 @@ use std::fmt::Write as _;
 /// The cells of its row; a number that is asked for and not there is a dash, so that the others stand under their
 /// headings.
 pub(crate) fn cells(point: &Point, asked: &Joint, has_stiffness: bool) -> Vec<String> {
-    let mut cells = match &point.conducted {
-        Some(found) => conduction::first_cells(found, asked.hardness.is_some()),
-        None => vec!["–".to_owned(); conduction::first_headings(asked, true).len()],
-    };
+    let mut cells = conduction::first_cells(point.conducted.as_ref(), asked, true);
     let (Some(solution), Some(budget)) = (&point.solution, &point.budget) else {
         cells.extend([shown(point.load), "refused".to_owned()]);
         return cells;

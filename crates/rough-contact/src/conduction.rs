@@ -178,8 +178,12 @@ pub(crate) fn first_headings(asked: &Joint, has_area: bool) -> Vec<&'static str>
     each.flat_map(|(_, name)| [name].into_iter().chain(spot)).collect()
 }
 
-/// What is said first of a load: the resistances of the part, and of one spot.
-pub(crate) fn first_cells(found: &Conducted, has_spot: bool) -> Vec<String> {
+/// What is said first of a load: the resistances of the part, and of one spot; dashes where nothing was found.
+pub(crate) fn first_cells(found: Option<&Conducted>, asked: &Joint, has_area: bool) -> Vec<String> {
+    let Some(found) = found else {
+        return vec!["–".to_owned(); first_headings(asked, has_area).len()];
+    };
+    let has_spot = asked.hardness.is_some();
     let of = |(_, value, spot): (_, String, Option<String>)| {
         let spot = has_spot.then(|| text::or_dash(spot, |spot| spot));
         [Some(value), spot].into_iter().flatten().map(|t| text::plain(&t)).collect::<Vec<_>>()

@@ -234,17 +234,16 @@ fn describe(card: &Card, found: &ModelReply, joint: &Joint, spread: Option<&Spre
         let said = point.answer.as_ref().ok();
         let error = surveyed.then(|| survey(said));
         let conducted = said.and_then(|said| said.conducted);
-        let absent = |n: usize| vec!["–".to_owned(); n];
-        let firsts = conduction::first_headings(joint, joint.area.is_some()).len();
-        let (first, last) = match conducted {
+        let fit = conducted.as_ref().map(|[fit, _]| fit);
+        let first = conduction::first_cells(fit, joint, joint.area.is_some());
+        let last = match conducted {
             Some([fit, exact]) => {
-                let first = conduction::first_cells(&fit, joint.hardness.is_some());
                 let mut last = conduction::cells(&fit);
                 let exact = Conducted { gas: None, joint: None, ..exact };
                 last.extend(is_fit.then(|| conduction::cells(&exact).join(", ")));
-                (first, last)
+                last
             }
-            None => (absent(firsts), absent(per_area.len() + usize::from(is_fit))),
+            None => vec!["–".to_owned(); per_area.len() + usize::from(is_fit)],
         };
         let force = point.force.map(text::force).into_iter();
         let row = force.chain(first).chain(cells(point, has_bar));

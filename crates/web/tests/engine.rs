@@ -1,9 +1,10 @@
 //! The engine built for this machine, asked as the page asks it.
 
-use contact_compare::built_in_recipes;
+use contact_compare::{Comparison, Settings, built_in, built_in_recipes};
 use contact_web::{Host, Messages, answer};
 use serde_json::{Value, json};
 use std::io::Cursor;
+use std::ops::ControlFlow;
 use surface_io::write;
 
 /// All messages to one question.
@@ -45,6 +46,22 @@ fn a_file_is_inspected_planned_and_run_as_planned() {
     let results: Value = serde_json::from_str(results).expect("JSON");
     let points = results["surfaces"][0]["deterministic"]["points"].as_array().expect("points");
     assert_eq!(points.len(), loads);
+}
+
+#[test]
+fn a_built_in_surface_gives_the_numbers_of_the_study() {
+    let load = json!({ "by": "pressure", "list": "100MPa" });
+    let done = last("run", &json!({ "example": "ground", "load": load }), &[]);
+    let found: Value =
+        serde_json::from_str(done["files"]["results.json"].as_str().expect("done")).expect("JSON");
+    let recipe = built_in_recipes().remove(1);
+    let settings = Settings { pressures: Some(vec![1e8]), ..Settings::default() };
+    let mut quiet = |_: contact_compare::Progress<'_>| ControlFlow::Continue(());
+    let surface = recipe.make().expect("a map");
+    let direct = Comparison::run(vec![surface], settings, built_in(), &mut quiet).expect("a study");
+    let answer = direct.surfaces[0].headline_answer().expect("an answer");
+    let area = &found["surfaces"][0]["deterministic"]["points"][0]["area_fraction"];
+    assert!((area.as_f64().expect("a number") - answer.area_fraction).abs() < 1e-15);
 }
 
 #[test]

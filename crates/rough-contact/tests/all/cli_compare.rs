@@ -59,7 +59,7 @@ fn a_report_from_files_and_its_repetition() {
 
 /// Whatever a study was asked, its run file repeats it to the last digit.
 #[test]
-fn a_run_file_repeats_every_option() {
+fn a_run_file_repeats_what_a_study_was_asked() {
     let at = &folder();
     for (name, seed) in [("a.x3p", 1), ("b.x3p", 2)] {
         let recipe = "--shape 48,48 --rolloff 24um --cutoff 8um --rms-gradient 0.1 --seed";
@@ -77,7 +77,8 @@ fn a_run_file_repeats_every_option() {
         "a.x3p --material copper,steel-304 --conductivity table --gas air --work-of-adhesion 50mJ/m2",
         "a.x3p --hardness 3GPa --leak both --viscosity 1mPa.s --pressure-drop 1MPa --seal-length 1mm \
          --seal-width 10mm",
-        "a.x3p --young 210GPa --poisson 0.3 --against b.x3p --flip rows --shift 3um,0um",
+        "a.x3p --young 210GPa --poisson 0.3 --young 100GPa --poisson 0.34 --against b.x3p --flip rows --shift 3um,0um",
+        "heights.txt --pixel 1um --height-unit nm --layout matrix --against heights.txt --flip rows",
         "a.x3p --load 0.1N,0.3N",
         "heights.txt --pixel 1um --height-unit nm --layout matrix",
         "trace.txt",
@@ -178,6 +179,10 @@ fn what_a_study_refuses() {
                 &format!("{read} --modulus 1GPa --out r --pressure 1MPa --headline 2MPa"),
                 &["headline"],
             ),
+            (
+                &format!("{read} --modulus 1GPa --out r --pressure 10MPa --headline 10.04MPa"),
+                &["headline"],
+            ),
         ],
     );
     let study = format!("compare a.npy {read} --modulus 1GPa --pressure 1MPa --out plain/r");
@@ -197,6 +202,7 @@ fn a_study_can_be_told_apart_and_repeated_as_its_page_says() {
     let line = "compare one/s.x3p two/s.x3p --young 210GPa --poisson 0.3 --young 70GPa \
                 --poisson 0.35 --pressure 10MPa..100MPa:3 --headline 31.6MPa --out out";
     has(&at.done(line).out, &["one/s.x3p, ", "two/s.x3p, ", "± "]);
+    at.done(&line.replace("31.6MPa --out out", "31.62MPa --out four-digits"));
     let csv = at.read("out/curves.csv");
     assert_eq!(csv.lines().filter(|l| l.starts_with("two/s.x3p,")).count(), 3, "{csv}");
     let results = at.results("out");
