@@ -5,20 +5,12 @@ use crate::shell::{self, TaskResult, cargo, shown};
 use std::process::Command;
 use std::time::Instant;
 
-/// What runs, besides what every change must pass.
-#[derive(Clone, Copy, PartialEq)]
-enum Also {
-    Nothing,
-    /// Tests that take minutes, and the solver in Node.
-    Slow,
-    /// What needs more than the Rust toolchain: Python and the package index; Chromium and Node.
-    All,
-}
-
 /// Studies whose pages are compared with what they would be, which takes seconds.
 const PAGES: [&str; 4] = ["tables", "costs", "coverage", "tradeoff"];
 
-fn run_all(also: Also) -> TaskResult {
+/// `--slow` adds tests that take minutes, and the solver in Node; `--all` what needs more than the Rust toolchain: Python
+/// and the package index, Chromium and Node.
+pub(crate) fn run(args: &[String]) -> TaskResult {
     let mut steps = vec![
         step(&["fmt", "--all", "--check"]),
         step(&["xtask", "check", "tidy"]),
@@ -28,18 +20,21 @@ fn run_all(also: Also) -> TaskResult {
         step(&["test", "--workspace", "--locked"]),
     ];
     steps.extend(PAGES.map(check));
-    if also == Also::All {
-        for script in ["workflows", "python", "web"] {
-            steps.push(Command::new(shell::root().join(".ci").join(script)));
+    let script = |name: &str| Command::new(shell::root().join(".ci").join(name));
+    match args.iter().map(String::as_str).collect::<Vec<_>>()[..] {
+        [] => {}
+        ["--all"] => steps.extend(["workflows", "python", "web"].map(script)),
+        ["--slow"] => steps.extend([
+            step(&["xtask", "check", "features"]),
+            check("extremes"),
+            step(&["xtask", "figures", "--check"]),
+            step(&["xtask", "bench", "--check"]),
+            step(&["test", "--workspace", "--locked", "--", "--ignored"]),
+            script("wasm"),
+        ]),
+        ref other => {
+            return Err(format!("unknown arguments {other:?}; there are --slow and --all"));
         }
-    }
-    if also == Also::Slow {
-        steps.push(step(&["xtask", "check", "features"]));
-        steps.push(check("extremes"));
-        steps.push(step(&["xtask", "figures", "--check"]));
-        steps.push(step(&["xtask", "bench", "--check"]));
-        steps.push(step(&["test", "--workspace", "--locked", "--", "--ignored"]));
-        steps.push(Command::new(shell::root().join(".ci/wasm")));
     }
     let mut failed = Vec::new();
     for step in &mut steps {
@@ -89,13 +84,4 @@ fn documentation() -> Command {
     // The flags of .cargo/config.toml would be replaced, so they are repeated.
     command.env("RUSTDOCFLAGS", "-D warnings");
     command
-}
-
-pub(crate) fn run(args: &[String]) -> TaskResult {
-    match args {
-        [] => run_all(Also::Nothing),
-        [flag] if flag == "--slow" => run_all(Also::Slow),
-        [flag] if flag == "--all" => run_all(Also::All),
-        other => Err(format!("unknown arguments {other:?}; there are --slow and --all")),
-    }
 }
