@@ -27,137 +27,108 @@ const MODEL: &str = "conductance correlation";
 
 /// Two rough surfaces as the correlations see them.
 #[derive(Debug, Clone, Copy, PartialEq)]
-struct RoughJoint {
+pub struct ConductanceCorrelation {
     slope: f64,
     height: f64,
+    /// H of bodies that yield, E* m_a of elastic ones \[Pa\].
+    resistance: f64,
+    is_elastic: bool,
 }
 
-impl RoughJoint {
-    fn new(slope: f64, height: f64) -> Result<Self, ModelError> {
-        require::positive(MODEL, "mean absolute slope", slope)?;
-        require::positive(MODEL, "rms height", height)?;
-        Ok(Self { slope, height })
+impl ConductanceCorrelation {
+    /// Cooper, Mikic & Yovanovich: bodies that yield at once, `h = 1.25 k_s m_a/σ (p/H)^0.95`. From the mean absolute
+    /// profile slope m_a (-) and the rms height σ (m) of both surfaces together and the hardness of the softer body (Pa).
+    ///
+    /// # Errors
+    /// [`ModelError::InvalidInput`] unless all are finite and positive.
+    pub fn plastic(mean_slope: f64, rms_height: f64, hardness: f64) -> Result<Self, ModelError> {
+        require::positive(MODEL, "hardness", hardness)?;
+        Self::new(mean_slope, rms_height, hardness, false)
     }
 
-    /// The contact that is cut at λσ, where a fraction `tail` of the heights lies above and `area` touches.
-    fn state(self, mean_pressure: f64, tail: f64, area: f64) -> ContactState {
+    /// Mikic: elastic bodies, `h = 1.55 k_s m_a/σ (√2 p/(E* m_a))^0.94`. From the mean absolute profile slope m_a (-) and
+    /// the rms height σ (m) of both surfaces together.
+    ///
+    /// # Errors
+    /// [`ModelError::InvalidInput`] unless both are finite and positive.
+    pub fn elastic(
+        mean_slope: f64,
+        rms_height: f64,
+        modulus: ContactModulus,
+    ) -> Result<Self, ModelError> {
+        Self::new(mean_slope, rms_height, modulus.pascals() * mean_slope, true)
+    }
+
+    fn new(slope: f64, height: f64, resistance: f64, is_elastic: bool) -> Result<Self, ModelError> {
+        require::positive(MODEL, "mean absolute slope", slope)?;
+        require::positive(MODEL, "rms height", height)?;
+        Ok(Self { slope, height, resistance, is_elastic })
+    }
+
+    /// The fraction of the heights that is cut at λσ, and the area fraction A of what touches, p/H or that of the module
+    /// documentation.
+    fn areas(&self, pressure: f64) -> Result<[f64; 2], ModelError> {
+        require::pressure(MODEL, pressure)?;
+        let (cut_per_area, factor, quantity, reason) = if self.is_elastic {
+            (2.0, SQRT_2, "area fraction", "half of the surface would be cut and more")
+        } else {
+            let reason = "the mean pressure is all that the hardness bears: everything touches";
+            (1.0, 1.0, "mean pressure over hardness", reason)
+        };
+        let (area, most) = (factor * pressure / self.resistance, 1.0 / cut_per_area);
+        if area < most {
+            return Ok([cut_per_area * area, area]);
+        }
+        Err(require::outside(MODEL, quantity, area, 0.0..=most, reason))
+    }
+}
+
+impl ContactModel for ConductanceCorrelation {
+    fn citation(&self) -> Citation {
+        let (authors, year, title, place, doi) = if self.is_elastic {
+            let title = "Thermal contact conductance; theoretical considerations";
+            ("Mikic", 1974, title, "17, 205", "10.1016/0017-9310(74)90082-9")
+        } else {
+            let (authors, doi) = ("Cooper, Mikic & Yovanovich", "10.1016/0017-9310(69)90011-8");
+            (authors, 1969, "Thermal contact conductance", "12, 279", doi)
+        };
+        let journal = format!("Int. J. Heat Mass Transfer {place}").into();
+        Citation { authors: authors.into(), year, title: title.into(), journal, doi: doi.into() }
+    }
+
+    fn at_pressure(&self, mean_pressure: f64) -> Result<ContactState, ModelError> {
+        let [tail, area_fraction] = self.areas(mean_pressure)?;
         if tail <= 0.0 {
-            return ContactState::default();
+            return Ok(ContactState::default());
         }
         let cut = cut(tail);
         let separation = Some(cut * self.height);
         // Mean of (λ - z) where it is positive.
         let gap = (cut + partial_moments::value(Order::One, cut)) * self.height;
-        let (area_fraction, mean_gap, caveat) = (area, Some(gap), None);
-        ContactState { mean_pressure, area_fraction, separation, mean_gap, caveat }
+        let (mean_gap, caveat) = (Some(gap), None);
+        Ok(ContactState { mean_pressure, area_fraction, separation, mean_gap, caveat })
     }
 
-    /// Conductance over conductivity by the fit `coefficient m_a/σ A^power`, and by what it is a fit of.
-    fn conductance(
-        self,
-        [coefficient, power]: [f64; 2],
-        [tail, area]: [f64; 2],
-        divisor: f64,
-    ) -> [f64; 2] {
+    /// By the fit `coefficient m_a/σ A^power`, and by what it is a fit of.
+    fn conductance(&self, mean_pressure: f64) -> Result<Option<[f64; 2]>, ModelError> {
+        let [tail, area] = self.areas(mean_pressure)?;
+        let (coefficient, power, divisor) = if self.is_elastic {
+            (1.55, 0.94, 4.0 * PI.sqrt())
+        } else {
+            (1.25, 0.95, 2.0 * (2.0 * PI).sqrt())
+        };
         let factor = self.slope / self.height;
         let exact = at_cut(tail) / divisor / (1.0 - area.sqrt()).powf(1.5);
-        [coefficient * factor * area.powf(power), factor * exact]
-    }
-}
-
-/// Cooper, Mikic & Yovanovich: bodies that yield at once, `h = 1.25 k_s m_a/σ (p/H)^0.95`.
-#[derive(Debug, Clone, Copy, PartialEq)]
-pub struct CooperMikicYovanovich {
-    joint: RoughJoint,
-    hardness: f64,
-}
-
-impl CooperMikicYovanovich {
-    /// From the mean absolute profile slope m_a (-) and the rms height σ (m) of both surfaces together and the hardness of
-    /// the softer body (Pa).
-    ///
-    /// # Errors
-    /// [`ModelError::InvalidInput`] unless all are finite and positive.
-    pub fn new(mean_slope: f64, rms_height: f64, hardness: f64) -> Result<Self, ModelError> {
-        require::positive(MODEL, "hardness", hardness)?;
-        Ok(Self { joint: RoughJoint::new(mean_slope, rms_height)?, hardness })
-    }
-
-    /// p/H, which is the area fraction.
-    fn area(&self, pressure: f64) -> Result<f64, ModelError> {
-        require::pressure(MODEL, pressure)?;
-        let reason = "the mean pressure is all that the hardness bears: everything touches";
-        below("mean pressure over hardness", pressure / self.hardness, 1.0, reason)
-    }
-}
-
-impl ContactModel for CooperMikicYovanovich {
-    fn citation(&self) -> Citation {
-        let (authors, title) = ("Cooper, Mikic & Yovanovich", "Thermal contact conductance");
-        citation(authors, 1969, title, [12, 279], "69)90011-8")
-    }
-
-    fn at_pressure(&self, mean_pressure: f64) -> Result<ContactState, ModelError> {
-        let area = self.area(mean_pressure)?;
-        Ok(self.joint.state(mean_pressure, area, area))
-    }
-
-    fn conductance(&self, mean_pressure: f64) -> Result<Option<[f64; 2]>, ModelError> {
-        let area = self.area(mean_pressure)?;
-        Ok(Some(self.joint.conductance([1.25, 0.95], [area, area], 2.0 * (2.0 * PI).sqrt())))
+        Ok(Some([coefficient * factor * area.powf(power), factor * exact]))
     }
 
     fn formula(&self) -> Option<String> {
-        Some("h = 1.25 k_s m_a/σ (p/H)^0.95 with k_s = 2 k₁ k₂/(k₁ + k₂)".to_owned())
-    }
-}
-
-/// Mikic: elastic bodies, `h = 1.55 k_s m_a/σ (√2 p/(E* m_a))^0.94`.
-#[derive(Debug, Clone, Copy, PartialEq)]
-pub struct Mikic {
-    joint: RoughJoint,
-    modulus: ContactModulus,
-}
-
-impl Mikic {
-    /// From the mean absolute profile slope m_a (-) and the rms height σ (m) of both surfaces together.
-    ///
-    /// # Errors
-    /// [`ModelError::InvalidInput`] unless both are finite and positive.
-    pub fn new(
-        mean_slope: f64,
-        rms_height: f64,
-        modulus: ContactModulus,
-    ) -> Result<Self, ModelError> {
-        Ok(Self { joint: RoughJoint::new(mean_slope, rms_height)?, modulus })
-    }
-
-    /// A of the module documentation.
-    fn area(&self, pressure: f64) -> Result<f64, ModelError> {
-        let area = SQRT_2 * require::pressure(MODEL, pressure)?
-            / (self.modulus.pascals() * self.joint.slope);
-        below("area fraction", area, 0.5, "half of the surface would be cut and more")
-    }
-}
-
-impl ContactModel for Mikic {
-    fn citation(&self) -> Citation {
-        let title = "Thermal contact conductance; theoretical considerations";
-        citation("Mikic", 1974, title, [17, 205], "74)90082-9")
-    }
-
-    fn at_pressure(&self, mean_pressure: f64) -> Result<ContactState, ModelError> {
-        let area = self.area(mean_pressure)?;
-        Ok(self.joint.state(mean_pressure, 2.0 * area, area))
-    }
-
-    fn conductance(&self, mean_pressure: f64) -> Result<Option<[f64; 2]>, ModelError> {
-        let area = self.area(mean_pressure)?;
-        Ok(Some(self.joint.conductance([1.55, 0.94], [2.0 * area, area], 4.0 * PI.sqrt())))
-    }
-
-    fn formula(&self) -> Option<String> {
-        Some("h = 1.55 k_s m_a/σ (√2 p/(E* m_a))^0.94 with k_s = 2 k₁ k₂/(k₁ + k₂)".to_owned())
+        let power = if self.is_elastic {
+            "1.55 k_s m_a/σ (√2 p/(E* m_a))^0.94"
+        } else {
+            "1.25 k_s m_a/σ (p/H)^0.95"
+        };
+        Some(format!("h = {power} with k_s = 2 k₁ k₂/(k₁ + k₂)"))
     }
 }
 
@@ -227,22 +198,6 @@ pub fn temperature_jump(
     Ok(walls * 2.0 * heat_ratio / (prandtl * (heat_ratio + 1.0)) * free_path)
 }
 
-fn citation(
-    authors: &'static str,
-    year: u16,
-    title: &'static str,
-    [volume, page]: [u16; 2],
-    doi: &'static str,
-) -> Citation {
-    Citation {
-        authors: authors.into(),
-        year,
-        title: title.into(),
-        journal: format!("Int. J. Heat Mass Transfer {volume}, {page}").into(),
-        doi: format!("10.1016/0017-9310({doi}").into(),
-    }
-}
-
 /// `exp(-λ²/2)` at the cut λ above which a fraction `tail` of Gaussian heights lies; 0 where none does.
 fn at_cut(tail: f64) -> f64 {
     if tail <= 0.0 {
@@ -273,19 +228,6 @@ fn step(tail: f64, cut: f64) -> f64 {
     lacks / -partial_moments::ln_derivative(Order::Zero, cut)
 }
 
-/// A ratio that is below `most`.
-fn below(
-    quantity: &'static str,
-    ratio: f64,
-    most: f64,
-    reason: &'static str,
-) -> Result<f64, ModelError> {
-    if ratio < most {
-        return Ok(ratio);
-    }
-    Err(require::outside(MODEL, quantity, ratio, 0.0..=most, reason))
-}
-
 #[cfg(test)]
 mod tests {
     use super::*;
@@ -301,8 +243,8 @@ mod tests {
                 panic!("{line}")
             };
             let modulus = ContactModulus::from_pascals(*modulus).unwrap();
-            let plastic = CooperMikicYovanovich::new(*slope, *height, *hardness).unwrap();
-            let elastic = Mikic::new(*slope, *height, modulus).unwrap();
+            let plastic = ConductanceCorrelation::plastic(*slope, *height, *hardness).unwrap();
+            let elastic = ConductanceCorrelation::elastic(*slope, *height, modulus).unwrap();
             let mean = 2.0 * k1 * k2 / (k1 + k2);
             let [cmy, cut_plastic] = plastic.conductance(*p).unwrap().unwrap();
             let [mikic, cut_elastic] = elastic.conductance(*p).unwrap().unwrap();
@@ -318,8 +260,10 @@ mod tests {
     /// P/H = 1e-3 cuts at 3.09023230616781 σ, and the gap is the mean of what lies below.
     #[test]
     fn a_flat_at_the_cut() {
-        let state =
-            CooperMikicYovanovich::new(0.1, 0.6e-6, 1.2e9).unwrap().at_pressure(1.2e6).unwrap();
+        let state = ConductanceCorrelation::plastic(0.1, 0.6e-6, 1.2e9)
+            .unwrap()
+            .at_pressure(1.2e6)
+            .unwrap();
         let cut = 3.090_232_306_167_81;
         assert!((state.separation.unwrap() / 0.6e-6 - cut).abs() < 1e-13);
         assert!((state.area_fraction - 1e-3).abs() < 1e-15);
@@ -345,7 +289,7 @@ mod tests {
         for row in table.trim().lines() {
             let cells: Vec<f64> =
                 row.split_whitespace().map(|cell| cell.parse().unwrap()).collect();
-            let model = CooperMikicYovanovich::new(0.1, sigma, 1e9).unwrap();
+            let model = ConductanceCorrelation::plastic(0.1, sigma, 1e9).unwrap();
             let separation = model.at_pressure(cells[0] * 1e9).unwrap().separation.unwrap();
             for (jump, exact) in jumps.into_iter().zip(&cells[1..]) {
                 let found = gas_between(separation, sigma, jump * sigma).unwrap() * sigma;
@@ -365,15 +309,15 @@ mod tests {
 
     #[test]
     fn nonsense_is_refused() {
-        let plastic = CooperMikicYovanovich::new(0.1, 1e-6, 1e9).unwrap();
+        let plastic = ConductanceCorrelation::plastic(0.1, 1e-6, 1e9).unwrap();
         assert!(plastic.at_pressure(-1.0).is_err() && plastic.conductance(f64::NAN).is_err());
         let full = plastic.conductance(1e9).unwrap_err().to_string();
         assert!(full.contains("everything touches"), "{full}");
         assert_eq!(plastic.conductance(0.0), Ok(Some([0.0, 0.0])));
         assert!(plastic.at_pressure(0.0).unwrap().area_fraction <= 0.0);
         let modulus = ContactModulus::from_pascals(1e10).unwrap();
-        let elastic = Mikic::new(0.1, 1e-6, modulus).unwrap();
+        let elastic = ConductanceCorrelation::elastic(0.1, 1e-6, modulus).unwrap();
         assert!(elastic.at_pressure(1e10).is_err() && elastic.conductance(1e10).is_err());
-        assert!(CooperMikicYovanovich::new(0.0, 1e-6, 1e9).is_err());
+        assert!(ConductanceCorrelation::plastic(0.0, 1e-6, 1e9).is_err());
     }
 }

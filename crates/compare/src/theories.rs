@@ -8,7 +8,7 @@ use Input::{
     Gamma, Hardness, Hurst, Longest, M0, M2, M4, MaxAmplitudeRatio, MeanOffset, MeanSlope, Ra,
     RecordLength, RmsHeight, Rolloff, Roughness, SphereDensity, SphereRadius,
 };
-use asperity_models::thermal_conductance::{CooperMikicYovanovich, Mikic};
+use asperity_models::thermal_conductance::ConductanceCorrelation;
 use asperity_models::{ChangEtsionBogy, SummitLaw, SummitModel};
 use contact_types::{
     AmplitudeSpectrum, Citation, ContactModel, ContactState, FractalParameters, ModelError,
@@ -250,7 +250,7 @@ const ROWS: &[ModelDescriptor] = &[
             const NAME: &str = "Cooper-Mikic-Yovanovich";
             let (slope, height) = joint(inputs, NAME)?;
             let hardness = missing(inputs.hardness, NAME, "a hardness")?;
-            Ok(Box::new(CooperMikicYovanovich::new(slope, height, hardness)?))
+            Ok(Box::new(ConductanceCorrelation::plastic(slope, height, hardness)?))
         }),
     },
     ModelDescriptor {
@@ -263,7 +263,7 @@ const ROWS: &[ModelDescriptor] = &[
         assumes: Assumes::Gaussian,
         build: Build::Pressure(|inputs| {
             let (slope, height) = joint(inputs, "Mikic")?;
-            Ok(Box::new(Mikic::new(slope, height, inputs.modulus)?))
+            Ok(Box::new(ConductanceCorrelation::elastic(slope, height, inputs.modulus)?))
         }),
     },
 ];
