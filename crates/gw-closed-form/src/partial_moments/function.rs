@@ -80,7 +80,7 @@ impl Function {
             self.overlap(-alpha)
         } else {
             let (at, [value, low, slope]) = self.node(alpha);
-            value + (low + self.taylor(at, value, slope, alpha - at))
+            value + (low + taylor(self.n, at, [value, slope], alpha - at))
         }
     }
 
@@ -91,40 +91,10 @@ impl Function {
         (k / PER_UNIT, self.nodes[(k - first) as usize])
     }
 
-    /// dJ_n/dα between the far ends: the Taylor series, term by term.
+    /// dJ_n/dα between the far ends: a moment of order n - 1 but for its factor.
     pub(super) fn slope(&self, alpha: f64) -> f64 {
         let (at, [value, _, slope]) = self.node(alpha);
-        let delta = alpha - at;
-        let (x, y) = (-at * delta, delta * delta);
-        // u_k/delta and the index of its successor; u_0 = value
-        let mut last = slope;
-        let mut next = 0.5 * (x * slope + delta * self.n * value);
-        let mut terms = [0.0; 18];
-        for (k, term) in (2..).zip(&mut terms) {
-            let m = f64::from(k);
-            *term = m * next;
-            let after = (x * next + y * (self.n - (m - 1.0)) / m * last) / (m + 1.0);
-            (last, next) = (next, after);
-        }
-        slope + terms.iter().rev().sum::<f64>()
-    }
-
-    /// J(at + delta) - J(at) from value and slope at `at`: the terms u_k of the Taylor series
-    /// follow from J'' = n J - α J'.
-    pub(super) fn taylor(&self, at: f64, value: f64, slope: f64, delta: f64) -> f64 {
-        const TERMS: usize = 20;
-        let (x, y) = (-at * delta, delta * delta);
-        let mut u = [0.0; TERMS];
-        // The rounding error of the first term is kept: without it neighbouring arguments can
-        // come out in the wrong order.
-        let (first, first_low) = two_product(slope, delta);
-        (u[0], u[1]) = (value, first);
-        for k in 0..TERMS - 2 {
-            let m = k as f64;
-            u[k + 2] = (x * RECIPROCAL[k + 2]) * u[k + 1]
-                + (y * (self.n - m) * (RECIPROCAL[k + 1] * RECIPROCAL[k + 2])) * u[k];
-        }
-        first + (first_low + u[2..].iter().rev().sum::<f64>())
+        slope + taylor(self.n - 1.0, at, [slope, self.n * value - at * slope], alpha - at)
     }
 
     /// α -> -∞: J_n = x^n (1 + c), x = -α, with x^n as a sum of two doubles.
@@ -160,6 +130,24 @@ impl Function {
     pub(super) fn far_ln_scaled(&self, alpha: f64) -> f64 {
         libm::log(self.factor * self.far_series(alpha)) - (self.n + 1.0) * libm::log(alpha)
     }
+}
+
+/// J(at + delta) - J(at) from value and slope at `at`: the terms u_k of the Taylor series
+/// follow from J'' = n J - α J'.
+pub(super) fn taylor(n: f64, at: f64, [value, slope]: [f64; 2], delta: f64) -> f64 {
+    const TERMS: usize = 20;
+    let (x, y) = (-at * delta, delta * delta);
+    let mut u = [0.0; TERMS];
+    // The rounding error of the first term is kept: without it neighbouring arguments can
+    // come out in the wrong order.
+    let (first, first_low) = two_product(slope, delta);
+    (u[0], u[1]) = (value, first);
+    for k in 0..TERMS - 2 {
+        let m = k as f64;
+        u[k + 2] = (x * RECIPROCAL[k + 2]) * u[k + 1]
+            + (y * (n - m) * (RECIPROCAL[k + 1] * RECIPROCAL[k + 2])) * u[k];
+    }
+    first + (first_low + u[2..].iter().rev().sum::<f64>())
 }
 
 /// What α -> -∞ leaves, J_n = x^n (1 + c): c = Σ_{k>0} (-n)_{2k} / (k! (2x²)^k); ends by itself for integer n.

@@ -1,7 +1,7 @@
 //! The moments by order.
 
 use super::function::{
-    FAR, Function, HALF, NEAR, ONE, THREE_HALVES, ZERO, density, overlap_correction,
+    FAR, Function, HALF, NEAR, ONE, THREE_HALVES, ZERO, density, overlap_correction, taylor,
 };
 use crate::arithmetic::{clamp_to_finite, exp_half_square};
 
@@ -82,7 +82,7 @@ pub fn ln(order: Order, alpha: f64) -> f64 {
     if let Some([at, low, slope]) = f.unity {
         let delta = (alpha - at) - low;
         if delta.abs() < 0.25 {
-            return libm::log1p(f.taylor(at, 1.0, slope, delta)); // J_n = 1 at the root
+            return libm::log1p(taylor(f.n, at, [1.0, slope], delta)); // J_n = 1 at the root
         }
     }
     libm::log(f.value(alpha))
