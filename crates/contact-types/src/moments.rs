@@ -82,15 +82,9 @@ impl AsperityStatistics {
         }
         let bandwidth = moments.bandwidth().min(f64::MAX);
         if bandwidth <= LEAST_BANDWIDTH {
-            let domain = LEAST_BANDWIDTH..=f64::MAX;
+            let (quantity, domain) = ("bandwidth m0 m4 / m2^2", LEAST_BANDWIDTH..=f64::MAX);
             let reason = "the variance of summit heights would not be positive";
-            return Err(require::outside(
-                SUMMITS,
-                "bandwidth m0 m4 / m2^2",
-                bandwidth,
-                domain,
-                reason,
-            ));
+            return Err(require::outside(SUMMITS, quantity, bandwidth, domain, reason));
         }
         let summits = Self {
             density: m4 / m2 / (6.0 * PI * 3f64.sqrt()),

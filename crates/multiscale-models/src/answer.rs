@@ -1,6 +1,6 @@
 //! What the answers of all models share: citations and caveats.
 
-use contact_types::{Caveat, Citation};
+use contact_types::{Caveat, Citation, ContactState};
 
 /// The paper of a model; an empty `doi` if it has none.
 pub(crate) fn citation(
@@ -48,4 +48,12 @@ pub(crate) fn underflow(mean_pressure: f64, area_fraction: f64) -> Option<Caveat
 /// The caveat of complete contact.
 pub(crate) fn saturated() -> Caveat {
     Caveat::Saturated { quantity: "area fraction".into() }
+}
+
+/// The answer of a model of the area alone that knows complete contact.
+pub(crate) fn up_to_complete(mean_pressure: f64, area_fraction: f64) -> ContactState {
+    let is_complete = area_fraction >= 1.0;
+    let caveat =
+        if is_complete { Some(saturated()) } else { underflow(mean_pressure, area_fraction) };
+    ContactState { mean_pressure, area_fraction, caveat, ..ContactState::default() }
 }

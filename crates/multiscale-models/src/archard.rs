@@ -67,12 +67,8 @@ impl Archard {
     /// finite and positive, or a `k` beyond the range of a double.
     pub fn new(levels: &[SphereLevel], modulus: ContactModulus) -> Result<Self, ModelError> {
         if levels.is_empty() {
-            return Err(require::refused(
-                MODEL,
-                "number of levels",
-                0.0,
-                "needs at least one level",
-            ));
+            let requirement = "needs at least one level";
+            return Err(require::refused(MODEL, "number of levels", 0.0, requirement));
         }
         let mut model = Self { constants: Vec::new(), densities: Vec::new() };
         for level in levels {

@@ -1,6 +1,6 @@
 //! Jackson and Streator's recursion over the sinusoids of a profile.
 
-use crate::answer::{citation, saturated, underflow};
+use crate::answer::{citation, up_to_complete};
 use crate::stacked::complete_contact_pressure;
 use crate::wide::Wide;
 use contact_types::{
@@ -81,11 +81,7 @@ impl ContactModel for JacksonStreator {
             let pressure = load / area;
             area = area * sinusoid(pressure / complete);
         }
-        let area_fraction = area.value();
-        let is_complete = area_fraction >= 1.0;
-        let caveat =
-            if is_complete { Some(saturated()) } else { underflow(mean_pressure, area_fraction) };
-        Ok(ContactState { mean_pressure, area_fraction, separation: None, mean_gap: None, caveat })
+        Ok(up_to_complete(mean_pressure, area.value()))
     }
 }
 

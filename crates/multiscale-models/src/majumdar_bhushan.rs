@@ -4,7 +4,7 @@ use crate::answer::citation;
 use crate::spots::{FractalContact, PlasticSpots};
 use crate::wide::Wide;
 use contact_types::{
-    Citation, ContactModel, ContactModulus, ContactState, FractalParameters, ModelError, require,
+    Citation, ContactModel, ContactModulus, ContactState, FractalParameters, ModelError,
 };
 use std::f64::consts::PI;
 
@@ -66,25 +66,11 @@ impl MajumdarBhushan {
         plastic: PlasticSpots,
     ) -> Result<Self, ModelError> {
         let FractalParameters { dimension: d, roughness } = surface;
-        if !(d > 1.0 && d < 2.0) {
-            let reason = "the dimension of a fractal profile lies strictly between 1 and 2";
-            return Err(require::outside(MODEL, "D", d, 1.0..=2.0, reason));
-        }
-        require::positive(MODEL, "fractal roughness", roughness)?;
-        require::positive(MODEL, "nominal area", nominal_area)?;
         // n(a) = (D/2) a_l^(D/2) a^(-D/2-1), F(a) = (4 sqrt(pi)/3) E* G^(D-1) a^((3-D)/2)
-        let contact = FractalContact {
-            model: MODEL,
-            dimension: d,
-            size_exponent: d / 2.0,
-            load_exponent: (3.0 - d) / 2.0,
-            epsilon: 1.5 - d, // exact for every double near D = 3/2
-            coefficient: Wide::from(roughness).powf(d - 1.0)
-                * modulus.pascals()
-                * (4.0 * PI.sqrt() / 3.0),
-            nominal_area,
-            critical: None,
-        };
+        let coefficient =
+            |roughness: Wide| roughness.powf(d - 1.0) * modulus.pascals() * (4.0 * PI.sqrt() / 3.0);
+        let numbers = [d, roughness, nominal_area];
+        let contact = FractalContact::new(MODEL, ("profile", 0.0), numbers, coefficient)?;
         let critical_area = |hardness: f64| {
             let softness = Wide::from(2.0) * modulus.pascals() / hardness; // 2 E*/H
             (softness.powf(1.0 / (d - 1.0)) * roughness).powf(2.0)

@@ -3,7 +3,7 @@
 //! The fractal theories share one structure:
 //!
 //! ```math
-//! n(a) = s\,a_l^{s}\,a^{-s-1}, \qquad F(a) = c\,a^{t}, \qquad
+//! n(a) = s\,a_l^{s}\,a^{-s-1}, \qquad F(a) = c\,a^{t}, \quad t = \tfrac32 - s, \qquad
 //! \int_0^{a_l} n\,a\,da = \frac{s}{1-s}\,a_l, \qquad
 //! \int_{a_c}^{a_l} n\,F\,da = s\,F(a_l)\,\frac{1 - (a_c/a_l)^{\varepsilon}}{\varepsilon},
 //! \qquad \varepsilon = t - s
@@ -28,19 +28,15 @@ pub enum PlasticSpots {
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(crate) struct FractalContact {
     /// The model in errors.
-    pub(crate) model: &'static str,
+    model: &'static str,
     /// Dimension D.
-    pub(crate) dimension: f64,
+    dimension: f64,
     /// Exponent of the size distribution, 0 < s < 1.
     pub(crate) size_exponent: f64,
-    /// Exponent of the elastic load of a spot.
-    pub(crate) load_exponent: f64,
-    /// `load_exponent - size_exponent`, without rounding where it vanishes.
-    pub(crate) epsilon: f64,
     /// `c` of the elastic load of a spot.
     pub(crate) coefficient: Wide,
     /// \[m²\].
-    pub(crate) nominal_area: f64,
+    nominal_area: f64,
     /// `None` if every spot is elastic.
     pub(crate) critical: Option<Critical>,
 }
@@ -53,6 +49,31 @@ pub(crate) struct Critical {
 }
 
 impl FractalContact {
+    /// Of `what`, a profile or a surface, of this dimension, `1 + excess` to `2 + excess`, and roughness (m) on a nominal
+    /// area (m²); `coefficient` is then that of the elastic load of a spot.
+    pub(crate) fn new(
+        model: &'static str,
+        (what, excess): (&'static str, f64),
+        [dimension, roughness, nominal_area]: [f64; 3],
+        coefficient: impl Fn(Wide) -> Wide,
+    ) -> Result<Self, ModelError> {
+        let [low, high] = [1.0 + excess, 2.0 + excess];
+        if !(dimension > low && dimension < high) {
+            let reason =
+                format!("the dimension of a fractal {what} lies strictly between {low} and {high}");
+            return Err(require::outside(model, "D", dimension, low..=high, reason));
+        }
+        let roughness = Wide::from(require::positive(model, "fractal roughness", roughness)?);
+        require::positive(model, "nominal area", nominal_area)?;
+        let (size_exponent, coefficient) = ((dimension - excess) / 2.0, coefficient(roughness));
+        Ok(Self { model, dimension, size_exponent, coefficient, nominal_area, critical: None })
+    }
+
+    /// `t - s`, exact for every double near 0.
+    fn epsilon(&self) -> f64 {
+        1.5 - 2.0 * self.size_exponent
+    }
+
     /// The same with these plastic spots. A hardness has a critical area; `reason` says when no double holds it.
     pub(crate) fn with(
         self,
@@ -71,13 +92,8 @@ impl FractalContact {
                 let area = critical_area(hardness).value();
                 if !(area > 0.0 && area.is_finite()) {
                     let (area, domain) = (area.min(f64::MAX), f64::MIN_POSITIVE..=f64::MAX);
-                    return Err(require::outside(
-                        self.model,
-                        "critical area",
-                        area,
-                        domain,
-                        reason,
-                    ));
+                    let what = "critical area";
+                    return Err(require::outside(self.model, what, area, domain, reason));
                 }
                 Critical { area: Wide::from(area), hardness: Wide::from(hardness) }
             }
@@ -114,10 +130,10 @@ impl FractalContact {
 
     /// Refuses a load integral that has no value.
     fn check_convergence(&self) -> Result<(), ModelError> {
-        if self.critical.is_some() || self.epsilon > 0.0 {
+        if self.critical.is_some() || self.epsilon() > 0.0 {
             return Ok(());
         }
-        let divergence = self.dimension + self.epsilon; // 3/2 or 5/2, exactly
+        let divergence = self.dimension + self.epsilon(); // 3/2 or 5/2, exactly
         let domain = divergence - 0.5..=divergence;
         let reason = format!(
             "the load of ever smaller elastic spots diverges for D >= {divergence}; give a critical \
@@ -133,7 +149,7 @@ impl FractalContact {
 
     /// Load of all spots with a critical area, and its `d ln F / d ln a_l`.
     fn load_and_slope(&self, critical: Critical, largest: Wide) -> (Wide, f64) {
-        let (s, epsilon) = (self.size_exponent, self.epsilon);
+        let (s, epsilon) = (self.size_exponent, self.epsilon());
         let ratio = largest / critical.area;
         let log_ratio = ratio.ln();
         let share = self.area_share();
@@ -145,7 +161,7 @@ impl FractalContact {
         let decay = epsilon.abs() * log_ratio;
         let bracket = if decay > 1e-300 { -(-decay).exp_m1() / epsilon.abs() } else { log_ratio };
         let growth = if epsilon < 0.0 { ratio.powf(-epsilon) } else { Wide::from(1.0) };
-        let of_largest = self.coefficient * largest.powf(self.load_exponent);
+        let of_largest = self.coefficient * largest.powf(1.5 - s);
         let elastic = of_largest * growth * (s * bracket);
         let plastic = critical.hardness * share * critical.area * ratio.powf(s);
         let elastic_slope = s + 1.0 / bracket + epsilon.min(0.0);
@@ -157,9 +173,10 @@ impl FractalContact {
     /// `v = ln ln(a_l/a_c)`, kept inside a bracket.
     fn largest(&self, load: Wide) -> Wide {
         let Some(critical) = self.critical else {
-            let x = load * (self.epsilon / self.size_exponent) / self.coefficient;
+            let (s, t) = (self.size_exponent, 1.5 - self.size_exponent);
+            let x = load * (self.epsilon() / s) / self.coefficient;
             // x^(1/t), whose exponent next to 1 would be rounded.
-            return x * x.powf((1.0 - self.load_exponent) / self.load_exponent);
+            return x * x.powf((1.0 - t) / t);
         };
         let area = critical.area;
         let (threshold, _) = self.load_and_slope(critical, area);
@@ -211,16 +228,8 @@ mod tests {
         let mut seen = 0;
         for d in [1.0 + f64::EPSILON, 1.2, 1.5, 1.8, 2.0 - f64::EPSILON] {
             for coefficient in [tiny * tiny, Wide::from(1.0), huge * huge] {
-                let spots = FractalContact {
-                    model: "",
-                    dimension: d,
-                    nominal_area: 1.0,
-                    critical: None,
-                    size_exponent: d / 2.0,
-                    load_exponent: (3.0 - d) / 2.0,
-                    epsilon: 1.5 - d,
-                    coefficient,
-                };
+                let new = FractalContact::new("", ("profile", 0.0), [d, 1.0, 1.0], |_| coefficient);
+                let spots = new.unwrap();
                 for area in [tiny, Wide::from(1.0), huge] {
                     for hardness in [Wide::from(0.0), tiny, huge] {
                         for load in [tiny * tiny, Wide::from(1.0), huge * huge] {

@@ -1,6 +1,6 @@
 //! The stacked multiscale model: complete contact at the steepest scale decides.
 
-use crate::answer::{citation, saturated, underflow};
+use crate::answer::{citation, up_to_complete};
 use crate::wide::Wide;
 use contact_types::{Citation, ContactModel, ContactModulus, ContactState, ModelError, require};
 use std::f64::consts::PI;
@@ -70,16 +70,13 @@ impl ContactModel for Stacked {
         require::pressure(MODEL, mean_pressure)?;
         let real_pressure =
             complete_contact_pressure(self.modulus, Wide::from(self.max_amplitude_ratio));
-        let ratio = if mean_pressure <= 0.0 {
+        let area_fraction = if mean_pressure <= 0.0 {
             0.0
         } else if real_pressure.is_zero() {
-            f64::INFINITY // flat
+            1.0 // flat
         } else {
-            (Wide::from(mean_pressure) / real_pressure).value()
+            (Wide::from(mean_pressure) / real_pressure).value().min(1.0)
         };
-        let area_fraction = ratio.min(1.0);
-        let caveat =
-            if ratio >= 1.0 { Some(saturated()) } else { underflow(mean_pressure, area_fraction) };
-        Ok(ContactState { mean_pressure, area_fraction, separation: None, mean_gap: None, caveat })
+        Ok(up_to_complete(mean_pressure, area_fraction))
     }
 }

@@ -3,7 +3,7 @@
 use crate::answer::citation;
 use crate::spots::{FractalContact, PlasticSpots};
 use crate::wide::Wide;
-use contact_types::{Citation, ContactModel, ContactModulus, ContactState, ModelError, require};
+use contact_types::{Citation, ContactModel, ContactModulus, ContactState, ModelError};
 use std::f64::consts::PI;
 
 const MODEL: &str = "Yan-Komvopoulos";
@@ -52,25 +52,14 @@ impl YanKomvopoulos {
         plastic: PlasticSpots,
     ) -> Result<Self, ModelError> {
         let d = dimension;
-        if !(d > 2.0 && d < 3.0) {
-            let reason = "the dimension of a fractal surface lies strictly between 2 and 3";
-            return Err(require::outside(MODEL, "D", d, 2.0..=3.0, reason));
-        }
-        require::positive(MODEL, "fractal roughness", roughness)?;
-        require::positive(MODEL, "nominal area", nominal_area)?;
-        let contact = FractalContact {
-            model: MODEL,
-            dimension,
-            size_exponent: (d - 1.0) / 2.0,
-            load_exponent: (4.0 - d) / 2.0,
-            epsilon: 2.5 - d, // exact for every double near D = 5/2
-            coefficient: Wide::from(roughness).powf(d - 2.0)
+        let coefficient = |roughness: Wide| {
+            roughness.powf(d - 2.0)
                 * modulus.pascals()
                 * (((11.0 - 2.0 * d) / 2.0).exp2() / (3.0 * PI.powf((4.0 - d) / 2.0)))
-                * FREQUENCY_RATIO.ln().sqrt(),
-            nominal_area,
-            critical: None,
+                * FREQUENCY_RATIO.ln().sqrt()
         };
+        let numbers = [d, roughness, nominal_area];
+        let contact = FractalContact::new(MODEL, ("surface", 1.0), numbers, coefficient)?;
         // c a^((4-D)/2) = H a  =>  a = (c/H)^(2/(D-2))
         let critical_area = |hardness: f64| (contact.coefficient / hardness).powf(2.0 / (d - 2.0));
         let reason = "it is beyond the range of a double: D is too close to 2";

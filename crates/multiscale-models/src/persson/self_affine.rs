@@ -64,27 +64,17 @@ impl SelfAffineSpectrum {
         require::not_negative(MODEL, "m0", m0)?;
         if rolloff < lower || rolloff > cutoff {
             let reason = "the roll-off lies between the lower end and the cut-off";
-            return Err(require::outside(
-                MODEL,
-                "roll-off wavenumber",
-                rolloff,
-                lower..=cutoff,
-                reason,
-            ));
+            let (quantity, domain) = ("roll-off wavenumber", lower..=cutoff);
+            return Err(require::outside(MODEL, quantity, rolloff, domain, reason));
         }
         let span = (Wide::from(cutoff) / Wide::from(lower)).value().min(f64::MAX);
+        let quantity = "cut-off over lower end";
         if cutoff <= lower {
             let reason = "a continuous spectrum needs a band; a single wavenumber is a \
                           RoughnessSpectrum of one shell";
-            return Err(require::outside(
-                MODEL,
-                "cut-off over lower end",
-                span,
-                1.0..=1e18,
-                reason,
-            ));
+            return Err(require::outside(MODEL, quantity, span, 1.0..=1e18, reason));
         }
-        check_span(MODEL, "cut-off over lower end", span)?;
+        check_span(MODEL, quantity, span)?;
         Ok(Self {
             hurst,
             wavenumbers,
