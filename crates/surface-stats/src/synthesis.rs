@@ -15,8 +15,6 @@ pub enum Scale {
     RmsHeight(f64),
     /// Rms gradient of the map by its spectrum (-).
     RmsGradient(f64),
-    /// Rms gradient expected of the PSD (-): maps of different seeds scatter about it.
-    ExpectedRmsGradient(f64),
 }
 
 /// Recipe of a periodic Gaussian surface with the isotropic PSD
@@ -72,13 +70,14 @@ impl SelfAffine {
         let mut fft = GridFft::new(self.grid.shape());
         let mut waves = fft.new_spectrum();
         fft.forward(&heights, &mut waves);
-        let mut expected = 0.0; // sum of filter² q² over the full plane
-        for (wave, (q, weight)) in waves.iter_mut().zip(self.half_plane()) {
-            let filter = self.filter(q);
-            *wave *= filter;
-            expected += weight * (filter * q).powi(2);
+        for (wave, (q, _)) in waves.iter_mut().zip(self.half_plane()) {
+            *wave *= self.filter(q);
         }
-        if expected <= 0.0 {
+        fft.inverse(&mut waves, &mut heights);
+        drop(waves);
+
+        let moments = PowerSpectrum::of_field(self.grid, &heights).moments();
+        if moments.m0 <= 0.0 {
             let [dy, dx] = self.grid.pixel();
             let [ly, lx] = self.grid.size();
             return Err(StatsError::EmptyBand {
@@ -86,17 +85,9 @@ impl SelfAffine {
                 resolved: [2.0 * dy.min(dx), ly.max(lx)],
             });
         }
-        fft.inverse(&mut waves, &mut heights);
-        drop(waves);
-
-        let moments = PowerSpectrum::of_field(self.grid, &heights).moments();
         let factor = match self.scale {
             Scale::RmsHeight(rms) => rms / moments.rms_height(),
             Scale::RmsGradient(gradient) => gradient / moments.rms_gradient(),
-            // Each wave of white noise of unit variance has the variance 1 / points.
-            Scale::ExpectedRmsGradient(gradient) => {
-                gradient / (expected / self.grid.len() as f64).sqrt()
-            }
         };
         for h in &mut heights {
             *h *= factor;
@@ -212,9 +203,7 @@ impl SelfAffine {
         let [dy, dx] = self.grid.pixel();
         let (scale, value) = match self.scale {
             Scale::RmsHeight(rms) => ("rms height", rms),
-            Scale::RmsGradient(gradient) | Scale::ExpectedRmsGradient(gradient) => {
-                ("rms gradient", gradient)
-            }
+            Scale::RmsGradient(gradient) => ("rms gradient", gradient),
         };
         let Self { hurst, rolloff, cutoff, .. } = *self;
         let step = self.quantise.unwrap_or(1.0);

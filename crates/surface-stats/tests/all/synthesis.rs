@@ -30,7 +30,6 @@ proptest! {
         match scale {
             Scale::RmsHeight(rms) => prop_assert!((moments.rms_height() / rms - 1.0).abs() < 1e-12),
             Scale::RmsGradient(g) => prop_assert!((moments.rms_gradient() / g - 1.0).abs() < 1e-12),
-            Scale::ExpectedRmsGradient(_) => unreachable!("not drawn here"),
         }
         prop_assert!(map.mean().abs() < 1e-12 * moments.rms_height());
         for ring in power.rings() {
@@ -38,23 +37,6 @@ proptest! {
             prop_assert!(!is_beyond || ring.variance < 1e-28 * moments.m0 * ring.waves as f64);
         }
     }
-}
-
-/// Maps of an expected gradient have it on average over seeds, and scatter about it as the number
-/// of waves says: the mean square of 2 x 24 maps of 32² points to 3 standard errors.
-#[test]
-fn an_expected_gradient_is_the_mean_over_seeds() {
-    let grid = Grid::new([32, 33], [1e-6, 1.1e-6]).unwrap();
-    let square = |seed: u64| {
-        let scale = Scale::ExpectedRmsGradient(0.05);
-        let map = SelfAffine { grid, scale, seed, ..recipe([1, 1], [16.0, 4.0]) }.generate();
-        (waves(&map.unwrap()).moments().rms_gradient() / 0.05).powi(2)
-    };
-    let squares: Vec<f64> = (0..48).map(square).collect();
-    let mean = squares.iter().sum::<f64>() / 48.0;
-    let variance = squares.iter().map(|s| (s - mean).powi(2)).sum::<f64>() / 47.0;
-    assert!((mean - 1.0).abs() < 3.0 * (variance / 48.0).sqrt(), "{mean} {variance}");
-    assert!(variance.sqrt() > 0.02, "{variance}");
 }
 
 /// The PSD follows the recipe: over 16 maps each band of waves has its share of the variance to
