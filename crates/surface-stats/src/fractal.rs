@@ -48,7 +48,8 @@ impl SpectralScales {
         // A floor at the rounding of the transform is no noise.
         let noise = NoiseFloor::of(rings, [dy, dx]).filter(|n| n.rms > 1e-9 * rms_height);
         let limits = [2.0 * dy.min(dx), 0.5 * ly.min(lx)];
-        Self::of_rings(rings, noise, limits, fractal_range, |r| fit_radial(rings, r))
+        let fit = |range| PowerLaw::of(&radial_points(rings, range));
+        Self::of_rings(rings, noise, limits, fractal_range, fit)
     }
 
     /// From a PSD with this noise. `limits` are the shortest cut-off and, without a roll-off, the
@@ -168,11 +169,6 @@ impl PowerLaw {
     }
 }
 
-/// Fits a power law to the radial PSD between two wavelengths (m), over logarithmic bins.
-fn fit_radial(rings: &[Ring], range: [f64; 2]) -> Option<PowerLaw> {
-    PowerLaw::of(&radial_points(rings, range))
-}
-
 /// Fits a power law to a profile spectrum between two wavelengths (m).
 pub(crate) fn fit_profile(bins: &[ProfileBin], [short, long]: [f64; 2]) -> Option<PowerLaw> {
     let bins = bins.iter().filter(|b| {
@@ -188,13 +184,11 @@ fn cutoff(rings: &[Ring], shortest: f64) -> Option<f64> {
     let gradient = |r: &Ring| r.variance * r.wavenumber * r.wavenumber;
     let total: f64 = rings.iter().map(gradient).sum();
     let mut below = 0.0;
-    for ring in rings {
+    let reaches = |ring: &&Ring| {
         below += gradient(ring);
-        if total > 0.0 && below >= CUTOFF_SHARE * total {
-            return Some((TAU / ring.wavenumber).max(shortest));
-        }
-    }
-    None
+        total > 0.0 && below >= CUTOFF_SHARE * total
+    };
+    rings.iter().find(reaches).map(|ring| (TAU / ring.wavenumber).max(shortest))
 }
 
 /// Roll-off wavelength (m), beyond which the PSD is flat: least squares of

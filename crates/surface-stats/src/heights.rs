@@ -26,18 +26,8 @@ impl HeightStatistics {
         let mean = map.mean();
         let (low, high) = map.range();
         let (peak_height, pit_depth) = ((high - mean).max(0.0), (mean - low).max(0.0));
-        let flat = Self {
-            rms_height: 0.0,
-            mean_abs_height: 0.0,
-            skewness: None,
-            kurtosis: None,
-            peak_height,
-            pit_depth,
-        };
         let reach = peak_height.max(pit_depth);
-        if reach <= 0.0 {
-            return flat;
-        }
+        let unit = if reach > 0.0 { reach } else { 1.0 };
         // In units of the largest deviation, so that fourth powers stay in range; row by row, so
         // that a long sum loses no digits.
         let nx = map.grid().shape()[1];
@@ -45,7 +35,7 @@ impl HeightStatistics {
         for row in map.heights().chunks_exact(nx) {
             let mut row_sums = [0.0; 5];
             for h in row {
-                let z = (h - mean) / reach;
+                let z = (h - mean) / unit;
                 let square = z * z;
                 row_sums[0] += square;
                 row_sums[1] += z.abs();
@@ -65,9 +55,10 @@ impl HeightStatistics {
         Self {
             rms_height: rms * reach,
             mean_abs_height: abs * reach,
-            skewness: Some(cube / (variance * rms)),
-            kurtosis: Some(fourth / (variance * variance)),
-            ..flat
+            skewness: (rms > 0.0).then(|| cube / (variance * rms)),
+            kurtosis: (rms > 0.0).then(|| fourth / (variance * variance)),
+            peak_height,
+            pit_depth,
         }
     }
 }

@@ -337,15 +337,13 @@ impl SurfaceStatistics {
         };
         let (low, high) = map.range();
         let spacing = f64::EPSILON * low.abs().max(high.abs());
-        let directional = differences.anisotropy();
         let noisy = Warning::of_noise(moments, grid.pixel(), height_step, scales.noise);
-        statistics.warnings = statistics.judge(
-            [noisy, tilted, Warning::of_resolution(resolved)],
-            spacing,
-            edge_jump,
-            directional,
-            rows,
-        );
+        let lay = differences.anisotropy().filter(|&ratio| ratio > 2.0);
+        // Slopes across rows that jump are those of the jumps: no lay is known.
+        let uneven = rows.or(lay.map(|ratio| Warning::Anisotropic { ratio }));
+        let jump = (edge_jump > MOST_SEAM_JUMP).then_some(Warning::EdgeJump { ratio: edge_jump });
+        let unresolved = Warning::of_resolution(resolved);
+        statistics.warnings = statistics.judge([noisy, tilted, unresolved, uneven, jump], spacing);
         let seconds = [of_moments, of_amplitudes, of_spectrum];
         Ok((statistics, Spectra { moments: by_waves, rings, resolved, amplitudes, seconds }))
     }
@@ -364,41 +362,25 @@ impl SurfaceStatistics {
     /// explained in the book, chapter "Surface statistics".
     fn judge(
         &self,
-        [noisy, tilted, unresolved]: [Option<Warning>; 3],
+        [noisy, tilted, unresolved, uneven, jump]: [Option<Warning>; 5],
         spacing: f64,
-        edge_jump: f64,
-        anisotropy: Option<f64>,
-        rows: Option<Warning>,
     ) -> Vec<Warning> {
-        let mut warnings = Vec::new();
         if let Some(flat) = Warning::flat(self.rms_height, spacing) {
             return vec![flat];
         }
-        warnings.extend(noisy);
         let Summits { plateaus, count: summits, .. } = self.summits;
-        if 10 * plateaus > summits {
-            warnings.push(Warning::FlatTops { plateaus, summits });
-        }
-        warnings.extend(tilted);
-        warnings.extend(unresolved);
-        if let Some(jump) = rows {
-            warnings.push(jump); // slopes across the rows are those of the jumps: no lay is known
-        } else if let Some(ratio) = anisotropy.filter(|&r| r > 2.0) {
-            warnings.push(Warning::Anisotropic { ratio });
-        }
-        warnings.extend(Warning::of_distribution(self.skewness, self.kurtosis, self.bandwidth));
-        if edge_jump > MOST_SEAM_JUMP {
-            warnings.push(Warning::EdgeJump { ratio: edge_jump });
-        }
+        let flat_tops = 10 * plateaus > summits;
+        let flat_tops = flat_tops.then_some(Warning::FlatTops { plateaus, summits });
         let side = (self.shape[0] as f64 * self.pixel[0]).min(self.record_length);
-        match self.rolloff {
-            Some(rolloff) if side < 4.0 * rolloff => {
-                warnings.push(Warning::FewWaves { count: Some(side / rolloff) });
-            }
-            None if self.hurst.is_some() => warnings.push(Warning::FewWaves { count: None }),
-            _ => {}
-        }
-        warnings.extend(Warning::of_hurst(self.hurst));
-        warnings
+        let few_waves = match self.rolloff {
+            Some(rolloff) => Some(Some(side / rolloff)).filter(|_| side < 4.0 * rolloff),
+            None => self.hurst.map(|_| None),
+        };
+        let few_waves = few_waves.map(|count| Warning::FewWaves { count });
+        let [not_gaussian, narrow] =
+            Warning::of_distribution(self.skewness, self.kurtosis, self.bandwidth);
+        let hurst = Warning::of_hurst(self.hurst);
+        let warnings = [noisy, flat_tops, tilted, unresolved, uneven, not_gaussian, narrow];
+        warnings.into_iter().chain([jump, few_waves, hurst]).flatten().collect()
     }
 }

@@ -98,13 +98,13 @@ impl Warning {
         skewness: Option<f64>,
         kurtosis: Option<f64>,
         bandwidth: Option<f64>,
-    ) -> impl Iterator<Item = Self> {
+    ) -> [Option<Self>; 2] {
         let is_far = |&(s, k): &(f64, f64)| s.abs() > 0.2 || (k - 3.0).abs() > 0.3;
-        let not_gaussian = skewness.zip(kurtosis).filter(is_far);
+        let shape = skewness.zip(kurtosis).filter(is_far);
         let not_gaussian =
-            not_gaussian.map(|(skewness, kurtosis)| Self::NotGaussian { skewness, kurtosis });
+            shape.map(|(skewness, kurtosis)| Self::NotGaussian { skewness, kurtosis });
         let narrow = bandwidth.filter(|b| *b < 1.5).map(|bandwidth| Self::NarrowBand { bandwidth });
-        not_gaussian.into_iter().chain(narrow)
+        [not_gaussian, narrow]
     }
 
     /// Of the rms gradient by finite differences over the one by the spectrum (-).

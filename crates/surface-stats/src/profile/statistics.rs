@@ -209,17 +209,17 @@ impl ProfileStatistics {
 
     /// Warnings, by the limits of those of maps.
     fn judge(&self, noise: Option<NoiseFloor>) -> Vec<Warning> {
-        let mut warnings = Vec::new();
-        if self.moments.m0 <= 0.0 {
-            return vec![Warning::Flat { rms_height: 0.0, spacing: 0.0 }];
+        if let Some(flat) = Warning::flat(self.moments.rms_height(), 0.0) {
+            return vec![flat];
         }
         // A filter that took the steps' waves away took their noise too.
         let step = self.height_step.filter(|_| self.options.short.is_none());
-        warnings.extend(Warning::of_noise(self.moments, [self.spacing; 2], step, noise));
-        warnings.extend(self.seen.and_then(|[m2, _]| Warning::of_resolution(m2.sqrt())));
-        warnings.extend(Warning::of_distribution(self.skewness, self.kurtosis, self.bandwidth));
-        warnings.extend(Warning::of_hurst(self.hurst));
-        warnings
+        let noisy = Warning::of_noise(self.moments, [self.spacing; 2], step, noise);
+        let unresolved = self.seen.and_then(|[m2, _]| Warning::of_resolution(m2.sqrt()));
+        let [not_gaussian, narrow] =
+            Warning::of_distribution(self.skewness, self.kurtosis, self.bandwidth);
+        let hurst = Warning::of_hurst(self.hurst);
+        [noisy, unresolved, not_gaussian, narrow, hurst].into_iter().flatten().collect()
     }
 }
 
