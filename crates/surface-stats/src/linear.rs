@@ -16,7 +16,6 @@ impl NormalEquations {
         Self { matrix: vec![vec![0.0; terms]; terms], right: vec![0.0; terms] }
     }
 
-    /// Adds one point.
     pub(crate) fn add_point(&mut self, basis: &[f64], residual: f64) {
         for (i, b) in basis.iter().enumerate() {
             self.right[i] += b * residual;

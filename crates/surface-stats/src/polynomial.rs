@@ -7,7 +7,6 @@ use crate::linear::NormalEquations;
 use crate::{StatsError, scale};
 use contact_types::Grid;
 
-/// Highest total degree offered.
 pub(crate) const MAX_DEGREE: usize = 12;
 
 /// A polynomial in x and y of limited total degree.

@@ -217,6 +217,13 @@ pub struct Spectra {
     pub seconds: [f64; 3],
 }
 
+/// What a computation gives, and its time (s).
+fn timed<T>(compute: impl FnOnce() -> T) -> (T, f64) {
+    let start = Clock::now();
+    let found = compute();
+    (found, start.elapsed().as_secs_f64())
+}
+
 impl SurfaceStatistics {
     /// Takes all statistics of a map. Needs the memory of two further copies of it.
     ///
@@ -247,35 +254,25 @@ impl SurfaceStatistics {
         let height_step = options.height_step.or_else(|| steps::height_step(map.heights()));
         let surface = without_form(map, degree)?;
 
-        let start = Clock::now();
-        let distribution = HeightStatistics::of(&surface);
-        let differences = DirectionalMoments::of(&surface, options.edges)?;
-        let seconds = |start: Clock| start.elapsed().as_secs_f64();
-        let of_moments = seconds(start);
-        let ((summits, amplitudes), ((edge_jump, rows), (power, spectral, of_power))) = join(
-            || {
-                let summits = || Summits::of(&surface, options.edges);
-                join(summits, || {
-                    let start = Clock::now();
-                    amplitudes(&surface).map(|found| (found, seconds(start)))
-                })
-            },
+        let differences = || DirectionalMoments::of(&surface, options.edges);
+        let ((distribution, differences), of_moments) =
+            timed(|| (HeightStatistics::of(&surface), differences()));
+        let differences = differences?;
+        let (of_points, ((edge_jump, rows), ((spectral, power), of_power))) = join(
+            || join(|| Summits::of(&surface, options.edges), || timed(|| amplitudes(&surface))),
             || {
                 // Levelling may take heights at the end of the range beyond it: then rows are not compared.
                 let lines = || {
                     let rows = row_offsets(grid, surface.heights()).ok();
                     (seam_jump(&surface), rows.and_then(|rows| rows.warning))
                 };
-                let waves = || {
-                    let start = Clock::now();
-                    let power = PowerSpectrum::of_field(grid, surface.heights());
-                    let spectral = power.moments();
-                    (power, spectral, seconds(start))
-                };
-                join(lines, waves)
+                let power = || PowerSpectrum::of_field(grid, surface.heights());
+                let with_moments = |power: PowerSpectrum| (power.moments(), power);
+                join(lines, || timed(|| with_moments(power())))
             },
         );
-        let (summits, (amplitudes, of_amplitudes)) = (summits?, amplitudes?);
+        let (summits, (amplitudes, of_amplitudes)) = of_points;
+        let amplitudes = amplitudes?;
         let start = Clock::now();
         let power = if periodic {
             drop(surface);
@@ -292,7 +289,7 @@ impl SurfaceStatistics {
         let rms_height = distribution.rms_height;
         let moments = differences.isotropic(rms_height * rms_height);
         let scales = SpectralScales::of_map(&rings, grid, rms_height, options.fractal_range);
-        let of_spectrum = seconds(start) + if periodic { of_power } else { 0.0 };
+        let of_spectrum = start.elapsed().as_secs_f64() + if periodic { of_power } else { 0.0 };
         let fractal = scales.power_law.map(|law| law.fractal_of_surface());
 
         let mut statistics = Self {

@@ -1,6 +1,6 @@
 //! Summits counted on the map.
 
-use crate::{Edges, StatsError};
+use crate::Edges;
 use contact_types::HeightMap;
 use std::cmp::Ordering;
 
@@ -29,10 +29,9 @@ pub struct Summits {
 }
 
 impl Summits {
-    /// Counts on a map whose heights are distances from its mean plane.
-    pub(crate) fn of(map: &HeightMap, edges: Edges) -> Result<Self, StatsError> {
+    /// Counts on a map, of 3 x 3 pixels at least, whose heights are distances from its mean plane.
+    pub(crate) fn of(map: &HeightMap, edges: Edges) -> Self {
         let ([ny, nx], [dy, dx]) = (map.grid().shape(), map.grid().pixel());
-        StatsError::require_shape("a pixel with eight neighbours", [ny, nx], [3, 3])?;
         let around = Neighbours { map, edges };
         let rim = usize::from(edges == Edges::Open);
         let (rows, columns) = (rim..ny - rim, rim..nx - rim);
@@ -59,14 +58,14 @@ impl Summits {
         };
         let height_mean = mean(&|s| s.0);
         let height_std = height_mean.and_then(|m| mean(&|s| (s.0 - m) * (s.0 - m)).map(f64::sqrt));
-        Ok(Self {
+        Self {
             count: found.len(),
             density: n / (candidates as f64 * dy * dx),
             height_mean,
             height_std,
             curvature_mean: mean(&|s| s.1),
             plateaus: around.count_plateaus(&flat),
-        })
+        }
     }
 }
 
@@ -164,14 +163,14 @@ mod tests {
         ];
         let heights = rows.concat().bytes().map(|b| f64::from(b - b'0')).collect();
         let m = HeightMap::new(Grid::new([6, 8], [2.0, 1.0]).unwrap(), heights).unwrap();
-        let open = Summits::of(&m, Edges::Open).unwrap();
+        let open = Summits::of(&m, Edges::Open);
         assert_eq!((open.count, open.plateaus), (2, 1));
         assert_relative_eq!(open.density, 2.0 / (4.0 * 6.0 * 2.0), epsilon = 0.0);
         assert_relative_eq!(open.height_mean.unwrap(), 4.0, epsilon = 0.0);
         assert_relative_eq!(open.height_std.unwrap(), 1.0, epsilon = 0.0);
         // Peak 3: zxx = -6, zyy = -6/4. Peak 5: zxx = -10, zyy = (4 + 0 - 10)/4.
         assert_relative_eq!(open.curvature_mean.unwrap(), 4.75, epsilon = 0.0);
-        let periodic = Summits::of(&m, Edges::Periodic).unwrap();
+        let periodic = Summits::of(&m, Edges::Periodic);
         assert_eq!((periodic.count, periodic.plateaus), (3, 2));
         assert_relative_eq!(periodic.density, 3.0 / 96.0, epsilon = 0.0);
     }

@@ -37,24 +37,20 @@ impl FromStr for Form {
     /// `plane`, `quadratic`, `polynomial:N`, `sphere` or `cylinder`.
     fn from_str(text: &str) -> Result<Self, StatsError> {
         let text = text.trim();
-        let unknown = |why| StatsError::UnknownForm { text: text.to_owned(), why };
+        let unknown = |why| Err(StatsError::UnknownForm { text: text.to_owned(), why });
         match text {
             "plane" => Ok(Self::Polynomial(1)),
             "quadratic" => Ok(Self::Polynomial(2)),
             "sphere" => Ok(Self::Sphere),
             "cylinder" => Ok(Self::Cylinder),
-            _ => {
-                let degree = text.strip_prefix("polynomial:").ok_or_else(|| {
-                    unknown(
-                        "is no form; write plane, quadratic, polynomial:N with N from 0 to 12, sphere or \
-                         cylinder",
-                    )
-                })?;
-                let degree = degree.parse::<usize>().ok().filter(|degree| *degree <= MAX_DEGREE);
-                degree.map(Self::Polynomial).ok_or_else(|| {
-                    unknown("has no degree from 0 to 12; write for example polynomial:4")
-                })
-            }
+            _ => match text.strip_prefix("polynomial:").map(str::parse) {
+                Some(Ok(degree)) if degree <= MAX_DEGREE => Ok(Self::Polynomial(degree)),
+                Some(_) => unknown("has no degree from 0 to 12; write for example polynomial:4"),
+                None => unknown(
+                    "is no form; write plane, quadratic, polynomial:N with N from 0 to 12, sphere or \
+                     cylinder",
+                ),
+            },
         }
     }
 }

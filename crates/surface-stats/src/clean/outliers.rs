@@ -77,7 +77,6 @@ pub fn find_outliers(grid: Grid, heights: &[f64], threshold: f64) -> Result<Outl
     Ok(Outliers { indices, limit, largest })
 }
 
-/// The neighbours of a point.
 struct Neighbourhood {
     /// The map with a rim of missing points, as wide as two neighbours in line are away.
     heights: Vec<f64>,

@@ -129,7 +129,7 @@ fn cut(first: &HeightMap, second: &HeightMap, shift: [f64; 2]) -> Result<Laid, S
         |k: usize| common(grids.map(|g| g.shape()[k]), grids.map(|g| g.pixel()[k]), shift[k]);
     let axes = [along(0)?, along(1)?];
     let grid = Grid::new(axes.map(|a| a.along[0].count), axes.map(|a| a.pixel))?;
-    let resampled = [0, 1].map(|which| axes.iter().any(|a| a.between == Some(which)));
+    let resampled = [0, 1].map(|which| axes.iter().any(|a| a.along[which].step < 1.0));
     let part = |which: usize, map: &HeightMap| {
         let along = axes.map(|a| a.along[which]);
         let [ny, nx] = map.grid().shape();
