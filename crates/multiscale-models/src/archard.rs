@@ -47,10 +47,8 @@ pub struct SphereLevel {
 /// Archard (1957), doi:10.1098/rspa.1957.0214.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Archard {
-    /// `k` of each level, coarse to fine \[m² N^(-2/3)\].
-    constants: Vec<f64>,
-    /// Density of each level, coarse to fine \[m⁻²\].
-    densities: Vec<f64>,
+    /// `k` \[m² N^(-2/3)\] and density \[m⁻²\] of each level, coarse to fine.
+    levels: Vec<[f64; 2]>,
 }
 
 /// Fewer features than this in a Hertz spot are not a continuous cover.
@@ -70,16 +68,15 @@ impl Archard {
             let requirement = "needs at least one level";
             return Err(require::refused(MODEL, "number of levels", 0.0, requirement));
         }
-        let mut model = Self { constants: Vec::new(), densities: Vec::new() };
-        for level in levels {
+        let of_level = |level: &SphereLevel| {
             let radius = require::positive(MODEL, "sphere radius", level.radius)?;
             // k = pi (3R/(4E*))^(2/3)
             let root = (Wide::from(radius) * 0.75 / modulus.pascals()).cbrt();
             let constant = (root * root * PI).value();
-            model.constants.push(require::positive(MODEL, "contact constant k", constant)?);
-            model.densities.push(require::positive(MODEL, "sphere density", level.density)?);
-        }
-        Ok(model)
+            let constant = require::positive(MODEL, "contact constant k", constant)?;
+            Ok([constant, require::positive(MODEL, "sphere density", level.density)?])
+        };
+        Ok(Self { levels: levels.iter().map(of_level).collect::<Result<_, ModelError>>()? })
     }
 
     /// Real area of one coarse sphere under a load, `C W^e` with `W^e = W / W^(1/3^n)`.
@@ -87,16 +84,15 @@ impl Archard {
         if load.is_zero() {
             return load;
         }
-        self.coefficient() * (load / repeated_cbrt(load, self.constants.len()))
+        self.coefficient() * (load / repeated_cbrt(load, self.levels.len()))
     }
 
     /// `C`, built up from the finest level. Below a level, `e = 1 - 3^-n` with n finer levels.
     fn coefficient(&self) -> Wide {
-        let last = self.constants.len() - 1;
-        let mut coefficient = Wide::from(self.constants[last]);
-        for level in (0..last).rev() {
-            let (k, m) = (self.constants[level], self.densities[level + 1]);
-            let finer = last - level;
+        let [finest, _] = self.levels[self.levels.len() - 1];
+        let mut coefficient = Wide::from(finest);
+        for (finer, pair) in (1..).zip(self.levels.windows(2).rev()) {
+            let [[k, _], [_, m]] = [pair[0], pair[1]];
             let e = 1.0 - lack(finer);
             // m^(1-e) k^(1-e) C (3/2)^e 2/(2+e)
             coefficient = repeated_cbrt(Wide::from(m) * k, finer)
@@ -109,7 +105,7 @@ impl Archard {
     /// The first assumption that is strained, judged by mean loads from coarse to fine.
     fn strain(&self, pressure: f64) -> Option<Caveat> {
         let mut stress = Wide::from(pressure); // load per area of the carrier
-        for (level, (&k, &density)) in self.constants.iter().zip(&self.densities).enumerate() {
+        for (level, &[k, density]) in self.levels.iter().enumerate() {
             let load = stress / density;
             let spot = load / load.cbrt() * k;
             let cover = (spot * density).value();
@@ -117,7 +113,7 @@ impl Archard {
                 let reason = "Hertz spots of one level cover much of what carries them";
                 return Some(beyond("cover of a level", cover.min(f64::MAX), SPARSE, reason));
             }
-            if let Some(&finer) = self.densities.get(level + 1) {
+            if let Some(&[_, finer]) = self.levels.get(level + 1) {
                 let features = (spot * finer).value();
                 if features < MANY {
                     let reason = "too few features in a Hertz spot to carry its pressure";
@@ -148,7 +144,7 @@ impl ContactModel for Archard {
 
     fn at_pressure(&self, mean_pressure: f64) -> Result<ContactState, ModelError> {
         require::pressure(MODEL, mean_pressure)?;
-        let density = self.densities[0];
+        let [_, density] = self.levels[0];
         let area = self.area(Wide::from(mean_pressure) / density) * density;
         let area_fraction = require::answer(MODEL, area.value(), "mean pressure", mean_pressure)?;
         let strain = || if mean_pressure > 0.0 { self.strain(mean_pressure) } else { None };

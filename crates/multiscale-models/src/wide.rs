@@ -34,9 +34,7 @@ impl Wide {
     pub(crate) fn exp(x: f64) -> Self {
         let whole = (x / std::f64::consts::LN_2).round();
         let rest = (x - whole * LN_2_HIGH) - whole * LN_2_LOW;
-        let mut result = Self::new(rest.exp(), 0);
-        result.exponent = result.exponent.saturating_add(whole as i64).clamp(-LIMIT, LIMIT);
-        result
+        Self::new(rest.exp(), whole as i64)
     }
 
     pub(crate) fn sqrt(self) -> Self {
@@ -71,14 +69,12 @@ impl Wide {
             if power.abs() > 1e3 { (m.log2() * power, 1.0) } else { (0.0, m.powf(power)) };
         let whole = product.round() + from_mantissa.round();
         let rest = (product - product.round()) + error + (from_mantissa - from_mantissa.round());
-        let mut result = Self::new(mantissa_power * rest.exp2(), 0);
-        result.exponent = result.exponent.saturating_add(whole as i64).clamp(-LIMIT, LIMIT);
-        result
+        Self::new(mantissa_power * rest.exp2(), whole as i64)
     }
 
     fn new(value: f64, exponent: i64) -> Self {
         let (mantissa, shift) = libm::frexp(value);
-        Self { mantissa, exponent: (exponent + i64::from(shift)).clamp(-LIMIT, LIMIT) }
+        Self { mantissa, exponent: exponent.saturating_add(shift.into()).clamp(-LIMIT, LIMIT) }
     }
 }
 

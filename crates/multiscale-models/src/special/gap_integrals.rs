@@ -2,7 +2,6 @@
 
 use super::coefficients::{E1_TAIL, K_HEAD, K_TAIL};
 
-/// Euler's constant.
 const EULER_GAMMA: f64 = 0.57721566490153286061;
 
 /// Half the exponential integral of a square, for `x > 0`:
