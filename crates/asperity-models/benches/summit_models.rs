@@ -15,12 +15,11 @@ const BANDWIDTH: f64 = 5.0;
 fn summit_models(c: &mut Criterion) {
     let moments = SpectralMoments { m0: 1.0, m2: 1.0, m4: BANDWIDTH };
     let modulus = ContactModulus::from_pascals(1.0).expect("positive");
-    let models = [
+    for (name, law) in [
         ("Bush-Gibson-Thomas", SummitLaw::BushGibsonThomas),
         ("Greenwood elliptical", SummitLaw::GreenwoodElliptical),
-    ]
-    .map(|(name, law)| (name, SummitModel::new(law, moments, modulus).expect("bandwidth 5")));
-    for (name, model) in &models {
+    ] {
+        let model = SummitModel::new(law, moments, modulus).expect("bandwidth 5");
         c.bench_function(&format!("{name}/at_separation, error 4e-15"), |b| {
             b.iter(|| model.at_separation(black_box(1.0)));
         });

@@ -1,6 +1,7 @@
 //! Summits of Greenwood and Williamson that yield: the model of Chang, Etsion and Bogy.
 
 use crate::gauss_legendre::GAUSS_32;
+use crate::quadrature::FRAC_1_SQRT_2PI;
 use contact_types::{
     AsperityStatistics, Caveat, Citation, ContactModel, ContactModulus, ContactState, ModelError,
     SeparationModel, require,
@@ -143,9 +144,6 @@ fn elastic_load(alpha: f64, w: f64) -> f64 {
     }
     if is_above { partial_moments::times_gaussian(FRAC_1_SQRT_2PI * sum, alpha) } else { sum }
 }
-
-/// 1/√(2π).
-const FRAC_1_SQRT_2PI: f64 = 0.398_942_280_401_432_7;
 
 impl SeparationModel for ChangEtsionBogy {
     fn at_separation(&self, separation: f64) -> Result<ContactState, ModelError> {

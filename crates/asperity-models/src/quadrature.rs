@@ -215,4 +215,5 @@ impl Breaks {
     }
 }
 
-const FRAC_1_SQRT_2PI: f64 = 0.398_942_280_401_432_7;
+/// 1/√(2π).
+pub(crate) const FRAC_1_SQRT_2PI: f64 = 0.398_942_280_401_432_7;

@@ -44,9 +44,7 @@ impl HeightMap {
         let [dy, dx] = grid.pixel();
         let mut heights = Vec::with_capacity(grid.len());
         for iy in 0..ny {
-            for ix in 0..nx {
-                heights.push(height(iy as f64 * dy, ix as f64 * dx));
-            }
+            heights.extend((0..nx).map(|ix| height(iy as f64 * dy, ix as f64 * dx)));
         }
         Self::new(grid, heights)
     }

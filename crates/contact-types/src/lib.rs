@@ -10,7 +10,6 @@
 
 #[cfg(feature = "serde")]
 mod any_number;
-mod axis;
 mod clock;
 mod contact;
 mod error;
@@ -24,7 +23,6 @@ mod reading;
 pub mod require;
 mod spectrum;
 
-pub use axis::Axis;
 pub use clock::Clock;
 pub use contact::{Caveat, Citation, ContactModel, ContactState, SeparationModel};
 pub use error::{ModelError, SurfaceError};
@@ -32,7 +30,7 @@ pub use grid::Grid;
 pub use height_map::HeightMap;
 pub use material::{ContactModulus, Elastic};
 pub use moments::{AsperityStatistics, FractalParameters, SpectralMoments};
-pub use named::Named;
+pub use named::{Axis, Named};
 pub use spectrum::{AmplitudeSpectrum, RoughnessSpectrum, Shell, Wave};
 
 #[cfg(test)]

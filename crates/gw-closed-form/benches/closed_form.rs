@@ -15,21 +15,15 @@ use std::hint::black_box;
 #[path = "../tests/literal.rs"]
 mod literal;
 
-/// A name and a way to the answer.
-type Route = (&'static str, fn(f64) -> f64);
-
 fn load_integral(c: &mut Criterion) {
     // Separations of practical contacts, α = -1 to 4.
     let arguments: Vec<f64> = (0..100).map(|k| -1.0 + 0.05 * f64::from(k) + 1e-3).collect();
-    let exact = |alpha: f64| value(Order::ThreeHalves, alpha);
-    let routes: [Route; 2] = [
-        ("closed form, stable", |a| value(Order::ThreeHalves, a)),
-        ("closed form, literal (A1)", literal::load_a1),
-    ];
+    let stable: fn(f64) -> f64 = |alpha| value(Order::ThreeHalves, alpha);
+    let routes = [("closed form, stable", stable), ("closed form, literal (A1)", literal::load_a1)];
     let mut group = c.benchmark_group("J_3div2 per point, alpha -1 to 4");
     group.throughput(Throughput::Elements(arguments.len() as u64));
     for (name, route) in routes {
-        let error = arguments.iter().map(|&a| (route(a) / exact(a) - 1.0).abs());
+        let error = arguments.iter().map(|&a| (route(a) / stable(a) - 1.0).abs());
         let error = error.fold(f64::EPSILON, f64::max); // the yardstick itself
         group.bench_function(BenchmarkId::new(name, format!("error {error:.0e}")), |b| {
             b.iter(|| arguments.iter().map(|&a| route(black_box(a))).sum::<f64>());

@@ -19,7 +19,6 @@ pub enum Order {
 }
 
 impl Order {
-    /// The power n.
     pub(crate) fn exponent(self) -> f64 {
         self.function().n
     }
