@@ -7,7 +7,6 @@ use std::process::{Command, Stdio};
 /// What a task returns; an error is one sentence for a person.
 pub(crate) type TaskResult = Result<(), String>;
 
-/// The repository root.
 pub(crate) fn root() -> PathBuf {
     let here = Path::new(env!("CARGO_MANIFEST_DIR"));
     here.parent().expect("xtask lies inside the repository").to_path_buf()
@@ -106,7 +105,6 @@ pub(crate) fn shown(command: &Command) -> String {
     line
 }
 
-/// The text of a file.
 pub(crate) fn read(path: &Path) -> Result<String, String> {
     std::fs::read_to_string(path).map_err(|e| format!("cannot read {}: {e}", path.display()))
 }

@@ -60,14 +60,11 @@ fn layers(packages: &BTreeMap<String, Value>, faults: &mut Vec<String>) {
         };
         for dependency in package["dependencies"].as_array().into_iter().flatten() {
             let to = dependency["name"].as_str().unwrap_or_default();
-            if !packages.contains_key(to) {
-                continue;
+            let (is_ours, is_test) = (packages.contains_key(to), dependency["kind"] == "dev");
+            if is_ours && is_test && layer(to).is_some_and(|row| row.1 > level) {
+                faults.push(format!("the tests of {name} use {to}, a layer above it"));
             }
-            if dependency["kind"] == "dev" {
-                if layer(to).is_some_and(|row| row.1 > level) {
-                    faults.push(format!("the tests of {name} use {to}, a layer above it"));
-                }
-            } else if !allowed.split(' ').any(|name| name == to) {
+            if is_ours && !is_test && !allowed.split(' ').any(|name| name == to) {
                 faults.push(format!("{name} depends on {to}: not in the layer picture"));
             }
         }
@@ -85,11 +82,9 @@ fn dependency_counts(packages: &BTreeMap<String, Value>, faults: &mut Vec<String
             faults.push(format!("{name} brings {count} registry crates, limit {limit}"));
         }
         let is_library = !TALKING.contains(&name);
-        for brought in COMMAND_LINE.iter().filter(|c| is_library && along.contains(**c)) {
-            faults.push(format!(
-                "the library {name} brings {brought}: command lines are for commands"
-            ));
-        }
+        let brought = COMMAND_LINE.iter().filter(|c| is_library && along.contains(**c));
+        let why = "command lines are for commands";
+        faults.extend(brought.map(|c| format!("the library {name} brings {c}: {why}")));
     }
     Ok(())
 }
@@ -190,19 +185,15 @@ fn library_source(shown: &str, code: &str, faults: &mut Vec<String>) {
 /// Every type that implements `ContactModel` has a DOI in its file and a page in the book that
 /// names it.
 fn models(all: &[SourceText], faults: &mut Vec<String>) {
-    let pages: String = files(&root().join("docs/src/models"), "md")
-        .iter()
-        .filter_map(|page| std::fs::read_to_string(page).ok())
-        .collect();
+    let pages = files(&root().join("docs/src/models"), "md");
+    let pages: String = pages.iter().flat_map(std::fs::read_to_string).collect();
     let places = ["gw-closed-form", "asperity-models", "multiscale-models"]
         .map(|krate| format!("crates/{krate}/src/"));
     let mut found = 0;
-    for (shown, text) in all.iter().filter(|(shown, _)| places.iter().any(|p| shown.starts_with(p)))
-    {
-        for rest in
-            text.lines().filter_map(|line| line.trim().strip_prefix("impl ContactModel for "))
-        {
-            let name = rest.trim_end_matches('{').trim();
+    let of_models = all.iter().filter(|(shown, _)| places.iter().any(|p| shown.starts_with(p)));
+    for (shown, text) in of_models {
+        for rest in text.split("\nimpl ContactModel for ").skip(1) {
+            let name = rest.split(' ').next().unwrap_or_default();
             found += 1;
             if !text.contains("10.") || !text.to_lowercase().contains("doi") {
                 faults.push(format!("{shown}: {name} gives no DOI"));
@@ -249,11 +240,8 @@ fn book(faults: &mut Vec<String>) {
         .filter_map(|tail| tail.split(')').next())
         .filter(|target| !target.is_empty())
         .collect();
-    for target in &listed {
-        if !source.join(target).is_file() {
-            faults.push(format!("docs/src/SUMMARY.md lists {target}, which is missing"));
-        }
-    }
+    let missing = listed.iter().filter(|target| !source.join(target).is_file());
+    faults.extend(missing.map(|t| format!("docs/src/SUMMARY.md lists {t}, which is missing")));
     let text = |path: &str| std::fs::read_to_string(root().join(path)).unwrap_or_default();
     if text("docs/theme/head.hbs") != text("docs/katex-header.html") {
         faults.push("docs/theme/head.hbs is not docs/katex-header.html".to_owned());
