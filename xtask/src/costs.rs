@@ -30,18 +30,12 @@ pub(crate) fn run(args: &[String]) -> TaskResult {
     keep_section(PAGE, "allocations", &allocations, check.map(|_| PEAK))
 }
 
-/// Our crates but the tasks.
-fn packages() -> impl Iterator<Item = &'static str> {
-    LAYERS.iter().map(|row| row.0).filter(|name| *name != "xtask")
-}
-
 fn dependencies() -> Result<String, String> {
     let mut table =
         String::from("| crate | of ours | from the registry (limit) | public names |\n");
     table.push_str("|---|---:|---:|---:|\n");
-    for package in packages() {
+    for &(package, _, limit, _) in LAYERS.iter().filter(|row| row.0 != "xtask") {
         let [own, others] = brought_along(package)?.map(|crates| crates.len());
-        let limit = LAYERS.iter().find(|row| row.0 == package).map_or(0, |row| row.2);
         let names: usize = sources(package).iter().map(|text| public_names(text)).sum();
         let _ = writeln!(table, "| `{package}` | {own} | {others} ({limit}) | {names} |");
     }
@@ -69,7 +63,8 @@ fn builds() -> Result<String, String> {
     let mut table = machine()?;
     table.push_str("Optimised builds (`--release`) with all they need; processor seconds.\n\n");
     table.push_str("| crate | from clean |\n|---|---:|\n");
-    for package in packages().filter(|name| *name != "rough-contact" && *name != "studies") {
+    let is_library = |name: &&str| !["rough-contact", "studies", "xtask"].contains(name);
+    for package in LAYERS.iter().map(|row| row.0).filter(is_library) {
         if target.exists() {
             std::fs::remove_dir_all(&target).map_err(|e| format!("cannot clean: {e}"))?;
         }

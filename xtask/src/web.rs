@@ -1,5 +1,6 @@
 //! The page that computes in a browser, as one file.
 
+use crate::generated::keep;
 use crate::shell::{self, TaskResult, cargo, output, root};
 use std::process::Command;
 
@@ -20,11 +21,6 @@ pub(crate) fn run() -> TaskResult {
     let mut page = cargo();
     page.args(["run", "--quiet", "--locked", "--package", "contact-web", "--", "page"]);
     let text = output(page.arg(&module))?;
-    let folder = root().join("target/page");
-    let file = folder.join("rough-contact.html");
-    std::fs::create_dir_all(&folder)
-        .and_then(|()| std::fs::write(&file, &text))
-        .map_err(|e| format!("cannot write {}: {e}", file.display()))?;
-    println!("{}: {:.2} MB", file.display(), text.len() as f64 / 1e6);
-    Ok(())
+    println!("{:.2} MB", text.len() as f64 / 1e6);
+    keep("target/page/rough-contact.html", &text, None)
 }

@@ -204,19 +204,15 @@ impl Round {
         let floor = valid().count() as f64 * rounding * rounding;
         for _ in 0..MAX_ITERATIONS {
             let step = fit.gauss_newton(frame, heights);
-            // Shorten the step until every point lies below the equator and the fit is better.
-            let (mut fraction, mut beyond_equator) = (1.0, false);
-            let next = loop {
-                let mut trial = fit;
+            // Halve the step until every point lies below the equator and the fit is better.
+            let mut beyond_equator = false;
+            let next = (0..=20).find_map(|halvings| {
+                let (mut trial, fraction) = (fit, 0.5f64.powi(halvings));
                 trial.p.iter_mut().zip(&step).for_each(|(p, d)| *p += fraction * d);
                 let misfit = trial.misfit(frame, heights);
-                match misfit {
-                    Some(e) if e <= error => break Some((trial, e)),
-                    _ if fraction < 1e-6 => break None,
-                    _ => fraction *= 0.5,
-                }
                 beyond_equator |= misfit.is_none();
-            };
+                misfit.filter(|e| *e <= error).map(|e| (trial, e))
+            });
             let Some((trial, e)) = next else {
                 if beyond_equator {
                     break;
