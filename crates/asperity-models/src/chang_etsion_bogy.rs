@@ -85,11 +85,6 @@ impl ChangEtsionBogy {
         Ok(Self { asperities, modulus, w })
     }
 
-    fn alpha(&self, separation: f64) -> Result<f64, ModelError> {
-        require::finite(MODEL, "separation", separation)?;
-        Ok((separation - self.asperities.mean_offset) / self.asperities.height_std)
-    }
-
     /// Mean pressure (Pa) and area fraction at α.
     fn at_alpha(&self, alpha: f64) -> [f64; 2] {
         let AsperityStatistics { density, radius, height_std: s, .. } = self.asperities;
@@ -147,7 +142,9 @@ fn elastic_load(alpha: f64, w: f64) -> f64 {
 
 impl SeparationModel for ChangEtsionBogy {
     fn at_separation(&self, separation: f64) -> Result<ContactState, ModelError> {
-        let [pressure, area] = self.at_alpha(self.alpha(separation)?);
+        require::finite(MODEL, "separation", separation)?;
+        let AsperityStatistics { mean_offset, height_std, .. } = self.asperities;
+        let [pressure, area] = self.at_alpha((separation - mean_offset) / height_std);
         Ok(ContactState::of_isolated_summits(pressure, area, separation))
     }
 }

@@ -120,19 +120,14 @@ impl SummitModel {
         (self.bandwidth / 24.0).sqrt()
     }
 
-    /// h = d/√m0.
-    fn dimensionless(&self, separation: f64) -> Result<f64, ModelError> {
-        require::finite(self.law.name(), "separation", separation)?;
-        Ok((separation / self.moments.rms_height()).clamp(-f64::MAX, f64::MAX))
-    }
-
     /// h at which ln of the dimensionless load p/(E* √m2) is `target`: Newton on the logarithm,
     /// which is concave in h, so the iteration converges from any start.
     fn solve_load(&self, target: f64) -> Result<f64, ModelError> {
         let (mut h, mut step) = (self.starting_value(target), f64::INFINITY);
         for _ in 0..MAX_STEPS {
             let [value, slope] = self.correlation.integrate(h, |summit| self.load(summit));
-            let lacks = (self.dimensionless_scale() * value).ln() + ln_gaussian(h) - target;
+            let unit = if h > 0.0 { -0.5 * h * h } else { 0.0 }; // its logarithm
+            let lacks = (self.dimensionless_scale() * value).ln() + unit - target;
             step = lacks * value / slope;
             h += step;
             if step.abs() <= 1e-8 * h.abs().max(1.0) {
@@ -196,7 +191,8 @@ impl ContactModel for SummitModel {
 
 impl SeparationModel for SummitModel {
     fn at_separation(&self, separation: f64) -> Result<ContactState, ModelError> {
-        let h = self.dimensionless(separation)?;
+        require::finite(self.law.name(), "separation", separation)?;
+        let h = (separation / self.moments.rms_height()).clamp(-f64::MAX, f64::MAX); // d/√m0
         if h > FARTHEST {
             return Ok(ContactState::of_isolated_summits(0.0, 0.0, separation));
         }
@@ -215,11 +211,6 @@ impl SeparationModel for SummitModel {
 /// Integrals for h > 0 come in units of exp(-h²/2).
 fn gaussian(x: f64, h: f64) -> f64 {
     if h > 0.0 { times_gaussian(x, h) } else { x }
-}
-
-/// ln of the unit of those integrals.
-fn ln_gaussian(h: f64) -> f64 {
-    if h > 0.0 { -0.5 * h * h } else { 0.0 }
 }
 
 /// The bandwidth in errors.

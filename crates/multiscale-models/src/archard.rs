@@ -93,7 +93,7 @@ impl Archard {
         let mut coefficient = Wide::from(finest);
         for (finer, pair) in (1..).zip(self.levels.windows(2).rev()) {
             let [[k, _], [_, m]] = [pair[0], pair[1]];
-            let e = 1.0 - lack(finer);
+            let e = 1.0 - (0..finer).fold(1.0, |lack, _| lack / 3.0);
             // m^(1-e) k^(1-e) C (3/2)^e 2/(2+e)
             coefficient = repeated_cbrt(Wide::from(m) * k, finer)
                 * coefficient
@@ -124,11 +124,6 @@ impl Archard {
         }
         None
     }
-}
-
-/// What the exponent of n levels lacks to 1, `3^-n`.
-fn lack(levels: usize) -> f64 {
-    (0..levels).fold(1.0, |lack, _| lack / 3.0)
 }
 
 /// `x^(3^-n)`.

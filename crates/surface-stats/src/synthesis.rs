@@ -221,9 +221,8 @@ impl SelfAffine {
             (scale, value, usable(value), positive),
             ("height step", step, usable(step), positive),
         ];
-        let require = |(setting, value, holds, requirement)| {
-            StatsError::require(setting, value, holds, requirement)
-        };
+        let require =
+            |(setting, value, holds, why)| StatsError::require(setting, value, holds, why);
         rules.into_iter().try_for_each(require)
     }
 }

@@ -36,7 +36,7 @@ pub(super) struct Function {
     nodes: &'static [Node],
     far: &'static [f64],
     /// Γ(n+1)/√(2π).
-    factor: f64,
+    pub(super) factor: f64,
     /// Argument where J_n = 1, its rounding error, and the slope there.
     pub(super) unity: Option<Node>,
 }
@@ -125,10 +125,6 @@ impl Function {
             halves -= 2;
         }
         scaled
-    }
-
-    pub(super) fn far_ln_scaled(&self, alpha: f64) -> f64 {
-        libm::log(self.factor * self.far_series(alpha)) - (self.n + 1.0) * libm::log(alpha)
     }
 }
 

@@ -70,7 +70,8 @@ pub fn ln(order: Order, alpha: f64) -> f64 {
     let f = order.function();
     if alpha >= FAR {
         let lead = clamp_to_finite(0.5 * alpha * alpha);
-        return clamp_to_finite(f.far_ln_scaled(alpha) - lead);
+        let scaled = libm::log(f.factor * f.far_series(alpha)) - (f.n + 1.0) * libm::log(alpha);
+        return clamp_to_finite(scaled - lead);
     }
     if alpha < 0.0 && order == Order::Zero {
         return libm::log1p(-f.value(-alpha));

@@ -116,12 +116,6 @@ impl Persson {
         Ok(self)
     }
 
-    /// `x = p / (E* sqrt(m2))`; `None` for a flat surface.
-    fn load(&self, pressure: f64) -> Option<Wide> {
-        let stiffness = self.slope * self.modulus.pascals();
-        (!stiffness.is_zero()).then(|| Wide::from(pressure) / stiffness)
-    }
-
     /// Mean gap between the deformed surfaces \[m\] at nominal pressure `p` \[Pa\]:
     ///
     /// ```math
@@ -163,7 +157,9 @@ impl ContactModel for Persson {
 
     fn at_pressure(&self, mean_pressure: f64) -> Result<ContactState, ModelError> {
         require::pressure(MODEL, mean_pressure)?;
-        let load = self.load(mean_pressure);
+        // x = p / (E* sqrt(m2)); none on a flat surface
+        let stiffness = self.slope * self.modulus.pascals();
+        let load = (!stiffness.is_zero()).then(|| Wide::from(mean_pressure) / stiffness);
         let is_flat = load.is_none() && mean_pressure > 0.0; // all or nothing
         let area_fraction = load.map_or(if is_flat { 1.0 } else { 0.0 }, |x| erf(x.value()));
         let mean_gap = match (self.scales.as_deref(), load) {
