@@ -198,9 +198,11 @@ impl<'a> Contents<'a> {
     }
 
     /// Keeps what the file says, unless that is nothing.
-    pub(crate) fn note(&mut self, key: &str, text: Option<impl Into<String>>) {
-        if let Some(text) = text.map(Into::into).filter(|text: &String| !text.is_empty()) {
-            self.metadata.insert(key.into(), text);
+    pub(crate) fn note<T: Into<Option<String>>, const N: usize>(&mut self, said: [(&str, T); N]) {
+        for (key, text) in said {
+            if let Some(text) = text.into().filter(|text| !text.is_empty()) {
+                self.metadata.insert(key.into(), text);
+            }
         }
     }
 

@@ -34,7 +34,7 @@ pub(crate) fn parse(b: Bytes<'_>) -> Result<Contents<'_>, ReadError> {
         at += head;
         b.slice(at, length)?;
         match tag {
-            0x65 | 0x77 => contents.note(&format!("comment {tag:#x}"), Some(b.text(at, length)?)),
+            0x65 | 0x77 => contents.note([(&format!("comment {tag:#x}"), b.text(at, length)?)]),
             0x66 => {
                 let [nx, ny, bits] = [b.u32(at)?, b.u32(at + 4)?, b.u32(at + 8)?];
                 grid = Some([ny as usize, nx as usize, bits as usize]);

@@ -97,8 +97,7 @@ fn sides(dataset: &Dataset<'_>) -> Vec<usize> {
     if dataset.shape.contains(&0) {
         return Vec::new();
     }
-    let side = |&n: &u64| usize::try_from(n).unwrap_or(usize::MAX);
-    dataset.shape.iter().filter(|&&side| side != 1).map(side).collect()
+    dataset.shape.iter().copied().filter(|&side| side != 1).collect()
 }
 
 fn unit<'d>(dataset: &'d Dataset<'_>) -> Option<&'d str> {

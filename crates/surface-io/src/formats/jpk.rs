@@ -43,9 +43,8 @@ pub(crate) fn parse(b: Bytes<'_>) -> Result<Contents<'_>, ReadError> {
         let name = format!("{title} ({})", if is_retrace { "retrace" } else { "trace" });
         contents.add(&name, channel(b, &name, page, size));
     }
-    for (key, tag) in [("date", 0x8003), ("name", 0x8004), ("comment", 0x8005)] {
-        contents.note(key, global.text(tag).filter(|text| text != "<empty>"));
-    }
+    let said = |tag| global.text(tag).filter(|text| text != "<empty>");
+    contents.note([("date", said(0x8003)), ("name", said(0x8004)), ("comment", said(0x8005))]);
     Ok(contents)
 }
 

@@ -56,9 +56,7 @@ pub(crate) fn parse(b: Bytes<'_>) -> Result<Contents<'_>, ReadError> {
         });
         contents.add(&name, channel);
     }
-    for (key, tag) in [("software", 305), ("date", 306)] {
-        contents.note(key, first.text(tag));
-    }
+    contents.note([("software", first.text(305)), ("date", first.text(306))]);
     Ok(contents)
 }
 

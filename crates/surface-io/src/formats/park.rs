@@ -63,9 +63,7 @@ pub(crate) fn parse(b: Bytes<'_>) -> Result<Contents<'_>, ReadError> {
     let raster = b.raster(at, shape, sample)?;
     let channel = Channel::raster(name, &unit, pixel, raster, move |raw| raw * factor);
     let mut contents = Contents::new(vec![channel.flipped()], []);
-    for (key, tag) in [("software", 305), ("date", 306)] {
-        contents.note(key, page.text(tag));
-    }
+    contents.note([("software", page.text(305)), ("date", page.text(306))]);
     Ok(contents)
 }
 

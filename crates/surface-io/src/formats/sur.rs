@@ -54,11 +54,7 @@ pub(crate) fn parse(b: Bytes<'_>) -> Result<Contents<'_>, ReadError> {
         at = next;
     }
     let comment = b.text(HEADER, usize::from(b.u16(334)?))?;
-    for (key, text) in
-        [("name", b.text(20, 30)?), ("operator", b.text(50, 30)?), ("comment", comment)]
-    {
-        contents.note(key, Some(text));
-    }
+    contents.note([("name", b.text(20, 30)?), ("operator", b.text(50, 30)?), ("comment", comment)]);
     let [second, minute, hour, day, month, year] =
         [b.i16(306)?, b.i16(308)?, b.i16(310)?, b.i16(312)?, b.i16(314)?, b.i16(316)?];
     if year > 0 {

@@ -66,9 +66,8 @@ pub(crate) fn parse(mut b: Bytes<'_>) -> Result<Contents<'_>, ReadError> {
             contents.channels.push(if is_up { channel.flipped() } else { channel });
         }
     }
-    for key in ["REC_DATE", "REC_TIME", "BIAS", "COMMENT", "SCAN_ANGLE"] {
-        contents.note(key, entries.get(key));
-    }
+    let keys = ["REC_DATE", "REC_TIME", "BIAS", "COMMENT", "SCAN_ANGLE"];
+    contents.note(keys.map(|key| (key, entries.get(key).map(str::to_owned))));
     Ok(contents)
 }
 

@@ -15,7 +15,7 @@ pub(crate) fn parse(b: Bytes<'_>) -> Result<Contents<'_>, ReadError> {
         });
         contents.add(&name, channel);
         let about = page.text(tiff::IMAGE_DESCRIPTION).filter(|text| text.len() < 4096);
-        contents.note(&format!("description {}", number + 1), about);
+        contents.note([(&format!("description {}", number + 1), about)]);
     }
     Ok(contents)
 }

@@ -35,13 +35,12 @@ pub(crate) fn parse(b: Bytes<'_>) -> Result<Contents<'_>, ReadError> {
         .ok_or_else(|| b.field("archive", "there is no main.xml"))?;
     let folder = &main[..main.len() - "main.xml".len()];
     let xml = archive.unpack(&main)?;
-    let MainXml { fields, list, bad } = MainXml::parse(b.with(&xml))?;
+    let MainXml { fields, list, bad } = main_xml(b.with(&xml))?;
     let entries = Entries::new(b, &fields);
     let [nx, ny, layers] = size(b, entries)?;
-    let points = nx.checked_mul(ny).and_then(|n| n.checked_mul(layers));
-    b.check_points([points.unwrap_or(usize::MAX), 1])?;
+    let points = nx.saturating_mul(ny).saturating_mul(layers);
+    b.check_points([points, 1])?;
     b.check_items(layers as u64)?;
-    let points = points.ok_or_else(|| b.field("MatrixDimension", "too many points"))?;
 
     let pixel = Pixel::Metres(pixel(b, entries, ny)?);
     let mut unpack = |link: &str| match entries.get(&format!("Record3/DataLink/{link}")) {
@@ -132,34 +131,32 @@ struct MainXml {
     bad: Option<ReadError>,
 }
 
-impl MainXml {
-    fn parse(b: Bytes<'_>) -> Result<Self, ReadError> {
-        let (mut fields, mut list, mut bad) = (BTreeMap::new(), Vec::new(), None);
-        xml::walk(b, "main.xml", |element| {
-            let [_root, path @ ..] = element.path else { return Ok(()) };
-            let text = element.text.trim();
-            if element.name() == "Datum" {
-                let number = list.len() + 1;
-                b.check_points([number, 1])?;
-                let z = text.parse();
-                if z.is_err() && !text.is_empty() {
-                    let what = if text.contains(';') {
-                        "several coordinates in one Datum (only z of evenly spaced axes is read)"
-                    } else {
-                        "no number"
-                    };
-                    let fault = || b.field(format!("Datum {number}"), format!("{text:?}: {what}"));
-                    bad.get_or_insert_with(fault);
-                }
-                list.push(z.unwrap_or(f64::NAN));
-            } else if !text.is_empty() {
-                b.check_items(fields.len() as u64 + 1)?;
-                fields.insert(path.join("/"), text.to_owned());
+fn main_xml(b: Bytes<'_>) -> Result<MainXml, ReadError> {
+    let (mut fields, mut list, mut bad) = (BTreeMap::new(), Vec::new(), None);
+    xml::walk(b, "main.xml", |element| {
+        let [_root, path @ ..] = element.path else { return Ok(()) };
+        let text = element.text.trim();
+        if element.name() == "Datum" {
+            let number = list.len() + 1;
+            b.check_points([number, 1])?;
+            let z = text.parse();
+            if z.is_err() && !text.is_empty() {
+                let what = if text.contains(';') {
+                    "several coordinates in one Datum (only z of evenly spaced axes is read)"
+                } else {
+                    "no number"
+                };
+                let fault = || b.field(format!("Datum {number}"), format!("{text:?}: {what}"));
+                bad.get_or_insert_with(fault);
             }
-            Ok(())
-        })?;
-        Ok(Self { fields, list, bad })
-    }
+            list.push(z.unwrap_or(f64::NAN));
+        } else if !text.is_empty() {
+            b.check_items(fields.len() as u64 + 1)?;
+            fields.insert(path.join("/"), text.to_owned());
+        }
+        Ok(())
+    })?;
+    Ok(MainXml { fields, list, bad })
 }
 
 fn finite(b: Bytes<'_>, entries: Entries<'_>, path: &str, default: f64) -> Result<f64, ReadError> {
@@ -174,8 +171,8 @@ fn finite(b: Bytes<'_>, entries: Entries<'_>, path: &str, default: f64) -> Resul
 fn size(b: Bytes<'_>, entries: Entries<'_>) -> Result<[usize; 3], ReadError> {
     let feature = entries.text("Record1/FeatureType")?;
     if !matches!(feature, "SUR" | "PRF") {
-        let feature = format!("feature type {feature} (maps SUR and profiles PRF are)");
-        return Err(b.unsupported(feature));
+        let kinds = "(maps SUR and profiles PRF are)";
+        return Err(b.unsupported(format!("feature type {feature} {kinds}")));
     }
     if feature == "PRF" && entries.get("Record3/ListDimension").is_some() {
         return Ok([entries.parsed("Record3/ListDimension", "whole number")?, 1, 1]);

@@ -52,28 +52,24 @@ pub(crate) fn parse(b: Bytes<'_>) -> Result<Contents<'_>, ReadError> {
 
     let shape = [b.u16(54)?.into(), b.u16(52)?.into()];
     let images = usize::from(b.u16(56)?);
-    for image in 0..images {
-        let at = header + image * 2 * shape[0] * shape[1];
-        if shape[0] > 0 && shape[1] > 0 && at + 2 * shape[0] * shape[1] <= header + intensity_bytes
-        {
-            b.check_items(image as u64)?;
-            let name = format!("Intensity {}", image + 1);
-            // The heights are there, whatever the size of a picture beside them.
-            if let Ok(raster) = b.raster(at, shape, Sample::U16) {
-                channels.push(Channel::raster(name, "counts", pixel, raster, |raw| raw));
-            }
+    let bytes = 2 * shape[0] * shape[1];
+    for image in (0..images).take_while(|image| bytes > 0 && (image + 1) * bytes <= intensity_bytes)
+    {
+        b.check_items(image as u64)?;
+        let name = format!("Intensity {}", image + 1);
+        // The heights are there, whatever the size of a picture beside them.
+        if let Ok(raster) = b.raster(header + image * bytes, shape, Sample::U16) {
+            channels.push(Channel::raster(name, "counts", pixel, raster, |raw| raw));
         }
     }
     let mut contents = Contents { channels, ..Contents::default() };
-    for (key, text) in [
+    contents.note([
         ("software date", b.text(12, 30)?),
         ("comment", b.text(80, 82)?),
         ("objective", b.text(246, 12)?),
         ("part", b.text(258, 40)?),
         ("time stamp", format!("{} s since 1970-01-01", b.i32(76)?)),
         ("wavelength", format!("{wavelength:e} m")),
-    ] {
-        contents.note(key, Some(text));
-    }
+    ]);
     Ok(contents)
 }

@@ -102,10 +102,9 @@ pub(crate) fn parse(b: Bytes<'_>) -> Result<Contents<'_>, ReadError> {
         return Err(b.field("phase", what));
     }
     let mut contents = Contents::default();
-    for (key, line) in [("comment", 4), ("part", 6)] {
-        contents.note(key, Some(lines[line].trim_matches('"').trim()));
-    }
-    contents.metadata.insert("wavelength".into(), format!("{:e} m", number(7, 2)?));
+    let said = |line: usize| lines[line].trim_matches('"').trim().to_owned();
+    let wavelength = format!("{:e} m", number(7, 2)?);
+    contents.note([("comment", said(4)), ("part", said(6)), ("wavelength", wavelength)]);
     contents.channels.push(Channel::new("Height", Some(unit), [ny, nx], pixel, || Ok(values)));
     Ok(contents)
 }

@@ -57,23 +57,20 @@ impl<'a> File<'a> {
         Ok(file)
     }
 
-    /// A number of `size` bytes.
-    pub(crate) fn unsigned(&self, at: usize, size: usize) -> Result<u64, ReadError> {
+    /// A number of at most 8 bytes; one that no place in memory has becomes the largest that one has.
+    pub(crate) fn unsigned(&self, at: usize, size: usize) -> Result<usize, ReadError> {
         let raw = self.b.slice(at, size)?;
-        Ok(raw.iter().rev().fold(0, |value, &byte| value << 8 | u64::from(byte)))
+        let value = raw.iter().rev().fold(0u64, |value, &byte| value << 8 | u64::from(byte));
+        Ok(usize::try_from(value).unwrap_or(usize::MAX))
     }
 
     /// An address; `None` if it is the mark for none.
     pub(crate) fn address(&self, at: usize) -> Result<Option<usize>, ReadError> {
-        let raw = self.b.slice(at, self.address_size)?;
-        if raw.iter().all(|&byte| byte == 0xff) {
-            return Ok(None);
-        }
-        let value = self.unsigned(at, self.address_size)?;
-        Ok(Some(usize::try_from(value).unwrap_or(usize::MAX)))
+        let is_none = self.b.slice(at, self.address_size)?.iter().all(|&byte| byte == 0xff);
+        self.unsigned(at, self.address_size).map(|place| Some(place).filter(|_| !is_none))
     }
 
-    pub(crate) fn length(&self, at: usize) -> Result<u64, ReadError> {
+    pub(crate) fn length(&self, at: usize) -> Result<usize, ReadError> {
         self.unsigned(at, self.length_size)
     }
 
@@ -86,18 +83,17 @@ impl<'a> File<'a> {
             let phase = if flags & 0x10 != 0 { 4 } else { 0 };
             let size_at = at + 6 + times + phase;
             let width = 1 << (flags & 3);
-            let size = self.unsigned(size_at, width)?;
-            (vec![(size_at + width, size)], flags)
+            (vec![(size_at + width, self.unsigned(size_at, width)?)], flags)
         } else {
             if self.b.u8(at)? != 1 {
                 return Err(self.b.fault(at, "an object header is expected here"));
             }
-            (vec![(at + 16, u64::from(self.b.u32(at + 8)?))], 0)
+            (vec![(at + 16, self.b.u32(at + 8)? as usize)], 0)
         };
         let mut messages = Vec::new();
         let mut read = 0;
         while let Some((mut at, size)) = blocks.pop() {
-            let end = usize::try_from(size).ok().and_then(|size| at.checked_add(size));
+            let end = at.checked_add(size);
             let end = end.ok_or_else(|| self.b.fault(at, "a header without end"))?;
             let head = match (is_new, flags & 4 != 0) {
                 (false, _) => 8,

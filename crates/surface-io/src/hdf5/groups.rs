@@ -75,7 +75,7 @@ fn link(file: &File<'_>, message: Message) -> Result<Option<(String, usize)>, Re
     at += usize::from(flags & 8 != 0) + 8 * usize::from(flags & 4 != 0);
     at += usize::from(flags & 0x10 != 0);
     let width = 1 << (flags & 3);
-    let length = usize::try_from(file.unsigned(at, width)?).unwrap_or(usize::MAX);
+    let length = file.unsigned(at, width)?;
     let name = file.b.text(at + width, length)?;
     if kind != 0 {
         return Ok(None);
@@ -117,8 +117,7 @@ fn symbol_table(
         }
         for i in 0..usize::from(file.b.u16(node + 6)?) {
             let entry = node + 8 + i * (2 * file.address_size + 24);
-            let name = usize::try_from(file.unsigned(entry, file.address_size)?);
-            let name = names.saturating_add(name.unwrap_or(usize::MAX));
+            let name = names.saturating_add(file.unsigned(entry, file.address_size)?);
             // Names end with a zero; longer ones than this are none.
             let rest = file.b.from(name)?.data;
             let name = crate::binary::text(&rest[..rest.len().min(1024)]);

@@ -14,7 +14,6 @@
 //!
 //! Source: The HDF Group, *HDF5 File Format Specification*, version 3.0.
 
-mod chunks;
 mod dataset;
 mod file;
 mod groups;

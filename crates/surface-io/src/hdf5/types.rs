@@ -1,7 +1,7 @@
 //! Data types, and values of attributes.
 
 use super::file::File;
-use crate::binary::{ByteOrder, Sample};
+use crate::binary::{ByteOrder, Bytes, Sample, text};
 use crate::error::ReadError;
 
 /// A data type, as far as it is read.
@@ -86,7 +86,7 @@ pub(crate) fn read_type(
                 let rest = b.from(next)?.data;
                 let length = rest.iter().take(1024).position(|&byte| byte == 0);
                 let length = length.ok_or_else(|| b.fault(next, "a name without end"))?;
-                let name = crate::binary::text(&rest[..length]);
+                let name = text(&rest[..length]);
                 next += if version < 3 { (length + 8) / 8 * 8 } else { length + 1 };
                 let width = match (version, size) {
                     (0..3, _) => 4,
@@ -95,7 +95,7 @@ pub(crate) fn read_type(
                     (_, 0x1_0000..=0xff_ffff) => 3,
                     _ => 4,
                 };
-                let offset = file.unsigned(next, width)? as usize;
+                let offset = file.unsigned(next, width)?;
                 next += width + if version == 1 { 28 } else { 0 };
                 let (member, end) = read_type(file, next, depth + 1)?;
                 next = end;
@@ -120,7 +120,7 @@ pub(crate) fn read_type(
 }
 
 /// Sizes of the axes in a dataspace message.
-pub(crate) fn read_shape(file: &File<'_>, at: usize) -> Result<Vec<u64>, ReadError> {
+pub(crate) fn read_shape(file: &File<'_>, at: usize) -> Result<Vec<usize>, ReadError> {
     let first = if file.b.u8(at)? == 1 { at + 8 } else { at + 4 };
     (0..usize::from(file.b.u8(at + 1)?))
         .map(|i| file.length(first + i * file.length_size))
@@ -142,8 +142,7 @@ pub(crate) fn read_attribute(
     let data_at = space_at + padded(sizes[2]);
     let name = b.text(name_at, sizes[0])?;
     let (kind, _) = read_type(file, type_at, 0)?;
-    let sides = read_shape(file, space_at)?;
-    let count = sides.iter().fold(1u64, |count, &side| count.saturating_mul(side));
+    let count = read_shape(file, space_at)?.into_iter().fold(1, usize::saturating_mul);
     Ok(value(file, &kind, data_at, count)?.map(|value| (name, value)))
 }
 
@@ -152,7 +151,7 @@ fn value(
     file: &File<'_>,
     kind: &Sized,
     at: usize,
-    count: u64,
+    count: usize,
 ) -> Result<Option<AttributeValue>, ReadError> {
     let b = file.b;
     if count == 0 {
@@ -160,9 +159,8 @@ fn value(
     }
     Ok(match &kind.kind {
         Type::Number(sample, order) => {
-            let count = usize::try_from(count).unwrap_or(usize::MAX).min(1024);
-            let b = crate::binary::Bytes { order: *order, ..b };
-            Some(AttributeValue::Numbers(b.samples(at, count, *sample)?))
+            let b = Bytes { order: *order, ..b };
+            Some(AttributeValue::Numbers(b.samples(at, count.min(1024), *sample)?))
         }
         Type::Text => Some(AttributeValue::Text(b.text(at, kind.size)?)),
         Type::Long(base) => {
@@ -170,7 +168,7 @@ fn value(
             let Some(heap) = file.address(at + 4)? else { return Ok(None) };
             let raw = global(file, heap, b.u32(at + 4 + file.address_size)?)?;
             Some(match base {
-                None => AttributeValue::Text(crate::binary::text(&raw[..length.min(raw.len())])),
+                None => AttributeValue::Text(text(&raw[..length.min(raw.len())])),
                 Some((sample, order)) => {
                     let mut numbers = sample.decode(raw, *order);
                     numbers.truncate(length);
@@ -197,14 +195,13 @@ fn global<'a>(file: &File<'a>, heap: usize, wanted: u32) -> Result<&'a [u8], Rea
     if b.slice(heap, 4)? != b"GCOL" {
         return Err(b.fault(heap, "a global heap is expected here"));
     }
-    let end = heap.saturating_add(usize::try_from(file.length(heap + 8)?).unwrap_or(usize::MAX));
+    let end = heap.saturating_add(file.length(heap + 8)?);
     let mut at = heap + 8 + file.length_size;
     let mut read = 0;
     while at < end {
         read += 1;
         b.check_items(read)?;
         let (index, size) = (b.u16(at)?, file.length(at + 8)?);
-        let size = usize::try_from(size).unwrap_or(usize::MAX);
         let data = at + 8 + file.length_size;
         if u32::from(index) == wanted {
             return b.slice(data, size);
