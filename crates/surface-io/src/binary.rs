@@ -4,14 +4,12 @@ use crate::encoding::decode;
 use crate::{Limits, ReadError};
 use std::borrow::Cow;
 
-/// Byte order of numbers.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(crate) enum ByteOrder {
     Little,
     Big,
 }
 
-/// How one stored number is encoded.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(crate) enum Sample {
     I8,
@@ -27,7 +25,6 @@ pub(crate) enum Sample {
 }
 
 impl Sample {
-    /// Bytes per number.
     pub(crate) fn size(self) -> usize {
         match self {
             Self::I8 | Self::U8 => 1,
@@ -37,7 +34,6 @@ impl Sample {
         }
     }
 
-    /// Whole numbers of so many bytes.
     pub(crate) fn whole(bytes: usize, is_signed: bool) -> Option<Self> {
         Some(match (bytes, is_signed) {
             (1, true) => Self::I8,
@@ -136,7 +132,6 @@ impl<'a> Bytes<'a> {
 
     getter!(u8 -> u8, i16 -> i16, u16 -> u16, i32 -> i32, u32 -> u32, u64 -> u64, f32 -> f32, f64 -> f64);
 
-    /// `length` bytes from `at`.
     pub(crate) fn slice(&self, at: usize, length: usize) -> Result<&'a [u8], ReadError> {
         at.checked_add(length).and_then(|end| self.data.get(at..end)).ok_or_else(|| {
             let size = self.data.len();
@@ -149,7 +144,6 @@ impl<'a> Bytes<'a> {
         Ok(text(self.slice(at, length)?))
     }
 
-    /// `count` numbers from `at`.
     pub(crate) fn samples(
         &self,
         at: usize,
@@ -217,24 +211,20 @@ impl<'a> Bytes<'a> {
         Ok(self.with(data))
     }
 
-    /// Refuses a map of more points than the limit.
     pub(crate) fn check_points(&self, shape: [usize; 2]) -> Result<(), ReadError> {
         self.limits.check_points(self.format, shape)
     }
 
-    /// Refuses a list of more items than the limit.
     pub(crate) fn check_items(&self, count: u64) -> Result<(), ReadError> {
         self.limits.check_items(self.format, count)
     }
 
-    /// A `Malformed` error at byte `at`.
     pub(crate) fn fault(&self, at: usize, what: impl Into<Cow<'static, str>>) -> ReadError {
         self.field(format!("byte {at}"), what)
     }
 
-    /// A `Malformed` error in a line of text.
     pub(crate) fn line(&self, line: usize, what: impl Into<Cow<'static, str>>) -> ReadError {
-        ReadError::line(self.format, line, what)
+        self.field(format!("line {line}"), what)
     }
 
     /// The numbers in a line of text, NaN where it says `BAD`.
@@ -253,7 +243,6 @@ impl<'a> Bytes<'a> {
         text.split_whitespace().map(number)
     }
 
-    /// A `Malformed` error in a named field.
     pub(crate) fn field(
         &self,
         name: impl Into<Cow<'static, str>>,
@@ -262,7 +251,6 @@ impl<'a> Bytes<'a> {
         ReadError::at(self.format, name, what)
     }
 
-    /// The file holds something that is not read.
     pub(crate) fn unsupported(&self, feature: impl Into<Cow<'static, str>>) -> ReadError {
         ReadError::unsupported(self.format, feature)
     }
@@ -306,7 +294,6 @@ pub(crate) fn text(raw: &[u8]) -> String {
     decode(&raw[..end]).trim().to_owned()
 }
 
-/// Position of `needle` in `hay`.
 pub(crate) fn find(hay: &[u8], needle: &[u8]) -> Option<usize> {
     hay.windows(needle.len()).position(|w| w == needle)
 }

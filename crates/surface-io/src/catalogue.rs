@@ -20,7 +20,7 @@ pub const FORMATS: &[FormatSpec] = &[
     row("NPY", |b| b.starts_with(formats::npy::MAGIC), formats::npy::parse, &["npy"], "real numbers of any type and order; pixel size and unit are to be given"),
     row("Digital Surf SUR", formats::sur::sniff, formats::sur::parse, &["sur", "pro"], "surfaces and profiles, plain and compressed, several layers"),
     row("SDF (ISO 25178-71)", |b| matches!(b, [b'a' | b'b', b'I', b'S', b'O', b'-', ..] | [b'a' | b'b', b'B', b'C', b'R', b'-', ..]), formats::sdf::parse, &["sdf"], "text and binary, also BCR-1.0"),
-    row("Zygo MetroPro DAT", |b| matches!(b, [0x88, 0x1b, 0x03, 0x6f..=0x71, ..]) || formats::zygo_text::sniff(b), formats::zygo::parse, &["dat", "xyz", "asc"], "phase data; intensity is listed; also exports as text"),
+    row("Zygo MetroPro DAT", |b| matches!(b, [0x88, 0x1b, 0x03, 0x6f..=0x71, ..]) || formats::zygo::is_text(b), formats::zygo::parse, &["dat", "xyz", "asc"], "phase data; intensity is listed; also exports as text"),
     row("Wyko OPD", |b| b.get(2..12) == Some(b"Directory\0") || b.starts_with(formats::opd::TEXT), formats::opd::parse, &["opd", "asc"], "all raw data blocks; also exports as text"),
     row("Gwyddion GWY", |b| b.starts_with(b"GWYP"), formats::gwy::parse, &["gwy"], "all data fields with units; masks are missing points"),
     row("Nanoscope", formats::nanoscope::sniff, formats::nanoscope::parse, &["spm", "001", "di"], "all channels, 2 and 4 bytes per point, parts of a scan"),

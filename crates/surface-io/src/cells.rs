@@ -26,7 +26,6 @@ pub(crate) fn cells(separator: char, line: &str) -> Box<dyn Iterator<Item = &str
     Box::new(line.split(parts).map(str::trim))
 }
 
-/// How cells are written, as far as the caller says.
 impl ReadOptions {
     /// Marks that are no numbers: a number is a mark among heights only, not among coordinates.
     fn words(&self) -> impl Iterator<Item = &str> {
@@ -77,7 +76,6 @@ pub(crate) fn mark_value(mark: &str) -> Option<f64> {
     number(mark.trim(), None, false).filter(|value| !value.is_nan())
 }
 
-/// A cell of a table.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(crate) enum Cell<'t> {
     Number(f64),
@@ -87,7 +85,6 @@ pub(crate) enum Cell<'t> {
     Other,
 }
 
-/// Reads one cell.
 pub(crate) fn cell<'t>(text: &'t str, separator: char, options: &ReadOptions) -> Cell<'t> {
     let inner = text.strip_prefix('"').and_then(|t| t.strip_suffix('"'));
     // Between commas a blank may part two numbers as well as thousands.
@@ -255,8 +252,7 @@ impl Marks {
             let what = format!(
                 "line {line}: {text} can be {decimal}, or {digits} with a mark of thousands"
             );
-            let needs = vec![Need::DecimalMark];
-            ReadError::Ambiguous { format: TEXT, what, needs }
+            ReadError::Ambiguous { what, needs: vec![Need::DecimalMark] }
         };
         let mark = match (point, comma, either) {
             (true, true, _) => {

@@ -98,10 +98,8 @@ pub enum ReadError {
         value: f64,
     },
     /// A cell of a table that is neither a number nor a mark of a missing point.
-    #[error("{format}: line {line}, cell {cell}: {text:?} is no number")]
+    #[error("text: line {line}, cell {cell}: {text:?} is no number")]
     NotANumber {
-        /// The format.
-        format: &'static str,
         /// Line, counted from 1.
         line: usize,
         /// Cell in that line, counted from 1.
@@ -110,10 +108,8 @@ pub enum ReadError {
         text: String,
     },
     /// A text that can be read in more than one way.
-    #[error("{format}: {what}")]
+    #[error("text: {what}")]
     Ambiguous {
-        /// The format.
-        format: &'static str,
         /// The readings.
         what: String,
         /// What decides.
@@ -230,15 +226,6 @@ impl ReadError {
         what: impl Into<Cow<'static, str>>,
     ) -> Self {
         Self::Malformed { format, place: place.into(), what: what.into() }
-    }
-
-    /// The same in a line of text.
-    pub(crate) fn line(
-        format: &'static str,
-        line: usize,
-        what: impl Into<Cow<'static, str>>,
-    ) -> Self {
-        Self::at(format, format!("line {line}"), what)
     }
 }
 

@@ -24,14 +24,13 @@ const MAX_ITERATIONS: usize = 200;
 pub(crate) fn fill(grid: Grid, heights: &mut [f64]) -> Result<(), FillError> {
     let holes: Vec<u32> =
         (0..heights.len()).filter(|&i| heights[i].is_nan()).map(|i| i as u32).collect();
-    let (finest, rim) = GridLevel::finest(grid, heights, &holes);
-    let [low, high] = rim.range;
+    let (finest, sums, [low, high]) = GridLevel::finest(grid, heights, &holes);
     if low > high {
         return Ok(()); // nothing is missing
     }
     // Heights are counted from the middle of the rim, so that a common offset costs no digits.
     let origin = 0.5 * (low + high);
-    let b: Vec<f64> = rim.sums.iter().map(|[s, w]| s - w * origin).collect();
+    let b: Vec<f64> = sums.iter().map(|[s, w]| s - w * origin).collect();
     let mut levels = levels(finest, grid.shape(), grid.pixel(), &holes);
     let x = solve(&mut levels, b)?;
     for (&i, x) in holes.iter().zip(x) {
@@ -39,14 +38,6 @@ pub(crate) fn fill(grid: Grid, heights: &mut [f64]) -> Result<(), FillError> {
         heights[i as usize] = (origin + x).clamp(low, high);
     }
     Ok(())
-}
-
-/// What the valid points contribute to the equations.
-struct Rim {
-    /// Sum of bond times height, and of bonds, per unknown.
-    sums: Vec<[f64; 2]>,
-    /// Lowest and highest of these heights.
-    range: [f64; 2],
 }
 
 /// One grid: every unknown with its bonds to the west, east, north and south.
@@ -66,13 +57,13 @@ impl GridLevel {
     fn new(neighbours: Vec<[u32; 4]>, bonds: Vec<[f64; 4]>, pins: Vec<[f64; 2]>) -> Self {
         let diagonal =
             bonds.iter().zip(&pins).map(|(w, p)| w.iter().sum::<f64>() + p[0] + p[1]).collect();
-        let n = pins.len();
-        let (x, b) = (vec![0.0; n], vec![0.0; n]);
-        Self { neighbours, bonds, pins, diagonal, parent: Vec::new(), x, b }
+        let zeros = vec![0.0; pins.len()];
+        Self { neighbours, bonds, pins, diagonal, parent: Vec::new(), x: zeros.clone(), b: zeros }
     }
 
-    /// The five-point formula in flux form: bonds dy/dx along x and dx/dy along y.
-    fn finest(grid: Grid, heights: &[f64], holes: &[u32]) -> (Self, Rim) {
+    /// The five-point formula in flux form: bonds dy/dx along x and dx/dy along y. And of the valid points beside the
+    /// holes: per unknown the sums of bond times height and of bonds, and their lowest and highest height.
+    fn finest(grid: Grid, heights: &[f64], holes: &[u32]) -> (Self, Vec<[f64; 2]>, [f64; 2]) {
         let [ny, nx] = grid.shape();
         let [wx, wy] = fluxes(grid.pixel());
         let mut number = vec![NONE; heights.len()];
@@ -106,7 +97,7 @@ impl GridLevel {
                 }
             }
         }
-        (Self::new(neighbours, bonds, pins), Rim { sums, range })
+        (Self::new(neighbours, bonds, pins), sums, range)
     }
 
     /// Joins `block = [by, bx]` neighbours into one unknown each.
@@ -154,13 +145,8 @@ impl GridLevel {
 
     /// Sum of bonds times neighbours.
     fn pull(&self, x: &[f64], k: usize) -> f64 {
-        let mut sum = 0.0;
-        for (w, &j) in self.bonds[k].iter().zip(&self.neighbours[k]) {
-            if j != NONE {
-                sum += w * x[j as usize];
-            }
-        }
-        sum
+        let pairs = self.bonds[k].iter().zip(&self.neighbours[k]).filter(|(_, j)| **j != NONE);
+        pairs.fold(0.0, |sum, (w, &j)| sum + w * x[j as usize])
     }
 
     /// One Gauss-Seidel sweep on `A x = b`, forwards or backwards.

@@ -2,16 +2,9 @@
 
 use crate::cells::{self, BLANK};
 use crate::meaning::{self, UNUSED};
-use crate::text::NumberTable;
+use crate::text::{NumberTable, Title};
 use crate::units::{length, metres_per, quantity};
 use std::collections::BTreeMap;
-
-/// Title of a column: "X [mm]" is x in mm.
-#[derive(Debug, Clone)]
-pub(crate) struct Title {
-    pub(crate) name: String,
-    pub(crate) unit: Option<String>,
-}
 
 /// What the lines before the numbers say.
 #[derive(Debug, Default)]
@@ -37,7 +30,6 @@ pub(crate) struct Header {
     pub(crate) metadata: BTreeMap<String, String>,
 }
 
-/// What a key of a header is about.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 enum Key {
     Channel,
@@ -219,9 +211,7 @@ impl Header {
             let Some(cells) = cells else { continue };
             for (i, cell) in cells.into_iter().enumerate() {
                 let (name, unit) = title(cell);
-                if self.columns.len() <= i {
-                    self.columns.push(Title { name: String::new(), unit: None });
-                }
+                self.columns.resize(self.columns.len().max(i + 1), Title::default());
                 let title = &mut self.columns[i];
                 if title.name.is_empty() {
                     title.name = name;

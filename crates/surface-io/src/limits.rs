@@ -25,7 +25,6 @@ impl Default for Limits {
 }
 
 impl Limits {
-    /// Refuses a map of more than `points` points.
     pub(crate) fn check_points(
         &self,
         format: &'static str,
@@ -35,12 +34,10 @@ impl Limits {
         check(format, "points of one map", value, self.points)
     }
 
-    /// Refuses more than `items` of anything listed.
     pub(crate) fn check_items(&self, format: &'static str, value: u64) -> Result<(), ReadError> {
         check(format, "listed items", value, self.items)
     }
 
-    /// Refuses to unpack more than `unpacked_bytes`.
     pub(crate) fn check_unpacked(&self, format: &'static str, value: u64) -> Result<(), ReadError> {
         check(format, "unpacked bytes", value, self.unpacked_bytes)
     }

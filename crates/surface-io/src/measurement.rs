@@ -37,7 +37,6 @@ pub(crate) enum Pixel {
     Metres([f64; 2]),
     /// `[dy, dx]` in a unit that the file does not name.
     Steps([f64; 2]),
-    /// Nothing.
     Unknown,
 }
 
@@ -128,7 +127,6 @@ impl<'a> Channel<'a> {
         Self::new(name, Some(unit), raster.shape, pixel, decode).converted(convert)
     }
 
-    /// Changes the heights once they are decoded.
     fn then(self, change: impl FnOnce(&mut [f64]) -> Result<(), ReadError> + 'a) -> Self {
         let decode = self.decode;
         let changed = move || {
@@ -181,7 +179,6 @@ impl<'a> Channel<'a> {
     }
 }
 
-/// Everything a reader finds in a file.
 #[derive(Default)]
 pub(crate) struct Contents<'a> {
     pub(crate) channels: Vec<Channel<'a>>,

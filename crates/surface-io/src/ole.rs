@@ -36,7 +36,6 @@ pub(crate) const MAGIC: &[u8] = b"\xd0\xcf\x11\xe0\xa1\xb1\x1a\xe1";
 const END: u32 = 0xffff_fffa;
 const ENTRY: usize = 128;
 
-/// A stream of the directory.
 struct StreamEntry {
     name: String,
     kind: u8,
@@ -81,14 +80,12 @@ impl Sectors<'_> {
     }
 }
 
-/// A compound document.
 pub(crate) struct Document<'a> {
     sectors: Sectors<'a>,
     entries: Vec<StreamEntry>,
 }
 
 impl<'a> Document<'a> {
-    /// Reads table and directory.
     pub(crate) fn open(file: Bytes<'a>) -> Result<Self, ReadError> {
         let (sector, small) = (file.u16(30)?, file.u16(32)?);
         if !matches!(sector, 9 | 12) || small != 6 {
@@ -115,12 +112,10 @@ impl<'a> Document<'a> {
         Ok(Self { sectors, entries })
     }
 
-    /// Names of all streams.
     pub(crate) fn names(&self) -> impl Iterator<Item = &str> {
         self.entries.iter().filter(|entry| entry.kind == 2).map(|entry| entry.name.as_str())
     }
 
-    /// The bytes of a stream.
     pub(crate) fn stream(&self, name: &str) -> Result<Vec<u8>, ReadError> {
         let file = self.sectors.bytes;
         let entry = self.entries.iter().find(|entry| entry.kind == 2 && entry.name == name);

@@ -7,10 +7,17 @@ use crate::error::TEXT;
 use crate::units::metres_per;
 use crate::{ReadError, ReadOptions};
 
+/// Title of a column: "X [mm]" is x in mm.
+#[derive(Debug, Clone, Default)]
+pub(crate) struct Title {
+    pub(crate) name: String,
+    pub(crate) unit: Option<String>,
+}
+
 /// The numbers of a text file and the lines before them.
 #[derive(Debug)]
 pub(crate) struct NumberTable<'a> {
-    pub(crate) header: Vec<(usize, &'a str)>,
+    pub(crate) header: NumberedLines<'a>,
     pub(crate) separator: char,
     pub(crate) columns: usize,
     /// Row-major, NaN where a cell is missing.
@@ -19,13 +26,12 @@ pub(crate) struct NumberTable<'a> {
     pub(crate) digits: [Digits; 4],
     /// The same of the first row behind its first cell.
     pub(crate) first_row: Digits,
-    /// Unit of length behind the numbers of a column.
-    pub(crate) units: Vec<Option<String>>,
+    /// At first with the units of length behind the numbers only.
+    pub(crate) titles: Vec<Title>,
     /// Rows before which a blank line or a comment stands.
     pub(crate) parted: Vec<usize>,
 }
 
-/// Lines with their numbers.
 pub(crate) type NumberedLines<'a> = Vec<(usize, &'a str)>;
 
 impl<'a> NumberTable<'a> {
@@ -37,7 +43,7 @@ impl<'a> NumberTable<'a> {
             values: Vec::new(),
             digits: [Digits::NONE; 4],
             first_row: Digits::NONE,
-            units: Vec::new(),
+            titles: Vec::new(),
             parted: Vec::new(),
         }
     }
@@ -137,7 +143,7 @@ impl<'a> NumberTable<'a> {
         }
         whole.map_or(Ok(()), |(number, numbers)| {
             let what = format!("a row of {numbers} numbers stands before lines that are no rows");
-            Err(ReadError::line(TEXT, number, what))
+            Err(malformed(number, what))
         })
     }
 
@@ -166,7 +172,6 @@ impl<'a> NumberTable<'a> {
         None
     }
 
-    /// Appends a row.
     fn push(
         &mut self,
         (number, line): (usize, &str),
@@ -191,13 +196,13 @@ impl<'a> NumberTable<'a> {
             self.values.push(match cell {
                 Cell::Number(value) => value,
                 Cell::Length(value, unit) => {
-                    self.units.resize(self.units.len().max(column + 1), None);
-                    let known = self.units[column].get_or_insert_with(|| unit.to_owned());
+                    self.titles.resize(self.titles.len().max(column + 1), Title::default());
+                    let known = self.titles[column].unit.get_or_insert_with(|| unit.to_owned());
                     if known != unit {
                         let column = column + 1;
                         let what =
                             format!("cell {column}: {text:?}, the cells above are in {known}");
-                        return Err(ReadError::line(TEXT, number, what));
+                        return Err(malformed(number, what));
                     }
                     value
                 }
@@ -210,7 +215,7 @@ impl<'a> NumberTable<'a> {
             return Ok(());
         }
         let what = format!("{found} values, the rows before have {expected}");
-        Err(ReadError::line(TEXT, number, what))
+        Err(malformed(number, what))
     }
 
     /// A separator at the end of every row is no column, nor are empty columns behind a list of
@@ -233,9 +238,13 @@ impl<'a> NumberTable<'a> {
     }
 }
 
+fn malformed(line: usize, what: String) -> ReadError {
+    ReadError::at(TEXT, format!("line {line}"), what)
+}
+
 fn not_a_number(line: usize, column: usize, text: &str) -> ReadError {
     let text = text.trim_matches('"').chars().take(40).collect();
-    ReadError::NotANumber { format: TEXT, line, cell: column + 1, text }
+    ReadError::NotANumber { line, cell: column + 1, text }
 }
 
 /// True if the numbers only rise or only fall.

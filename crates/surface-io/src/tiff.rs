@@ -24,7 +24,6 @@ use std::collections::BTreeMap;
 
 pub(crate) const IMAGE_DESCRIPTION: u16 = 270;
 
-/// True if `bytes` start like a TIFF file.
 pub(crate) fn is_tiff(bytes: &[u8]) -> bool {
     matches!(bytes, [b'I', b'I', 42 | 43, 0, ..] | [b'M', b'M', 0, 42 | 43, ..])
 }
@@ -36,7 +35,6 @@ pub(crate) fn first_page(bytes: &[u8]) -> Option<Page<'_>> {
     pages?.ok()?.pop()
 }
 
-/// One directory.
 #[derive(Debug, Clone)]
 pub(crate) struct Page<'a> {
     bytes: Bytes<'a>,
@@ -86,13 +84,11 @@ fn sample(kind: u16) -> Option<Sample> {
     })
 }
 
-/// Bytes of one value of a type.
 fn size(kind: u16) -> usize {
     sample(kind).map_or(if matches!(kind, 5 | 10) { 8 } else { 1 }, Sample::size)
 }
 
 impl<'a> Page<'a> {
-    /// The directory at byte `at`.
     fn at(b: Bytes<'a>, at: usize) -> Result<Self, ReadError> {
         let mut entries = BTreeMap::new();
         for i in 0..usize::from(b.u16(at)?) {
@@ -121,7 +117,6 @@ impl<'a> Page<'a> {
         entry.ok_or_else(|| self.bytes.field(format!("tag {tag}"), "is missing"))
     }
 
-    /// All numbers of an entry.
     pub(crate) fn numbers(&self, tag: u16) -> Result<Vec<f64>, ReadError> {
         let entry = self.entry(tag)?;
         let sample = sample(entry.kind).ok_or_else(|| {
@@ -131,7 +126,6 @@ impl<'a> Page<'a> {
         self.bytes.samples(entry.at, entry.count, sample)
     }
 
-    /// The first number of an entry.
     pub(crate) fn number(&self, tag: u16) -> Result<f64, ReadError> {
         let first = self.numbers(tag)?.first().copied();
         first.ok_or_else(|| self.bytes.field(format!("tag {tag}"), "is empty"))
@@ -146,13 +140,11 @@ impl<'a> Page<'a> {
         self.raw(tag).ok().map(|(_, raw)| crate::binary::text(raw))
     }
 
-    /// The directory that an entry points at.
     #[cfg(feature = "zip")] // of LEXT only
     pub(crate) fn sub_page(&self, tag: u16) -> Result<Self, ReadError> {
         Self::at(self.bytes, self.number(tag)? as usize)
     }
 
-    /// The picture of this directory.
     pub(crate) fn image(&self) -> Result<Image<'a>, ReadError> {
         let b = self.bytes;
         let unsupported = |feature: String| Err(b.unsupported(feature));
@@ -220,15 +212,8 @@ impl<'a> Page<'a> {
         if needed.saturating_mul(block_bytes) / 4096 > b.data.len() {
             return Err(b.field("picture", format!("{ny} x {nx} points are not in the file")));
         }
-        Ok(Image {
-            bytes: b,
-            shape,
-            sample,
-            compression,
-            is_differences: predictor == 2,
-            block,
-            blocks,
-        })
+        let is_differences = predictor == 2;
+        Ok(Image { bytes: b, shape, sample, compression, is_differences, block, blocks })
     }
 }
 
@@ -248,7 +233,6 @@ pub(crate) struct Image<'a> {
 }
 
 impl Image<'_> {
-    /// All points, row by row.
     pub(crate) fn decode(&self) -> Result<Vec<f64>, ReadError> {
         let [ny, nx] = self.shape;
         let [rows, columns] = self.block;

@@ -23,12 +23,10 @@ pub(crate) struct Element<'e> {
 }
 
 impl Element<'_> {
-    /// Name of this element.
     pub(crate) fn name(&self) -> &str {
         self.path.last().map_or("", String::as_str)
     }
 
-    /// Value of an attribute.
     pub(crate) fn attribute(&self, name: &str) -> Option<&str> {
         self.attributes.iter().find(|(key, _)| key == name).map(|(_, value)| value.as_str())
     }

@@ -49,8 +49,7 @@ pub(crate) fn parse(b: Bytes<'_>) -> Result<Contents<'_>, ReadError> {
         Err(b.field(key, format!("{value} is no whole number")))
     };
     let (ny, nx, at) = (whole("Rows")?, whole("Cols")?, whole("DepthImageOffset")?);
-    b.check_points([ny, nx])?;
-    b.map_length(at, [ny, nx], Sample::F32)?;
+    b.raster(at, [ny, nx], Sample::F32)?;
     let end = whole("TextureImageOffset").ok().filter(|&texture| texture > at);
     let space = end.unwrap_or(b.data.len()).saturating_sub(at);
     // Packed, padded to 8 bytes, or padded to 8 points: what fills the space exactly.

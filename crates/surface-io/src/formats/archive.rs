@@ -16,7 +16,6 @@ pub(crate) fn holds(bytes: &[u8], name: &[u8]) -> bool {
     bytes.starts_with(MAGIC) && find(bytes, name).is_some()
 }
 
-/// An archive in memory.
 pub(crate) struct Archive<'a> {
     pub(crate) b: Bytes<'a>,
     zip: ZipArchive<Cursor<&'a [u8]>>,

@@ -15,7 +15,6 @@ const EXPORT: &str = "export the data from the program that made it, for example
 const MATLAB: &str = "save it in MATLAB with `-v7.3`, which is HDF5, or as text";
 const UNPACK: &str = "unpack it and name a file in it";
 
-/// First bytes, what the file is, and what to do with it.
 const FOREIGN: &[(&[u8], &str, &str)] = &[
     (b"\x89PNG\r\n\x1a\n", "a PNG picture", PICTURE),
     (b"\xff\xd8\xff", "a JPEG picture", PICTURE),

@@ -22,9 +22,7 @@ use crate::binary::text;
 enum Component<'a> {
     Number(f64),
     Text(String),
-    /// Name and items.
     Object(String, Items<'a>),
-    /// Numbers of type f64.
     Doubles(Bytes<'a>),
     Other,
 }
@@ -124,7 +122,6 @@ impl<'a> ObjectReader<'a> {
         Ok(text(self.file.take(length + 1)?))
     }
 
-    /// Name and items of the object.
     fn object(&mut self, depth: usize) -> Result<(String, Items<'a>), ReadError> {
         let name = self.text()?;
         let length = self.file.word()?;

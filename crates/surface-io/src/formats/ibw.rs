@@ -27,7 +27,6 @@ use crate::text;
 
 const DATA: usize = 384;
 
-/// Version and byte order.
 fn version(bytes: &[u8]) -> Option<(u8, ByteOrder)> {
     match *bytes {
         [version @ (1..=3 | 5), 0, ..] => Some((version, ByteOrder::Little)),

@@ -120,7 +120,6 @@ impl<'a> StoredFrame<'a> {
     }
 }
 
-/// Unit of a scan's axis.
 fn unit(code: i16) -> &'static str {
     match code {
         -5 => "m",

@@ -61,11 +61,10 @@ pub(crate) fn parse(b: Bytes<'_>) -> Result<Contents<'_>, ReadError> {
     }
     let shape = [ny as usize, nx as usize];
     // Some writers leave the size out: the pixel is then to be given.
-    let pixel = if entries.get("xLength").and(entries.get("yLength")).is_some() {
-        Pixel::Metres([entries.number("yLength")? / ny, entries.number("xLength")? / nx])
-    } else {
-        Pixel::Unknown
-    };
+    let mut pixel = Pixel::Unknown;
+    if entries.get("xLength").and(entries.get("yLength")).is_some() {
+        pixel = Pixel::Metres([entries.number("yLength")? / ny, entries.number("xLength")? / nx]);
+    }
     let mut at = end;
     for [label, unit, range] in buffers {
         let range: f64 = range.parse().map_err(|_| b.field("bufferRange", format!("{range:?}")))?;

@@ -66,7 +66,6 @@ pub(crate) fn parse(b: Bytes<'_>) -> Result<Contents<'_>, ReadError> {
     Ok(contents)
 }
 
-/// The text if it is a unit of length.
 fn length_unit(text: &str) -> Option<String> {
     metres_per(text).map(|_| text.trim().to_owned())
 }

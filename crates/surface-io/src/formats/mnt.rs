@@ -44,20 +44,17 @@ pub(crate) fn parse(b: Bytes<'_>) -> Result<Contents<'_>, ReadError> {
 /// Whatever is not as expected: the program that wrote the file knows better.
 fn with_way_out(error: ReadError) -> ReadError {
     match error {
-        ReadError::Malformed { format, place, what } => ReadError::at(
-            format,
-            place,
-            format!("{what}; save the surface as SUR in the program that wrote it"),
-        ),
+        ReadError::Malformed { format, place, what } => {
+            let what = format!("{what}; save the surface as SUR in the program that wrote it");
+            ReadError::at(format, place, what)
+        }
         other => other,
     }
 }
 
 fn unsupported(feature: &str) -> ReadError {
-    ReadError::unsupported(
-        "Digital Surf MNT",
-        format!("{feature} (save the surface as SUR in Mountains)"),
-    )
+    let feature = format!("{feature} (save the surface as SUR in Mountains)");
+    ReadError::unsupported("Digital Surf MNT", feature)
 }
 
 fn contents(file: Bytes<'_>) -> Result<Contents<'_>, ReadError> {
@@ -85,9 +82,9 @@ fn contents(file: Bytes<'_>) -> Result<Contents<'_>, ReadError> {
         count += 1;
         b.check_items(count)?;
         let length = usize::try_from(parts.bytes.u64(at)?).unwrap_or(usize::MAX);
-        let part = Part { bytes: b.with(parts.bytes.slice(at + 8, length)?), ..parts };
-        let part = Part { at: parts.at + at + 8, ..part };
-        at += 8 + length;
+        at += 8;
+        let part = Part { bytes: b.with(parts.bytes.slice(at, length)?), at: parts.at + at };
+        at += length;
         let (class, part) = part.get(&[1])?.object()?;
         let Some(part) = part.filter(|_| class == DATA) else { continue };
         let (class, surface) = part.get(&[1])?.object()?;
@@ -122,7 +119,6 @@ struct Part<'a> {
 }
 
 impl Part<'_> {
-    /// The record at the end of a path of tags.
     fn get(self, path: &[u16]) -> Result<Self, ReadError> {
         path.iter().try_fold(self, |part, &tag| part.record(tag))
     }
@@ -141,12 +137,10 @@ impl Part<'_> {
         Err(self.bytes.field(STREAM, what))
     }
 
-    /// Class and content of an object.
     fn object(self) -> Result<(u32, Option<Self>), ReadError> {
         Ok((self.get(&[1, 1])?.bytes.u32(0)?, self.record(2).ok()))
     }
 
-    /// The content of an object of this class.
     fn object_of(self, class: u32, what: &str) -> Result<Self, ReadError> {
         match self.object()? {
             (found, Some(part)) if found == class => Ok(part),
@@ -270,13 +264,10 @@ impl StoredSurface {
             }
         }
         let valid = || numbers.iter().copied().filter(|number| !number.is_nan());
-        let found = [valid().fold(f64::MAX, f64::min), valid().fold(f64::MIN, f64::max)];
-        let stored = self.range;
-        if found[0] <= found[1] && found.map(|number| number as i32) != stored {
-            let what = format!(
-                "numbers from {} to {}, the file says {} to {}",
-                found[0], found[1], stored[0], stored[1]
-            );
+        let (low, high) = (valid().fold(f64::MAX, f64::min), valid().fold(f64::MIN, f64::max));
+        let [lowest, highest] = self.range;
+        if low <= high && [low as i32, high as i32] != self.range {
+            let what = format!("numbers from {low} to {high}, the file says {lowest} to {highest}");
             return Err(stream.field("heights", what));
         }
         for number in &mut numbers {
@@ -325,7 +316,6 @@ impl Blob {
         Ok(Self { points, sample, blocks })
     }
 
-    /// All points.
     fn unpack(&self, stream: Bytes<'_>) -> Result<Vec<f64>, ReadError> {
         let mut values = Vec::with_capacity(self.points);
         for &[_, count, at, packed] in &self.blocks {

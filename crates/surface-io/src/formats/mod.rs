@@ -53,4 +53,3 @@ pub(crate) mod zmg;
 #[cfg(feature = "zip")]
 pub(crate) mod zon;
 pub(crate) mod zygo;
-pub(crate) mod zygo_text;

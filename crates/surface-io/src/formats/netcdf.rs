@@ -121,8 +121,7 @@ pub(crate) fn parse(b: Bytes<'_>) -> Result<Contents<'_>, ReadError> {
         if stored[0] == 0 {
             continue; // records are interleaved with those of other variables
         }
-        b.check_points(stored)?;
-        b.map_length(variable.at, stored, sample)?;
+        b.raster(variable.at, stored, sample)?;
         let is_x_slow = axes[0].0 == "x";
         let [y, x] = if is_x_slow { [axes[1], axes[0]] } else { axes };
         let spacing = |axis: &(String, usize)| spacing(b, &variables, &axis.0, axis.1);
@@ -172,8 +171,7 @@ fn profiles<'a>(
         if *count < 2 || is_position(variable, name) {
             continue;
         }
-        b.check_points([1, *count])?;
-        b.map_length(variable.at, [1, *count], sample)?;
+        b.raster(variable.at, [1, *count], sample)?;
         let x = variables.iter().find(|v| v.dimensions == [dimension] && is_position(v, name));
         let line = match x.and_then(|x| Some((x, x.sample?))) {
             Some((x, sample)) => Some((x.positions(b, sample, *count)?, x.unit())),
@@ -222,7 +220,6 @@ fn sample(code: usize) -> Option<Sample> {
     })
 }
 
-/// Walks through the header.
 struct HeaderCursor<'a> {
     file: Cursor<'a>,
     version: u8,
@@ -243,7 +240,6 @@ impl<'a> HeaderCursor<'a> {
         self.size(self.version == 5)
     }
 
-    /// Number of elements of a list with this tag.
     fn list(&mut self, tag: usize) -> Result<usize, ReadError> {
         let Cursor { b, at } = self.file;
         let found = self.file.word()?;

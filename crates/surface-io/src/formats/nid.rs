@@ -47,7 +47,6 @@ pub(crate) fn parse(b: Bytes<'_>) -> Result<Contents<'_>, ReadError> {
     Ok(contents)
 }
 
-/// How the numbers of a channel are stored.
 fn raster<'a>(b: Bytes<'a>, at: usize, section: Entries<'_>) -> Result<Raster<'a>, ReadError> {
     let mode = section.text("SaveMode")?;
     if mode != "Binary" {

@@ -136,11 +136,9 @@ fn scale(
     Ok(length * unit * calibration)
 }
 
-/// Where things are in a file.
 struct FileParts<'f> {
     properties: &'f [u8],
     prefix: String,
-    /// By the names of the data.
     data: BTreeMap<String, Range<usize>>,
 }
 
@@ -236,7 +234,6 @@ fn blocks(mut chunk: Cursor<'_>) -> Result<Vec<(usize, &[u8])>, ReadError> {
     Ok(found)
 }
 
-/// Fields by their paths.
 type Fields = BTreeMap<String, String>;
 
 /// The XML of an image: id and fields below it of every channel, and the fields outside the channels.

@@ -93,7 +93,6 @@ pub(crate) fn parse(b: Bytes<'_>) -> Result<Contents<'_>, ReadError> {
     Ok(contents)
 }
 
-/// The export as text.
 fn parse_text(b: Bytes<'_>) -> Result<Contents<'_>, ReadError> {
     let content = text::decode(b.data);
     let mut lines = text::lines(&content);
@@ -142,12 +141,11 @@ fn parse_text(b: Bytes<'_>) -> Result<Contents<'_>, ReadError> {
     };
     let step =
         if is_in_nm { 1.0 } else { number("Wavelength", None)? / number("Mult", Some(1.0))? };
-    let pixel = if fields.contains_key("Pixel_size") {
+    let mut pixel = Pixel::Unknown;
+    if fields.contains_key("Pixel_size") {
         let dx = 1e-3 * number("Pixel_size", None)?;
-        Pixel::Metres([dx * number("Aspect", Some(1.0))?, dx])
-    } else {
-        Pixel::Unknown
-    };
+        pixel = Pixel::Metres([dx * number("Aspect", Some(1.0))?, dx]);
+    }
     let mut contents = Contents::default();
     for (name, is_other, stored, values) in maps {
         let (unit, step) = if is_other { ("counts", 1.0) } else { ("nm", step) };

@@ -33,7 +33,6 @@ use crate::binary::text;
 pub(crate) const MAGIC: &[u8] = b"VCA DATA\x01\0\0\x55";
 const ARRAY_HEAD: usize = 5;
 
-/// Types of single numbers.
 const NUMBERS: [(u8, Sample); 9] = [
     (1, Sample::U8),
     (4, Sample::I16),
@@ -132,7 +131,6 @@ fn channel<'a>(
     Ok(Some(Channel::raster(name, unit, pixel, raster, convert)))
 }
 
-/// Walks through the items.
 struct ItemReader<'a> {
     file: Cursor<'a>,
     count: u64,

@@ -8,7 +8,6 @@ use crate::{Limits, ReadError, metres_per};
 /// Evenly spaced positions found in a column of coordinates.
 #[derive(Debug, Clone)]
 pub(crate) struct Line {
-    /// (last - first) / (N - 1).
     pub(crate) step: f64,
     pub(crate) is_falling: bool,
     count: usize,
@@ -107,7 +106,6 @@ pub(crate) struct GriddedMap {
 }
 
 impl GriddedMap {
-    /// Three points a side or more.
     pub(crate) fn is_wide(&self) -> bool {
         self.shape.iter().all(|n| *n > 2)
     }

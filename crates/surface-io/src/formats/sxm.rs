@@ -20,8 +20,8 @@ use crate::binary::find;
 use crate::text;
 
 pub(crate) fn parse(mut b: Bytes<'_>) -> Result<Contents<'_>, ReadError> {
-    let end =
-        find(b.data, b"\x1a\x04").ok_or_else(|| b.fault(b.data.len(), "there are no data"))?;
+    let end = find(b.data, b"\x1a\x04");
+    let end = end.ok_or_else(|| b.fault(b.data.len(), "there are no data"))?;
     let fields = header(b, &b.data[..end])?;
     let entries = Entries::new(b, &fields);
     let pair = |key: &'static str| {

@@ -26,16 +26,16 @@
 //!
 //! A matrix without a stated size needs the pixel size, columns without units need theirs.
 
-mod sheet;
+mod columns;
 
-use self::sheet::{HEIGHTS, INDEX, Sheet, two_readings};
+use self::columns::{HEIGHTS, INDEX, two_readings};
 use super::scattered::{self, Line};
 use crate::binary::Bytes;
 use crate::cells::Digits;
 use crate::error::TEXT;
-use crate::header::{Header, Title};
+use crate::header::Header;
 use crate::measurement::{Channel, Contents, Pixel};
-use crate::text::{self, NumberTable, NumberedLines, is_monotone};
+use crate::text::{self, NumberTable, NumberedLines, Title, is_monotone};
 use crate::units::metres_per;
 use crate::{Ambiguity, Layout, Need, ReadError, ReadOptions};
 
@@ -106,38 +106,37 @@ enum Reading {
     Column,
 }
 
-/// What one table holds.
 fn channels(
     mut table: NumberTable<'_>,
     header: &mut Header,
     options: &ReadOptions,
 ) -> Result<Vec<Channel<'static>>, ReadError> {
     let layout = options.layout;
-    let mut sheet = Sheet::of(&mut table, header);
-    sheet.leave_out_invalid()?;
+    table.name_columns(std::mem::take(&mut header.columns));
+    table.leave_out_invalid()?;
     let are_traces =
-        layout == Some(Layout::Traces) || layout.is_none() && are_traces(&sheet.titles);
-    let says_map = header.size.is_some() || header.pixel.is_some() && sheet.columns > 1;
+        layout == Some(Layout::Traces) || layout.is_none() && are_traces(&table.titles);
+    let says_map = header.size.is_some() || header.pixel.is_some() && table.columns > 1;
     let is_list = layout == Some(Layout::List) || layout.is_none() && !are_traces && !says_map;
-    let has_index = sheet.columns > 2 && sheet.is_called(0, &INDEX)
+    let has_index = table.columns > 2 && table.is_called(0, &INDEX)
         || !matches!(layout, Some(Layout::Matrix | Layout::Traces))
             && !says_map
-            && sheet.has_index(&options.limits);
+            && table.has_index(&options.limits);
     if has_index {
-        let others: Vec<usize> = (1..sheet.columns).collect();
-        sheet = sheet.pick(&others);
+        let others: Vec<usize> = (1..table.columns).collect();
+        table = table.pick(&others);
         header.metadata.insert("left out".into(), "running numbers of the points".into());
     }
-    let order = sheet.order().filter(|_| is_list);
+    let order = table.order().filter(|_| is_list);
     if let Some(order) = &order {
-        sheet = sheet.pick(order);
+        table = table.pick(order);
     }
     // Coordinates have units, or are called so; other columns may be heights.
     let is_told = layout.is_some()
-        || sheet.unit(0).is_some()
+        || table.unit(0).is_some()
         || header.lateral_unit.is_some()
         || order.is_some();
-    let reading = match sheet.columns {
+    let reading = match table.columns {
         _ if are_traces => Reading::Traces,
         _ if !is_list => Reading::Matrix,
         1 if layout.is_some() => {
@@ -145,52 +144,52 @@ fn channels(
         }
         1 => Reading::Column,
         2 => Reading::Profile,
-        3 => Reading::List(sheet.grid(&options.limits).map_err(|error| {
-            let others = match (order.is_some(), is_monotone(&sheet.column(0))) {
+        3 => Reading::List(table.grid(&options.limits).map_err(|error| {
+            let others = match (order.is_some(), is_monotone(&table.column(0))) {
                 (false, true) if layout.is_none() => Some(LIST_OR_TRACES),
                 _ => (!is_told).then_some(LIST),
             };
             others.into_iter().fold(error, or_matrix)
         })?),
         _ if is_told && (order.is_some() || layout.is_some()) => {
-            Reading::List(sheet.grid(&options.limits)?)
+            Reading::List(table.grid(&options.limits)?)
         }
-        _ => match sheet.grid(&options.limits) {
+        _ => match table.grid(&options.limits) {
             // Three points a side, all there, or many of them: not by chance.
-            Ok(map) if map.is_wide() && (map.is_complete || sheet.rows() > 19) => {
+            Ok(map) if map.is_wide() && (map.is_complete || table.rows() > 19) => {
                 Reading::List(map)
             }
             _ => Reading::Matrix,
         },
     };
-    refuse_other_counts(&reading, &sheet, header)?;
+    refuse_other_counts(&reading, &table, header)?;
     match reading {
-        Reading::Traces => traces(&sheet, header),
+        Reading::Traces => traces(&table, header),
         Reading::List(map) => {
             let is_plain = is_told || map.is_complete && map.is_wide();
-            Ok(list(map, &sheet, header, (!is_plain).then_some(LIST)))
+            Ok(list(map, &table, header, (!is_plain).then_some(LIST)))
         }
         Reading::Matrix => {
-            sheet.leave_out_axes(header, layout)?;
-            sheet.apply_mask(header);
+            table.leave_out_axes(header, layout)?;
+            table.apply_mask(header);
             if layout.is_none() && !says_map {
-                sheet.refuse_positions()?;
+                table.refuse_positions()?;
             }
-            maps(sheet, &table.parted, header, options)
+            maps(table, header, options)
         }
         Reading::Profile => {
-            let is_told = is_told || sheet.is_called(0, &POSITIONS);
-            let (x, z) = (sheet.column(0), sheet.column(1));
-            let units = [sheet.unit(0), sheet.unit(1)];
-            let mut channel = profile(&x, z, sheet.digits[0], units, header)
+            let is_told = is_told || table.is_called(0, &POSITIONS);
+            let (x, z) = (table.column(0), table.column(1));
+            let units = [table.unit(0), table.unit(1)];
+            let mut channel = profile(&x, z, table.digits[0], units, header)
                 .map_err(|e| if is_told { e } else { or_matrix(e, PROFILE) })?;
             channel.ambiguity = (!is_told).then_some(PROFILE);
             Ok(vec![channel])
         }
         Reading::Column => {
             let pixel = header.pixel.map_or(Pixel::Unknown, Pixel::Metres);
-            let unit = header.value_unit.clone().or(sheet.unit(0));
-            let (shape, z) = ([1, sheet.rows()], sheet.values);
+            let unit = header.value_unit.clone().or(table.unit(0));
+            let (shape, z) = ([1, table.rows()], table.values);
             let mut channel =
                 Channel::new(header.name(), unit.as_deref(), shape, pixel, move || Ok(z));
             channel.ambiguity = Some(COLUMN);
@@ -200,9 +199,13 @@ fn channels(
 }
 
 /// A header that declares other numbers of rows and columns: the file was cut off, or is no map in rows.
-fn refuse_other_counts(reading: &Reading, sheet: &Sheet, header: &Header) -> Result<(), ReadError> {
+fn refuse_other_counts(
+    reading: &Reading,
+    table: &NumberTable<'_>,
+    header: &Header,
+) -> Result<(), ReadError> {
     let [Some(rows), Some(columns)] = header.counts() else { return Ok(()) };
-    let (found, wide) = (sheet.rows(), sheet.columns);
+    let (found, wide) = (table.rows(), table.columns);
     match reading {
         Reading::Column if found == rows.saturating_mul(columns) => {
             let what = format!(
@@ -234,7 +237,7 @@ fn or_matrix(error: ReadError, ambiguity: Ambiguity) -> ReadError {
         other => return other,
     };
     let what = format!("{what} ({})", ambiguity.what);
-    ReadError::Ambiguous { format: TEXT, what, needs: ambiguity.needs.to_vec() }
+    ReadError::Ambiguous { what, needs: ambiguity.needs.to_vec() }
 }
 
 /// Titles of columns with positions along a line.
@@ -249,18 +252,18 @@ fn are_traces(titles: &[Title]) -> bool {
 }
 
 /// One channel for every column behind the first, which has the positions.
-fn traces(sheet: &Sheet, header: &Header) -> Result<Vec<Channel<'static>>, ReadError> {
-    let columns = sheet.columns;
+fn traces(table: &NumberTable<'_>, header: &Header) -> Result<Vec<Channel<'static>>, ReadError> {
+    let columns = table.columns;
     if columns < 2 {
         let reason = "it has one column (traces need positions before the heights)";
         return Err(bad_layout(Layout::Traces, reason));
     }
-    let name = |i: usize| sheet.titles[i].name.as_str();
+    let name = |i: usize| table.titles[i].name.as_str();
     let are_named = (1..columns).all(|i| !name(i).is_empty() && (1..i).all(|j| name(i) != name(j)));
-    let x = sheet.column(0);
+    let x = table.column(0);
     let trace = |i: usize| -> Result<Channel<'static>, ReadError> {
-        let units = [sheet.unit(0), sheet.unit(i).or(sheet.unit(1))];
-        let mut channel = profile(&x, sheet.column(i), sheet.digits[0], units, header)?;
+        let units = [table.unit(0), table.unit(i).or(table.unit(1))];
+        let mut channel = profile(&x, table.column(i), table.digits[0], units, header)?;
         channel.info.name = if are_named { name(i).to_owned() } else { format!("trace {i}") };
         channel.info.is_trace = columns > 2;
         Ok(channel)
@@ -271,17 +274,17 @@ fn traces(sheet: &Sheet, header: &Header) -> Result<Vec<Channel<'static>>, ReadE
 /// One channel for z, and one for every column behind it.
 fn list(
     map: scattered::GriddedMap,
-    sheet: &Sheet,
+    table: &NumberTable<'_>,
     header: &Header,
     ambiguity: Option<Ambiguity>,
 ) -> Vec<Channel<'static>> {
-    let unit = sheet.unit(0).or(header.lateral_unit.clone());
+    let unit = table.unit(0).or(header.lateral_unit.clone());
     let scale = unit.as_deref().and_then(metres_per);
-    let scale_y = sheet.unit(1).as_deref().and_then(metres_per).or(scale);
+    let scale_y = table.unit(1).as_deref().and_then(metres_per).or(scale);
     let pixel = Pixel::scaled(map.step, [scale_y, scale]);
     let shape = map.shape;
     let channel = |(i, heights): (usize, Vec<f64>)| {
-        let title = &sheet.titles[i + 2];
+        let title = &table.titles[i + 2];
         let (name, unit) = match (i, title.name.is_empty()) {
             (0, _) => (header.name(), header.value_unit.as_ref().or(title.unit.as_ref())),
             (_, false) => (title.name.clone(), title.unit.as_ref()),
@@ -299,12 +302,11 @@ fn list(
 
 /// A map, or several of equally many rows with blank lines or comments between them.
 fn maps(
-    mut sheet: Sheet,
-    parted: &[usize],
+    mut table: NumberTable<'_>,
     header: &Header,
     options: &ReadOptions,
 ) -> Result<Vec<Channel<'static>>, ReadError> {
-    let (rows, columns) = (sheet.rows(), sheet.columns);
+    let (rows, columns, parted) = (table.rows(), table.columns, &table.parted);
     let each = parted.first().copied().unwrap_or(rows);
     let is_even = each > 1
         && columns > 3
@@ -312,8 +314,8 @@ fn maps(
         && rows.is_multiple_of(each)
         && parted.iter().enumerate().all(|(i, row)| *row == (i + 1) * each);
     if !is_even || parted.is_empty() || options.layout.is_some() {
-        let values = std::mem::take(&mut sheet.values);
-        return Ok(vec![matrix(&sheet, header, values)]);
+        let values = std::mem::take(&mut table.values);
+        return Ok(vec![matrix(&table, header, values)]);
     }
     if options.channel.is_none() {
         let what = format!(
@@ -321,21 +323,20 @@ fn maps(
              one of {rows} rows",
             parted.len() + 1
         );
-        let needs = vec![Need::Channel, MATRIX];
-        return Err(ReadError::Ambiguous { format: TEXT, what, needs });
+        return Err(ReadError::Ambiguous { what, needs: vec![Need::Channel, MATRIX] });
     }
-    let parts = sheet.values.chunks_exact(each * columns).enumerate();
+    let parts = table.values.chunks_exact(each * columns).enumerate();
     Ok(parts
         .map(|(i, part)| {
-            let mut channel = matrix(&sheet, header, part.to_vec());
+            let mut channel = matrix(&table, header, part.to_vec());
             channel.info.name = format!("table {}", i + 1);
             channel
         })
         .collect())
 }
 
-fn matrix(sheet: &Sheet, header: &Header, values: Vec<f64>) -> Channel<'static> {
-    let shape = [values.len() / sheet.columns, sheet.columns];
+fn matrix(table: &NumberTable<'_>, header: &Header, values: Vec<f64>) -> Channel<'static> {
+    let shape = [values.len() / table.columns, table.columns];
     let pixel = match (header.pixel, header.size, header.steps) {
         (Some(pixel), ..) => Pixel::Metres(pixel),
         // Gwyddion's Width and Height are N pixels, not N - 1 intervals.
@@ -348,7 +349,7 @@ fn matrix(sheet: &Sheet, header: &Header, values: Vec<f64>) -> Channel<'static> 
     let missing = header.missing_value;
     let [factor, offset] = header.value_line.unwrap_or([1.0, 0.0]);
     let of_cells =
-        sheet.unit(0).filter(|_| (1..sheet.columns).all(|i| sheet.unit(i) == sheet.unit(0)));
+        table.unit(0).filter(|_| (1..table.columns).all(|i| table.unit(i) == table.unit(0)));
     let unit = header.value_unit.clone().or(of_cells);
     let convert = move |value: f64| {
         let is_missing = missing.is_some_and(|mark| value - mark == 0.0);

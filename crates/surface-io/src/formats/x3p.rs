@@ -125,7 +125,6 @@ fn member(archive: &Archive<'_>, folder: &str, link: &str) -> Result<String, Rea
 /// `main.xml`, flattened: the text of every element by its path below the root.
 struct MainXml {
     fields: BTreeMap<String, String>,
-    /// Every Datum.
     list: Vec<f64>,
     /// The refusal of the first Datum that is no number.
     bad: Option<ReadError>,

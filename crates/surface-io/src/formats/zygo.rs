@@ -17,16 +17,50 @@
 //!
 //! Height = phase × S W O / R; a phase of 2147483640 or more is a missing point.
 //!
-//! Exports as text have [a reader of their own](super::zygo_text).
+//! Exports as text:
 //!
-//! Source: Zygo, *MetroPro Reference Guide* OMP-0347, appendix on the data format.
+//! | line | content |
+//! |---|---|
+//! | 1 | `Zygo XYZ Data File - Format 1` or `Zygo ASCII Data File - Format 2` |
+//! | 2 | software, version, date |
+//! | 4 | phase: origin x, y; width, height |
+//! | 5 to 7 | comment, serial number, part |
+//! | 8 | source, interferometric scale factor S, wavelength W (m), aperture, obliquity factor O, 0, lateral resolution (m per point; 0 if unknown), time |
+//! | 11 | phase resolution: R = 4096, 32768 or 131072 for 0, 1, 2; … |
+//! | `#` | ends the header, and every block of data |
+//!
+//! Format 1 lists column, row and height in µm, `No Data` for a missing point. Format 2 has the
+//! intensity, then the phase as whole numbers: height = phase × S W O / R, missing from
+//! 2147483640 on, as above.
+//!
+//! Source: Zygo, *MetroPro Reference Guide* OMP-0347, appendix on the data format; public exports.
+//! Format 2 was not checked against a real file.
 
 use super::prelude::*;
-use super::zygo_text;
+use crate::text;
+
+pub(crate) fn is_text(bytes: &[u8]) -> bool {
+    bytes.starts_with(b"Zygo XYZ Data File") || bytes.starts_with(b"Zygo ASCII Data File")
+}
+
+/// Steps of the phase in a wave.
+fn resolution(code: f64) -> Result<f64, String> {
+    match code {
+        0.0 => Ok(4096.0),
+        1.0 => Ok(32768.0),
+        2.0 => Ok(131072.0),
+        _ => Err(format!("phase resolution {code}, known are 0, 1, 2")),
+    }
+}
+
+/// A phase in steps of a height.
+fn height(raw: f64, step: f64) -> f64 {
+    if raw >= 2147483640.0 { f64::NAN } else { raw * step }
+}
 
 pub(crate) fn parse(b: Bytes<'_>) -> Result<Contents<'_>, ReadError> {
-    if zygo_text::sniff(b.data) {
-        return zygo_text::parse(b);
+    if is_text(b.data) {
+        return parse_text(b);
     }
     let b = Bytes { order: ByteOrder::Big, ..b };
     let header = b.u32(6)? as usize;
@@ -34,12 +68,7 @@ pub(crate) fn parse(b: Bytes<'_>) -> Result<Contents<'_>, ReadError> {
         return Err(b.fault(6, format!("a header of {header} bytes, not 834 or 4096")));
     }
     let shape = [b.u16(70)?.into(), b.u16(68)?.into()];
-    let resolution = match b.i16(218)? {
-        0 => 4096.0,
-        1 => 32768.0,
-        2 => 131072.0,
-        code => return Err(b.fault(218, format!("phase resolution {code}, known are 0, 1, 2"))),
-    };
+    let resolution = resolution(b.i16(218)?.into()).map_err(|what| b.fault(218, what))?;
     let [scale, wavelength, obliquity] = [b.f32(164)?, b.f32(168)?, b.f32(176)?].map(f64::from);
     let lateral = f64::from(b.f32(184)?);
     let pixel = if lateral == 0.0 { Pixel::Unknown } else { Pixel::Metres([lateral; 2]) };
@@ -47,7 +76,7 @@ pub(crate) fn parse(b: Bytes<'_>) -> Result<Contents<'_>, ReadError> {
     let intensity_bytes = b.u32(60)? as usize;
     let raster = b.raster(header + intensity_bytes, shape, Sample::I32)?;
     let step = scale * wavelength * obliquity / resolution;
-    let convert = move |raw| if raw >= 2147483640.0 { f64::NAN } else { raw * step };
+    let convert = move |raw| height(raw, step);
     let mut channels = vec![Channel::raster("Height", "m", pixel, raster, convert)];
 
     let shape = [b.u16(54)?.into(), b.u16(52)?.into()];
@@ -72,4 +101,121 @@ pub(crate) fn parse(b: Bytes<'_>) -> Result<Contents<'_>, ReadError> {
         ("wavelength", format!("{wavelength:e} m")),
     ]);
     Ok(contents)
+}
+
+fn parse_text(b: Bytes<'_>) -> Result<Contents<'_>, ReadError> {
+    let text = text::decode(b.data);
+    let lines: Vec<&str> = text::lines(&text).map(|(_, line)| line.trim()).collect();
+    // A comment can hold any sign, a line of it only "#" between quotation marks.
+    let ends: Vec<usize> = (0..lines.len()).filter(|&i| lines[i] == "#").collect();
+    let place = |line: usize, what: String| b.line(line + 1, what);
+    let (Some(&start), true) = (ends.first(), lines.len() > 10) else {
+        return Err(place(lines.len(), "the header has no end".into()));
+    };
+    let number = |line: usize, column: usize| {
+        let cell = lines[line].split_whitespace().nth(column).unwrap_or_default();
+        cell.parse::<f64>().map_err(|_| place(line, format!("{cell:?} is no number")))
+    };
+    let whole = |column: usize| match number(3, column)? {
+        n if (0.0..=1e9).contains(&n) && n.fract() == 0.0 => Ok(n as usize),
+        n => Err(place(3, format!("{n} is no whole number of points"))),
+    };
+    let [x0, y0, nx, ny] = [whole(0)?, whole(1)?, whole(2)?, whole(3)?];
+    b.check_points([ny, nx])?;
+    let lateral = number(7, 6)?;
+    let pixel = if lateral > 0.0 { Pixel::Metres([lateral; 2]) } else { Pixel::Unknown };
+    let (values, unit) = if lines[0].contains("XYZ") {
+        let end = ends.get(1).copied().unwrap_or(lines.len());
+        let mut values = vec![f64::NAN; ny * nx];
+        let mut listed = 0;
+        let listed_lines = lines[..end].iter().enumerate().skip(start + 1);
+        for (i, line) in listed_lines.filter(|(_, line)| !line.is_empty()) {
+            let mut cells = line.splitn(3, char::is_whitespace).map(str::trim);
+            let (Some(x), Some(y), Some(z)) = (cells.next(), cells.next(), cells.next()) else {
+                return Err(place(i, format!("{line:?} is no x, y, height")));
+            };
+            let side = |text: &str, first: usize, count: usize| {
+                let n = text.parse::<usize>().ok()?.checked_sub(first)?;
+                (n < count).then_some(n)
+            };
+            let (Some(ix), Some(iy)) = (side(x, x0, nx), side(y, y0, ny)) else {
+                return Err(place(i, format!("point {x}, {y} is not in the map of line 4")));
+            };
+            listed += 1;
+            if z != "No Data" {
+                values[iy * nx + ix] =
+                    z.parse().map_err(|_| place(i, format!("{z:?} is no height")))?;
+            }
+        }
+        if ends.len() < 2 && listed < nx * ny {
+            return Err(place(end, "the list has no end: the file was cut off".into()));
+        }
+        (values, "um")
+    } else {
+        let phase = match ends[..] {
+            [.., from, to] => from + 1..to,
+            _ => return Err(place(lines.len(), "the phase has no end".into())),
+        };
+        let resolution = resolution(number(10, 0)?).map_err(|what| place(10, what))?;
+        let step = number(7, 1)? * number(7, 2)? * number(7, 4)? / resolution;
+        let mut values = Vec::new();
+        for raw in phase.flat_map(|i| b.numbers((i + 1, lines[i]))) {
+            values.push(height(raw?, step));
+        }
+        (values, "m")
+    };
+    if values.len() != nx * ny {
+        let what = format!("{} heights for {ny} x {nx} points", values.len());
+        return Err(b.field("phase", what));
+    }
+    let mut contents = Contents::default();
+    let said = |line: usize| lines[line].trim_matches('"').trim().to_owned();
+    let wavelength = format!("{:e} m", number(7, 2)?);
+    contents.note([("comment", said(4)), ("part", said(6)), ("wavelength", wavelength)]);
+    contents.channels.push(Channel::new("Height", Some(unit), [ny, nx], pixel, || Ok(values)));
+    Ok(contents)
+}
+
+#[cfg(test)]
+mod tests {
+    use crate::{ReadOptions, read_bytes};
+
+    fn header(first: &str) -> String {
+        format!(
+            "{first}\n0 9 2 0 \"date\"\n0 0 3 2 1 255\n10 20 3 2\n\"plate\"\n\"\"\n\"\"\n\
+             0 0.5 6.4e-07 0.5 1 0 5.0e-06 1787677163\n1200 1200 0 0 1 0 \"\"\n0 0 1\n1 1 100\n\
+             0 \"\"\n1 0.01\n"
+        )
+    }
+
+    #[test]
+    fn a_list_of_columns_and_rows() {
+        let head = header("Zygo XYZ Data File - Format 1");
+        let file =
+            format!("{head}#\n10 20 1.5\n11 20 2\n12 20 3\n10 21 4\n11 21 No Data\n12 21 -6\n#\n");
+        let found = read_bytes(file.as_bytes(), &ReadOptions::default()).unwrap();
+        assert_eq!((found.grid().shape(), found.missing()), ([2, 3], 1));
+        assert!((found.grid().pixel()[0] / 5e-6 - 1.0).abs() < 1e-12);
+        assert!((found.heights()[0] / 1.5e-6 - 1.0).abs() < 1e-12);
+        assert!((found.heights()[5] / -6e-6 - 1.0).abs() < 1e-12);
+        for (from, to, word) in [
+            ("12 21", "13 21", "not in the map"),
+            ("3\n10 21 4\n11 21 No Data\n12 21 -6\n#\n", "3\n", "cut off"),
+            ("No Data", "nothing", "no height"),
+        ] {
+            let bad = file.replace(from, to);
+            let error = read_bytes(bad.as_bytes(), &ReadOptions::default()).unwrap_err();
+            assert!(error.to_string().contains(word), "{error}");
+        }
+    }
+
+    #[test]
+    fn intensity_then_phase() {
+        let head = header("Zygo ASCII Data File - Format 2");
+        let file = format!("{head}\"\"\n#\n1 2 3\n4 5 6\n#\n32768 0 -65536\n2147483640 1 2\n#\n");
+        let found = read_bytes(file.as_bytes(), &ReadOptions::default()).unwrap();
+        assert_eq!((found.grid().shape(), found.missing()), ([2, 3], 1));
+        assert!((found.heights()[0] / 3.2e-7 - 1.0).abs() < 1e-12);
+        assert!((found.heights()[2] / -6.4e-7 - 1.0).abs() < 1e-12);
+    }
 }

@@ -7,7 +7,6 @@ use crate::error::ReadError;
 use crate::unpack::zlib;
 use std::borrow::Cow;
 
-/// A data set of numbers.
 #[derive(Debug)]
 pub(crate) struct Dataset<'a> {
     file: File<'a>,

@@ -6,16 +6,13 @@ use crate::error::ReadError;
 /// What to do about a file of a newer form.
 pub(super) const WAY_OUT: &str = "`h5repack -f NONE -l CONTI IN OUT` writes the form that is";
 
-/// The first bytes of the superblock.
 pub(super) const MAGIC: &[u8] = b"\x89HDF\r\n\x1a\n";
 
-/// Where the superblock is.
 pub(crate) fn superblock(bytes: &[u8]) -> Option<usize> {
     let starts = |&at: &usize| bytes.get(at..).is_some_and(|rest| rest.starts_with(MAGIC));
     [0, 512, 1024, 2048].into_iter().find(starts)
 }
 
-/// An HDF5 file in memory.
 #[derive(Debug, Clone, Copy)]
 pub(crate) struct File<'a> {
     /// From the superblock on, which addresses count from.
@@ -27,7 +24,6 @@ pub(crate) struct File<'a> {
     pub(crate) root: usize,
 }
 
-/// One message of a header.
 #[derive(Debug, Clone, Copy)]
 pub(crate) struct Message {
     pub(crate) kind: u16,

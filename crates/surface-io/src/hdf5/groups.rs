@@ -19,7 +19,6 @@ pub(crate) struct Listing {
     pub(crate) fault: Option<ReadError>,
 }
 
-/// Every data set of the file.
 pub(crate) fn datasets(file: &File<'_>) -> Result<Listing, ReadError> {
     let mut listing = Listing::default();
     let mut seen = std::collections::HashSet::new();

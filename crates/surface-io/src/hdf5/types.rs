@@ -17,14 +17,12 @@ pub(crate) enum Type {
     Other,
 }
 
-/// A type with its size in bytes.
 #[derive(Debug, Clone)]
 pub(crate) struct Sized {
     pub(crate) kind: Type,
     pub(crate) size: usize,
 }
 
-/// The value of an attribute.
 #[derive(Debug, Clone, PartialEq)]
 pub(crate) enum AttributeValue {
     Numbers(Vec<f64>),

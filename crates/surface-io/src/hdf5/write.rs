@@ -11,7 +11,6 @@ use std::io::{self, Write};
 
 /// Bytes of the superblock, behind which the root group is.
 const SUPERBLOCK: u64 = 48;
-/// Address of nothing.
 const NOWHERE: u64 = u64::MAX;
 
 /// Writes HDF5: each field as a data set `[ny, nx]` of f64, by its name, with the attributes `unit`, `pixel` ([dy, dx])

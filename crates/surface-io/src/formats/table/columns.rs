@@ -2,9 +2,8 @@
 
 use super::super::scattered::{self, Line};
 use crate::cells::Digits;
-use crate::error::TEXT;
-use crate::header::{Header, Title};
-use crate::text::{NumberTable, is_monotone};
+use crate::header::Header;
+use crate::text::{NumberTable, Title, is_monotone};
 use crate::{Layout, Limits, Need, ReadError};
 
 /// Titles of columns with running numbers.
@@ -16,32 +15,14 @@ pub(super) const INDEX: [&str; 17] = [
 /// Titles that begin those of heights.
 pub(super) const HEIGHTS: [&str; 5] = ["z", "height", "trace", "profile", "höhe"];
 
-/// The columns of a table.
-pub(super) struct Sheet {
-    /// Row-major, NaN where a cell is missing.
-    pub(super) values: Vec<f64>,
-    pub(super) columns: usize,
-    pub(super) titles: Vec<Title>,
-    pub(super) digits: [Digits; 4],
-    /// Precision of the first row behind its first cell.
-    pub(super) first_row: Digits,
-}
-
-impl Sheet {
-    /// Takes the numbers of `table`; units of its cells are those of its titles.
-    pub(super) fn of(table: &mut NumberTable<'_>, header: &Header) -> Self {
-        let mut titles = header.columns.clone();
-        titles.resize(table.columns.max(titles.len()), Title { name: String::new(), unit: None });
-        for (title, unit) in titles.iter_mut().zip(&table.units) {
-            title.unit = title.unit.take().or_else(|| unit.clone());
+impl NumberTable<'_> {
+    /// Names the columns; units of the cells are those of the titles.
+    pub(super) fn name_columns(&mut self, mut titles: Vec<Title>) {
+        titles.resize(self.columns.max(titles.len()), Title::default());
+        for (title, cells) in titles.iter_mut().zip(&mut self.titles) {
+            title.unit = title.unit.take().or_else(|| cells.unit.take());
         }
-        Self {
-            values: std::mem::take(&mut table.values),
-            columns: table.columns,
-            titles,
-            digits: table.digits,
-            first_row: table.first_row,
-        }
+        self.titles = titles;
     }
 
     /// Half of the rows may say with 0 which points of the other half are missing (SPIP).
@@ -54,10 +35,6 @@ impl Sheet {
                 *z = f64::NAN;
             }
         }
-    }
-
-    pub(super) fn rows(&self) -> usize {
-        self.values.len() / self.columns
     }
 
     pub(super) fn column(&self, column: usize) -> Vec<f64> {
@@ -79,7 +56,6 @@ impl Sheet {
         found.next().filter(|_| found.next().is_none())
     }
 
-    /// These columns in this order.
     pub(super) fn pick(self, order: &[usize]) -> Self {
         if order.iter().copied().eq(0..self.columns) {
             return self;
@@ -94,7 +70,7 @@ impl Sheet {
             columns: order.len(),
             titles: order.iter().map(|&column| self.titles[column].clone()).collect(),
             digits: std::array::from_fn(|i| order.get(i).map_or(Digits::NONE, |&c| digits(c))),
-            first_row: self.first_row,
+            ..self
         }
     }
 
@@ -146,8 +122,7 @@ impl Sheet {
                 }
             }
         }
-        let all =
-            Self { values: std::mem::take(&mut self.values), titles: self.titles.clone(), ..*self };
+        let all = std::mem::replace(self, Self::empty(Vec::new()));
         *self = all.pick(&kept);
         Ok(())
     }
@@ -312,5 +287,5 @@ fn runs(numbers: &[f64]) -> bool {
 
 pub(super) fn two_readings(what: String, needs: &[Layout]) -> ReadError {
     let needs = needs.iter().copied().map(Need::Layout).collect();
-    ReadError::Ambiguous { format: TEXT, what, needs }
+    ReadError::Ambiguous { what, needs }
 }
