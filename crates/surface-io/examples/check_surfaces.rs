@@ -62,15 +62,12 @@ fn run() -> Result<usize, String> {
 }
 
 fn check(dir: &Path, name: &str, entry: &Value) -> Result<String, String> {
-    let (file, channel) = match name.split_once('#') {
-        Some((file, channel)) => (file, Some(channel.to_owned())),
-        None => (name, None),
-    };
+    let (file, channel) = name.split_once('#').map_or((name, None), |(f, c)| (f, Some(c)));
     let path = dir.join(file);
     let expected = &entry["expected"];
     let number = |key: &str| expected.get(key).and_then(Value::as_f64);
     let word = |key: &str| expected.get(key).and_then(Value::as_str);
-    let channel = channel.or_else(|| word("channel").map(str::to_owned));
+    let channel = channel.or_else(|| word("channel")).map(str::to_owned);
     let mut options = ReadOptions { channel, ..ReadOptions::default() };
     if let Some(said) = entry.get("read") {
         options = reading(said, options);
@@ -144,12 +141,11 @@ fn point_by_point(m: &Measurement, truth: &Path, expected: &Value) -> Result<(),
     let digits = expected.get("rounding").and_then(Value::as_f64).unwrap_or(0.0);
     let tolerance = TOLERANCE * range + half_quantum(m).max(digits);
     let pairs = m.heights().iter().zip(truth.heights());
-    match pairs.enumerate().find(|(_, (found, wanted))| (*found - *wanted).abs() > tolerance) {
-        Some((i, (found, wanted))) => {
-            Err(format!("point {i} is {found:e} m, expected {wanted:e} m"))
-        }
-        None => Ok(()),
-    }
+    let mut far =
+        pairs.enumerate().filter(|(_, (found, wanted))| (*found - *wanted).abs() > tolerance);
+    far.next().map_or(Ok(()), |(i, (found, wanted))| {
+        Err(format!("point {i} is {found:e} m, expected {wanted:e} m"))
+    })
 }
 
 /// Compares everything the expected values hold; the first difference is the error.

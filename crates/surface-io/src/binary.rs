@@ -48,6 +48,11 @@ impl Sample {
         })
     }
 
+    /// Whole numbers of 8, 16 or 32 bits.
+    pub(crate) fn of_bits(bits: usize, is_signed: bool) -> Option<Self> {
+        Self::whole(bits / 8, is_signed).filter(|_| matches!(bits, 8 | 16 | 32))
+    }
+
     /// All numbers in `bytes`, as `f64`; a last incomplete one is left out.
     pub(crate) fn decode(self, bytes: &[u8], order: ByteOrder) -> Vec<f64> {
         macro_rules! numbers {

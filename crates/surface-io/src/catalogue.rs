@@ -8,7 +8,6 @@ use crate::measurement::{Contents, Measurement};
 use crate::ole;
 use crate::options::ReadOptions;
 use crate::{formats, hdf5, text, tiff};
-use std::borrow::Cow;
 
 /// Every format this build knows, in the order in which they are tried.
 #[rustfmt::skip]
@@ -120,7 +119,7 @@ impl FormatSpec {
             Some(layout) => Err(ReadError::BadLayout {
                 format: self.name,
                 layout,
-                reason: Cow::Borrowed("only the columns of a text can be more than one thing"),
+                reason: "only the columns of a text can be more than one thing",
             }),
         }
     }

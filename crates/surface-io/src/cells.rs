@@ -128,17 +128,11 @@ fn number(text: &str, decimal: Option<DecimalMark>, blanks: bool) -> Option<f64>
         None => (unsigned, "0"),
     };
     let exponent: i32 = exponent.replacen(MINUS, "-", 1).parse().ok()?;
-    let mark = match decimal {
-        Some(mark) => Some(mark.char()),
-        None => match (mantissa.rfind('.'), mantissa.rfind(',')) {
-            (Some(point), Some(comma)) => Some(if point > comma { '.' } else { ',' }),
-            (None, None) => None,
-            (point, _) => {
-                let mark = if point.is_some() { '.' } else { ',' };
-                (mantissa.matches(mark).count() == 1).then_some(mark)
-            }
-        },
-    };
+    let mark = decimal.map(DecimalMark::char).or_else(|| {
+        let last = mantissa.chars().rfind(|c| matches!(c, '.' | ','))?;
+        let are_both = mantissa.contains('.') && mantissa.contains(',');
+        (are_both || mantissa.matches(last).count() == 1).then_some(last)
+    });
     let (whole, fraction) =
         mark.and_then(|mark| mantissa.split_once(mark)).unwrap_or((mantissa, ""));
     let are_digits = |text: &str| text.bytes().all(|b| b.is_ascii_digit());
@@ -186,7 +180,7 @@ struct Column {
     /// Point, comma: behind one to three digits and before three.
     either: [bool; 2],
     /// Different whole numbers below 1000 without a mark, other than 0; three at most.
-    bare: Vec<u16>,
+    bare: Vec<u64>,
     /// A whole number above, without a mark.
     is_large: bool,
     /// Digits that begin with 0, and no number is written so.
@@ -207,7 +201,6 @@ impl Marks {
                 let Ok(whole) = body.parse::<u64>() else { return };
                 seen.is_fraction |= body.len() > 1 && body.starts_with('0');
                 seen.is_large |= whole > 999;
-                let whole = u16::try_from(whole).unwrap_or(0);
                 if (1..1000).contains(&whole) && seen.bare.len() < 3 && !seen.bare.contains(&whole)
                 {
                     seen.bare.push(whole);
@@ -266,7 +259,7 @@ impl Marks {
             (false, false, [_, comma]) => {
                 let mark = usize::from(comma);
                 let mixed = || self.columns.iter().filter(|column| column.either[mark]);
-                let mut bare: Vec<u16> =
+                let mut bare: Vec<u64> =
                     mixed().flat_map(|column| column.bare.iter().copied()).collect();
                 bare.sort_unstable();
                 bare.dedup();

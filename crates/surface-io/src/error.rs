@@ -123,7 +123,7 @@ pub enum ReadError {
         /// What was asked for.
         layout: Layout,
         /// Why that cannot be.
-        reason: Cow<'static, str>,
+        reason: &'static str,
     },
     /// No channel of this name.
     #[error("{format}: no channel {asked:?}; the file has {available}")]
@@ -210,16 +210,13 @@ impl ReadError {
             _ => Vec::new(),
         }
     }
-}
 
-/// Refusals of a file of a format.
-impl ReadError {
-    /// It holds something that is not read.
+    /// The file holds something that is not read.
     pub(crate) fn unsupported(format: &'static str, feature: impl Into<Cow<'static, str>>) -> Self {
         Self::Unsupported { format, feature: feature.into() }
     }
 
-    /// It breaks the rules of the format at a place.
+    /// The file breaks the rules of the format at a place.
     pub(crate) fn at(
         format: &'static str,
         place: impl Into<Cow<'static, str>>,

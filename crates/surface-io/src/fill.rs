@@ -41,12 +41,10 @@ impl Measurement {
             return Err(FillError::NothingValid(points));
         }
         if let Some(first) = heights.iter().position(|h| h.is_nan()) {
-            let nx = grid.shape()[1];
+            let [_, nx] = grid.shape();
+            let first = [first / nx, first % nx];
             match fill {
-                Fill::Refuse => {
-                    let first = [first / nx, first % nx];
-                    return Err(FillError::Missing { missing, points, first });
-                }
+                Fill::Refuse => return Err(FillError::Missing { missing, points, first }),
                 Fill::Harmonic => harmonic::fill(grid, &mut heights)?,
                 Fill::Nearest => nearest(grid, &mut heights),
             }

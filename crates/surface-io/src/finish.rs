@@ -25,11 +25,9 @@ pub(crate) fn finish(
         Ok(chosen) => chosen,
         // A file whose only channels cannot be read is refused for the first one's reason.
         Err(error) => {
-            let faults = contents.channels.into_iter().filter_map(|channel| channel.fault);
-            return Err(match faults.into_iter().next() {
-                Some(fault) if options.channel.is_none() => fault,
-                _ => error,
-            });
+            let mut faults = contents.channels.into_iter().filter_map(|channel| channel.fault);
+            let first = faults.next().filter(|_| options.channel.is_none());
+            return Err(first.unwrap_or(error));
         }
     };
     let channel = contents.channels.swap_remove(chosen);
@@ -141,8 +139,7 @@ pub(crate) fn finish_traces(
     contents: Contents<'_>,
     options: &ReadOptions,
 ) -> Result<Vec<Measurement>, ReadError> {
-    let is_asked = options.channel.is_some();
-    if is_asked || !contents.channels.iter().any(|channel| channel.info.is_trace) {
+    if options.channel.is_some() || !contents.channels.iter().any(|channel| channel.info.is_trace) {
         return finish(format, contents, options).map(|one| vec![one]);
     }
     let all: Vec<ChannelInfo> = contents.channels.iter().map(|c| c.info.clone()).collect();

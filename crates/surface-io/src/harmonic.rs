@@ -22,18 +22,16 @@ const MAX_ITERATIONS: usize = 200;
 
 /// Replaces every NaN. At least one height must be valid.
 pub(crate) fn fill(grid: Grid, heights: &mut [f64]) -> Result<(), FillError> {
-    let holes: Vec<u32> =
-        (0..heights.len()).filter(|&i| heights[i].is_nan()).map(|i| i as u32).collect();
-    let (finest, sums, [low, high]) = GridLevel::finest(grid, heights, &holes);
+    let (finest, sums, [low, high]) = GridLevel::finest(grid, heights);
     if low > high {
         return Ok(()); // nothing is missing
     }
     // Heights are counted from the middle of the rim, so that a common offset costs no digits.
     let origin = 0.5 * (low + high);
     let b: Vec<f64> = sums.iter().map(|[s, w]| s - w * origin).collect();
-    let mut levels = levels(finest, grid.shape(), grid.pixel(), &holes);
+    let mut levels = levels(finest, grid.pixel());
     let x = solve(&mut levels, b)?;
-    for (&i, x) in holes.iter().zip(x) {
+    for (&i, x) in levels[0].cells.iter().zip(x) {
         // The maximum principle holds for the exact solution; rounding must not break it.
         heights[i as usize] = (origin + x).clamp(low, high);
     }
@@ -42,6 +40,9 @@ pub(crate) fn fill(grid: Grid, heights: &mut [f64]) -> Result<(), FillError> {
 
 /// One grid: every unknown with its bonds to the west, east, north and south.
 struct GridLevel {
+    shape: [usize; 2],
+    /// Place of every unknown on the grid.
+    cells: Vec<u32>,
     neighbours: Vec<[u32; 4]>,
     bonds: Vec<[f64; 4]>,
     /// Bonds to valid points along x and y.
@@ -54,16 +55,24 @@ struct GridLevel {
 }
 
 impl GridLevel {
-    fn new(neighbours: Vec<[u32; 4]>, bonds: Vec<[f64; 4]>, pins: Vec<[f64; 2]>) -> Self {
+    fn new(
+        shape: [usize; 2],
+        cells: Vec<u32>,
+        neighbours: Vec<[u32; 4]>,
+        bonds: Vec<[f64; 4]>,
+        pins: Vec<[f64; 2]>,
+    ) -> Self {
         let diagonal =
             bonds.iter().zip(&pins).map(|(w, p)| w.iter().sum::<f64>() + p[0] + p[1]).collect();
-        let zeros = vec![0.0; pins.len()];
-        Self { neighbours, bonds, pins, diagonal, parent: Vec::new(), x: zeros.clone(), b: zeros }
+        let (x, b, parent) = (vec![0.0; pins.len()], vec![0.0; pins.len()], Vec::new());
+        Self { shape, cells, neighbours, bonds, pins, diagonal, parent, x, b }
     }
 
     /// The five-point formula in flux form: bonds dy/dx along x and dx/dy along y. And of the valid points beside the
     /// holes: per unknown the sums of bond times height and of bonds, and their lowest and highest height.
-    fn finest(grid: Grid, heights: &[f64], holes: &[u32]) -> (Self, Vec<[f64; 2]>, [f64; 2]) {
+    fn finest(grid: Grid, heights: &[f64]) -> (Self, Vec<[f64; 2]>, [f64; 2]) {
+        let holes = (0..heights.len()).filter(|&i| heights[i].is_nan());
+        let holes: Vec<u32> = holes.map(|i| i as u32).collect();
         let [ny, nx] = grid.shape();
         let [wx, wy] = fluxes(grid.pixel());
         let mut number = vec![NONE; heights.len()];
@@ -97,21 +106,17 @@ impl GridLevel {
                 }
             }
         }
-        (Self::new(neighbours, bonds, pins), sums, range)
+        (Self::new([ny, nx], holes, neighbours, bonds, pins), sums, range)
     }
 
     /// Joins `block = [by, bx]` neighbours into one unknown each.
-    fn coarser(
-        &mut self,
-        cells: &[u32],
-        shape: [usize; 2],
-        block: [usize; 2],
-    ) -> (Self, Vec<u32>, [usize; 2]) {
-        let [ny, nx] = shape;
+    fn coarser(&mut self, block: [usize; 2]) -> Self {
+        let [ny, nx] = self.shape;
         let coarse = [ny.div_ceil(block[0]), nx.div_ceil(block[1])];
         let mut number = vec![NONE; coarse[0] * coarse[1]];
         let mut coarse_cells = Vec::new();
-        self.parent = cells
+        self.parent = self
+            .cells
             .iter()
             .map(|&cell| {
                 let (iy, ix) = (cell as usize / nx, cell as usize % nx);
@@ -140,7 +145,7 @@ impl GridLevel {
             pins[c][0] += factor[0] * self.pins[k][0];
             pins[c][1] += factor[1] * self.pins[k][1];
         }
-        (Self::new(neighbours, bonds, pins), coarse_cells, coarse)
+        Self::new(coarse, coarse_cells, neighbours, bonds, pins)
     }
 
     /// Sum of bonds times neighbours.
@@ -166,25 +171,18 @@ fn fluxes([dy, dx]: [f64; 2]) -> [f64; 2] {
 }
 
 /// The finest level and all coarser ones.
-fn levels(
-    finest: GridLevel,
-    mut shape: [usize; 2],
-    pixel: [f64; 2],
-    holes: &[u32],
-) -> Vec<GridLevel> {
+fn levels(finest: GridLevel, pixel: [f64; 2]) -> Vec<GridLevel> {
     let mut levels = vec![finest];
-    let mut cells = holes.to_vec();
     let [mut wx, mut wy] = fluxes(pixel);
-    while levels[levels.len() - 1].b.len() > 32 {
+    while let Some(last) = levels.last_mut().filter(|level| level.b.len() > 32) {
         // Join along the stronger bonds until both directions are alike.
         let side = |n: usize, is_weak: bool| if n == 1 || is_weak { 1 } else { 2 };
-        let block = [side(shape[0], wx > 3.0 * wy), side(shape[1], wy > 3.0 * wx)];
+        let [ny, nx] = last.shape;
+        let block = [side(ny, wx > 3.0 * wy), side(nx, wy > 3.0 * wx)];
         if block == [1, 1] {
             break;
         }
-        let last = levels.len() - 1;
-        let (level, coarse_cells, coarse_shape) = levels[last].coarser(&cells, shape, block);
-        (cells, shape) = (coarse_cells, coarse_shape);
+        let level = last.coarser(block);
         if block[0] == 1 {
             (wx, wy) = (wx / 2.0, wy * 2.0);
         } else if block[1] == 1 {

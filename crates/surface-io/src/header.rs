@@ -210,7 +210,7 @@ impl Header {
                 .find(|cells| cells.len() == table.columns || cells.len() == table.columns.min(2));
             let Some(cells) = cells else { continue };
             for (i, cell) in cells.into_iter().enumerate() {
-                let (name, unit) = title(cell);
+                let Title { name, unit } = title(cell);
                 self.columns.resize(self.columns.len().max(i + 1), Title::default());
                 let title = &mut self.columns[i];
                 if title.name.is_empty() {
@@ -259,8 +259,7 @@ fn key_value(line: &str) -> Option<(String, String)> {
         .then(|| (key.to_owned(), value.to_owned()))
 }
 
-/// Name and unit in a column title.
-fn title(cell: &str) -> (String, Option<String>) {
+fn title(cell: &str) -> Title {
     let cell = cell.trim().trim_matches('"');
     let word = |c: char| c.is_whitespace() || matches!(c, '_' | '[' | ']' | '(' | ')' | '/');
     let words: Vec<&str> = cell.split(word).filter(|w| !w.is_empty()).collect();
@@ -269,7 +268,7 @@ fn title(cell: &str) -> (String, Option<String>) {
         (Some(_), 1) => String::new(),
         _ => words.first().map(|w| (*w).to_owned()).unwrap_or_default(),
     };
-    (name, unit)
+    Title { name, unit }
 }
 
 #[cfg(test)]

@@ -8,7 +8,6 @@
 //! | `scale_factor`, `add_offset` | value = stored × factor + offset; 1 and 0 if absent |
 
 /// How the numbers of one variable are stored.
-#[derive(Debug, Clone, PartialEq)]
 pub(crate) struct Packing {
     missing: Vec<f64>,
     valid: [f64; 2],

@@ -2,11 +2,10 @@
 
 use crate::catalogue::{FormatSpec, recognise};
 use crate::error::ReadError;
-use crate::limits::Limits;
 use crate::measurement::Measurement;
-use crate::options::ReadOptions;
+use crate::options::{Limits, ReadOptions};
 use std::fs::File;
-use std::io::Read;
+use std::io::{Error, ErrorKind, Read};
 use std::path::Path;
 
 /// Reads a surface from a file. The format is recognised by content, never by name.
@@ -68,14 +67,12 @@ fn load(path: &Path, limits: &Limits) -> Result<Vec<u8>, ReadError> {
     let file = File::open(path).map_err(io)?;
     let facts = file.metadata().map_err(io)?;
     if facts.is_dir() {
-        return Err(io(std::io::Error::new(
-            std::io::ErrorKind::IsADirectory,
-            "this is a directory; name a file in it",
-        )));
+        let what = "this is a directory; name a file in it";
+        return Err(io(Error::new(ErrorKind::IsADirectory, what)));
     }
     let too_large = |value| {
         let what = format!("the file has {value} bytes, the limit is {}", limits.file_bytes);
-        io(std::io::Error::new(std::io::ErrorKind::FileTooLarge, what))
+        io(Error::new(ErrorKind::FileTooLarge, what))
     };
     if facts.len() > limits.file_bytes {
         return Err(too_large(facts.len()));

@@ -38,12 +38,10 @@ impl Measurement {
             let share = ((at - x[left]) / (x[left + 1] - x[left])).clamp(0.0, 1.0);
             let [a, b] = [self.heights[left], self.heights[left + 1]];
             // At a point only that point counts, also beside a missing one.
-            heights.push(if share <= 0.0 {
-                a
-            } else if share >= 1.0 {
-                b
-            } else {
-                a + share * (b - a)
+            heights.push(match share {
+                0.0 => a,
+                1.0 => b,
+                share => a + share * (b - a),
             });
         }
         self.grid = Grid::new(self.grid.shape(), [spacing; 2]).map_err(FillError::Surface)?;

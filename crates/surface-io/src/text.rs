@@ -15,7 +15,6 @@ pub(crate) struct Title {
 }
 
 /// The numbers of a text file and the lines before them.
-#[derive(Debug)]
 pub(crate) struct NumberTable<'a> {
     pub(crate) header: NumberedLines<'a>,
     pub(crate) separator: char,

@@ -17,7 +17,7 @@
 
 use crate::binary::{ByteOrder, Bytes, Sample};
 use crate::error::ReadError;
-use crate::limits::Limits;
+use crate::options::Limits;
 use crate::unpack::{lzw, packbits, zlib};
 use std::borrow::Cow;
 use std::collections::BTreeMap;
@@ -35,7 +35,6 @@ pub(crate) fn first_page(bytes: &[u8]) -> Option<Page<'_>> {
     pages?.ok()?.pop()
 }
 
-#[derive(Debug, Clone)]
 pub(crate) struct Page<'a> {
     bytes: Bytes<'a>,
     entries: BTreeMap<u16, Entry>,
@@ -162,7 +161,7 @@ impl<'a> Page<'a> {
         }
         let (bits, kind) = (self.number_or(258, 1.0)?, self.number_or(339, 1.0)?);
         let sample = match (bits as usize, kind as u32) {
-            (8 | 16 | 32, 1 | 2 | 4) => Sample::whole(bits as usize / 8, kind as u32 == 2),
+            (bits, 1 | 2 | 4) => Sample::of_bits(bits, kind as u32 == 2),
             (32, 3) => Some(Sample::F32),
             (64, 3) => Some(Sample::F64),
             _ => None,
@@ -218,7 +217,6 @@ impl<'a> Page<'a> {
 }
 
 /// A picture of one number a point.
-#[derive(Debug, Clone)]
 pub(crate) struct Image<'a> {
     bytes: Bytes<'a>,
     /// `[ny, nx]`

@@ -6,7 +6,7 @@
 /// ångström, inch and mil. A lone `A` is an ampere, not an ångström.
 pub(crate) fn metres_per(unit: &str) -> Option<f64> {
     let unit = unit.trim().trim_matches(|c| matches!(c, '[' | ']' | '(' | ')' | '"')).trim();
-    let exact = match unit {
+    Some(match unit {
         "m" => 1.0,
         "dm" => 1e-1,
         "cm" => 1e-2,
@@ -16,20 +16,18 @@ pub(crate) fn metres_per(unit: &str) -> Option<f64> {
         "pm" => 1e-12,
         "km" => 1e3,
         "\u{c5}" | "\u{212b}" => 1e-10,
-        _ => 0.0,
-    };
-    if exact > 0.0 {
-        return Some(exact);
-    }
-    Some(match unit.to_lowercase().as_str() {
-        "metre" | "meter" | "metres" | "meters" => 1.0,
-        "millimetre" | "millimeter" | "millimetres" | "millimeters" => 1e-3,
-        "micrometre" | "micrometer" | "micrometres" | "micrometers" | "micron" | "microns" => 1e-6,
-        "nanometre" | "nanometer" | "nanometres" | "nanometers" => 1e-9,
-        "ang" | "angstrom" | "angstroms" | "angström" | "ångström" => 1e-10,
-        "inch" | "inches" => 0.0254,
-        "mil" | "mils" => 25.4e-6,
-        _ => return None,
+        _ => match unit.to_lowercase().as_str() {
+            "metre" | "meter" | "metres" | "meters" => 1.0,
+            "millimetre" | "millimeter" | "millimetres" | "millimeters" => 1e-3,
+            "micrometre" | "micrometer" | "micrometres" | "micrometers" | "micron" | "microns" => {
+                1e-6
+            }
+            "nanometre" | "nanometer" | "nanometres" | "nanometers" => 1e-9,
+            "ang" | "angstrom" | "angstroms" | "angström" | "ångström" => 1e-10,
+            "inch" | "inches" => 0.0254,
+            "mil" | "mils" => 25.4e-6,
+            _ => return None,
+        },
     })
 }
 

@@ -63,12 +63,7 @@ pub(crate) fn lzw(packed: &[u8], most: usize) -> Option<Vec<u8>> {
         if let Some((from, length)) = previous {
             // The string before and the first byte of this one stand side by side already.
             table.push((from, length + 1));
-            width = match table.len() + 258 {
-                0..511 => 9,
-                511..1023 => 10,
-                1023..2047 => 11,
-                _ => 12,
-            };
+            width = (table.len() + 259).ilog2().clamp(8, 11) + 1;
             if table.len() > 4096 - 258 {
                 return None;
             }

@@ -53,10 +53,9 @@ pub(crate) fn walk(
                 }
                 path.push(tag.local_name().as_ref().to_owned());
                 let own = tag.attributes().filter_map(Result::ok);
-                attributes.push(
-                    own.map(|a| (a.key.local_name().as_ref().to_owned(), a.value.into_owned()))
-                        .collect(),
-                );
+                let own =
+                    own.map(|a| (a.key.local_name().as_ref().to_owned(), a.value.into_owned()));
+                attributes.push(own.collect());
                 value.clear();
             }
             Event::End(_) => {
@@ -69,11 +68,8 @@ pub(crate) fn walk(
             Event::CData(text) => value += text.as_ref(),
             Event::GeneralRef(reference) => {
                 // The five entities of XML itself and character references; no others exist here.
-                let known = resolve_predefined_entity(&reference).map(str::to_owned);
-                let known = match known {
-                    None => reference.resolve_char_ref().ok().flatten().map(String::from),
-                    known => known,
-                };
+                let own = || reference.resolve_char_ref().ok().flatten().map(String::from);
+                let known = resolve_predefined_entity(&reference).map(str::to_owned).or_else(own);
                 let unknown = || broken(format!(": entity &{}; is not expanded", &*reference));
                 value += &known.ok_or_else(unknown)?;
             }

@@ -19,7 +19,6 @@
 //! Source: Alicona, *Description of the AL3D file format*; the files.
 
 use super::prelude::*;
-use crate::binary::text;
 
 pub(crate) const MAGIC: &[u8] = b"AliconaImaging\0\r\n";
 const TAG: usize = 52;
@@ -41,12 +40,9 @@ pub(crate) fn parse(b: Bytes<'_>) -> Result<Contents<'_>, ReadError> {
     let metadata: BTreeMap<String, String> =
         (2..2 + count).map(tag).collect::<Result<_, ReadError>>()?;
     let tags = Entries::new(b, &metadata);
-    let whole = |key: &'static str| {
-        let value = tags.number(key)?;
-        if (0.0..1e15).contains(&value) && value.fract() == 0.0 {
-            return Ok(value as usize);
-        }
-        Err(b.field(key, format!("{value} is no whole number")))
+    let whole = |key: &'static str| match tags.number(key)? {
+        n if (0.0..1e15).contains(&n) && n.fract() == 0.0 => Ok(n as usize),
+        n => Err(b.field(key, format!("{n} is no whole number"))),
     };
     let (ny, nx, at) = (whole("Rows")?, whole("Cols")?, whole("DepthImageOffset")?);
     b.raster(at, [ny, nx], Sample::F32)?;
@@ -61,11 +57,11 @@ pub(crate) fn parse(b: Bytes<'_>) -> Result<Contents<'_>, ReadError> {
     let pixel = Pixel::Metres([tags.number("PixelSizeYMeter")?, tags.number("PixelSizeXMeter")?]);
     // Printed with about 11 digits, stored as f32.
     let invalid = tags.number("InvalidPixelValue").ok().filter(|value| value.is_finite());
-    let is_invalid = move |value: f64| {
-        invalid.is_some_and(|invalid| (value - invalid).abs() <= 1.5e-7 * invalid.abs())
+    let convert = move |z: f64| match invalid {
+        Some(invalid) if (z - invalid).abs() <= 1.5e-7 * invalid.abs() => f64::NAN,
+        _ => z,
     };
     let decode = move || b.rows(at, [ny, nx], stride, Sample::F32);
-    let convert = move |z: f64| if is_invalid(z) { f64::NAN } else { z };
     let channel = Channel::new("Depth", Some("m"), [ny, nx], pixel, decode).converted(convert);
     Ok(Contents { channels: vec![channel], metadata })
 }

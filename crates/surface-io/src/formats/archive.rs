@@ -75,7 +75,11 @@ pub(crate) fn unwrap_single<'a>(
 
 fn unwrap_one<'a>(bytes: &'a [u8], limits: &Limits) -> Result<Cow<'a, [u8]>, ReadError> {
     if bytes.starts_with(b"\x1f\x8b") {
-        return gunzip(bytes, limits).map(Cow::Owned);
+        let gzip = flate2::read::MultiGzDecoder::new(bytes);
+        let unpacked = crate::unpack::read("", gzip, limits.unpacked_bytes.saturating_add(1))
+            .map_err(|what| ReadError::at(ZIP, "gzip data", what))?;
+        limits.check_unpacked(ZIP, unpacked.len() as u64)?;
+        return Ok(Cow::Owned(unpacked));
     }
     if !bytes.starts_with(MAGIC) {
         return Ok(Cow::Borrowed(bytes));
@@ -84,19 +88,16 @@ fn unwrap_one<'a>(bytes: &'a [u8], limits: &Limits) -> Result<Cow<'a, [u8]>, Rea
         return Ok(Cow::Borrowed(bytes)); // the reader of the inner format names the fault
     };
     let is_ours = |name: &String| {
-        is_npy(name)
+        ends(name, ".npy")
+            || ends(name, ".oir")
             || is_main_xml(name)
-            || is_oir(name)
-            || ["xl/workbook.xml", "index.xml"].contains(&name.as_str())
+            || matches!(&name[..], "xl/workbook.xml" | "index.xml")
     };
     if archive.names.iter().any(is_ours) {
         return Ok(Cow::Borrowed(bytes));
     }
     match &archive.names[..] {
-        [name] => {
-            let name = name.clone();
-            archive.unpack(&name).map(Cow::Owned)
-        }
+        [name] => archive.unpack(&name.clone()).map(Cow::Owned),
         names => {
             let shown: Vec<&str> = names.iter().take(4).map(String::as_str).collect();
             let feature = format!(
@@ -110,25 +111,14 @@ fn unwrap_one<'a>(bytes: &'a [u8], limits: &Limits) -> Result<Cow<'a, [u8]>, Rea
     }
 }
 
-fn gunzip(bytes: &[u8], limits: &Limits) -> Result<Vec<u8>, ReadError> {
-    let gzip = flate2::read::MultiGzDecoder::new(bytes);
-    let unpacked = crate::unpack::read("", gzip, limits.unpacked_bytes.saturating_add(1))
-        .map_err(|what| ReadError::at(ZIP, "gzip data", what))?;
-    limits.check_unpacked(ZIP, unpacked.len() as u64)?;
-    Ok(unpacked)
-}
-
 /// What operating systems leave in archives.
 fn is_by_the_way(name: &str) -> bool {
     name.split('/').any(|part| part == "__MACOSX" || part.starts_with('.'))
 }
 
-pub(crate) fn is_npy(name: &str) -> bool {
-    name.to_ascii_lowercase().ends_with(".npy")
-}
-
-pub(crate) fn is_oir(name: &str) -> bool {
-    name.to_ascii_lowercase().ends_with(".oir")
+/// True if a name ends so, in small or capital letters.
+pub(crate) fn ends(name: &str, with: &str) -> bool {
+    name.to_ascii_lowercase().ends_with(with)
 }
 
 pub(crate) fn is_main_xml(name: &str) -> bool {

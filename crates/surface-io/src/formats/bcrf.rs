@@ -18,7 +18,6 @@
 
 use super::prelude::*;
 use crate::encoding::{latin1, utf16};
-use crate::text;
 
 const START: &str = "fileformat = bcr";
 

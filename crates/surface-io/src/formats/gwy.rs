@@ -16,7 +16,6 @@
 //! Source: <https://gwyddion.net/documentation/user-guide-en/gwyfile-format.html>.
 
 use super::prelude::*;
-use crate::binary::text;
 
 /// A value in a container; arrays of numbers stay where they are in the file.
 enum Component<'a> {
@@ -51,12 +50,10 @@ pub(crate) fn parse(b: Bytes<'_>) -> Result<Contents<'_>, ReadError> {
             Some(Component::Text(title)) => title.clone(),
             _ => format!("channel {number}"),
         };
-        let mask = match item("mask") {
-            Some(Component::Object(_, mask)) => mask.get("data"),
-            _ => None,
-        };
         let mut channel = channel(b, title, field)?;
-        if let Some(&Component::Doubles(mask)) = mask {
+        if let Some(Component::Object(_, mask)) = item("mask")
+            && let Some(&Component::Doubles(mask)) = mask.get("data")
+        {
             let marks = move || Sample::F64.decode(mask.data, mask.order);
             let marked = marks().iter().filter(|mark| **mark > 0.0).count();
             let note = format!("{marked} points, read as missing");
@@ -86,17 +83,14 @@ fn channel<'a>(b: Bytes<'a>, title: String, field: &Items<'a>) -> Result<Channel
         let value = number(key)?;
         if value >= 1.0 { Ok(value as usize) } else { Err(b.field(key, format!("is {value}"))) }
     };
-    let unit = |key: &'static str| match field.get(key) {
-        Some(Component::Object(_, unit)) => match unit.get("unitstr") {
-            Some(Component::Text(unit)) => unit.clone(),
-            _ => String::new(),
-        },
-        _ => String::new(),
+    let unit = |key: &str| {
+        let Some(Component::Object(_, unit)) = field.get(key) else { return "" };
+        if let Some(Component::Text(unit)) = unit.get("unitstr") { unit.as_str() } else { "" }
     };
     let (ny, nx) = (side("yres")?, side("xres")?);
     b.check_points([ny, nx])?;
     let size = [number("yreal")? / ny as f64, number("xreal")? / nx as f64];
-    let pixel = Pixel::scaled(size, [metres_per(&unit("si_unit_xy")); 2]);
+    let pixel = Pixel::scaled(size, [metres_per(unit("si_unit_xy")); 2]);
     let Some(&Component::Doubles(data)) = field.get("data") else {
         return Err(b.field("data", "is missing in a data field"));
     };
@@ -105,7 +99,7 @@ fn channel<'a>(b: Bytes<'a>, title: String, field: &Items<'a>) -> Result<Channel
         return Err(b.field("data", what));
     }
     let decode = move || Ok(Sample::F64.decode(data.data, data.order));
-    Ok(Channel::new(title, Some(&unit("si_unit_z")), [ny, nx], pixel, decode))
+    Ok(Channel::new(title, Some(unit("si_unit_z")), [ny, nx], pixel, decode))
 }
 
 /// Walks through the items of an object, which end with its bytes.

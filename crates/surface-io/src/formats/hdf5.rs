@@ -29,10 +29,10 @@ const USED: [&str; 8] =
 
 pub(crate) fn parse(b: Bytes<'_>) -> Result<Contents<'_>, ReadError> {
     let file = hdf5::File::open(b)?;
-    let listing = hdf5::datasets(&file)?;
+    let (paths, fault) = hdf5::datasets(&file)?;
     let mut contents = Contents::default();
     let mut lines = Vec::new();
-    for (path, at) in listing.datasets {
+    for (path, at) in paths {
         match Dataset::at(&file, at) {
             Ok(Some(dataset)) => match sides(&dataset)[..] {
                 [_, _] => {
@@ -65,7 +65,7 @@ pub(crate) fn parse(b: Bytes<'_>) -> Result<Contents<'_>, ReadError> {
     if contents.channels.is_empty() {
         contents.channels = profiles(b, lines)?;
     }
-    match listing.fault {
+    match fault {
         Some(fault) if contents.channels.is_empty() => Err(fault),
         _ => Ok(contents),
     }
@@ -82,12 +82,8 @@ fn channel<'a>(b: Bytes<'_>, path: String, dataset: Dataset<'a>) -> Result<Chann
         _ => written_pixel(&dataset).map_or(Pixel::Unknown, Pixel::Metres),
     };
     let unit = unit(&dataset).map(str::to_owned);
-    let format = b.format;
     Ok(Channel::new(path, unit.as_deref(), shape, pixel, move || {
         let values = values(&dataset)?;
-        if values.len() != shape[0] * shape[1] {
-            return Err(ReadError::at(format, "data", "of another size"));
-        }
         Ok(if is_by_columns { transpose(&values, stored) } else { values })
     }))
 }
@@ -117,23 +113,19 @@ fn profiles<'a>(
     b: Bytes<'_>,
     lines: Vec<(String, Dataset<'a>)>,
 ) -> Result<Vec<Channel<'a>>, ReadError> {
-    let folder = |path: &str| path.rsplit_once('/').map_or(String::new(), |(f, _)| f.to_owned());
     let is_x = |path: &str| path == "x" || path.ends_with("/x");
     let (positions, lines): (Vec<_>, Vec<_>) = lines.into_iter().partition(|(path, _)| is_x(path));
     let mut found = Vec::new();
     for (path, dataset) in lines {
         let count = sides(&dataset)[0];
         b.check_points([1, count])?;
-        let beside = |(other, x): &&(String, Dataset<'a>)| {
-            folder(other) == folder(&path) && sides(x) == [count]
-        };
-        let line = match positions.iter().find(beside) {
-            None => None,
-            Some((name, x)) => {
-                let fault = |what| b.field(name.clone(), what);
-                Some((Line::new(&values(x)?, Digits::NONE).map_err(fault)?, self::unit(x)))
-            }
-        };
+        let beside = format!("{}x", &path[..path.rfind('/').map_or(0, |at| at + 1)]);
+        let x = positions.iter().find(|(name, x)| *name == beside && sides(x) == [count]);
+        let line = x.map(|(name, x)| {
+            let line = Line::new(&values(x)?, Digits::NONE);
+            Ok::<_, ReadError>((line.map_err(|what| b.field(name.clone(), what))?, unit(x)))
+        });
+        let line = line.transpose()?;
         let unit = unit(&dataset).map(str::to_owned);
         let decode = move || values(&dataset);
         found.push(Line::profile_along(line, path, unit.as_deref(), count, decode));
@@ -150,8 +142,7 @@ fn written_pixel(dataset: &Dataset<'_>) -> Option<[f64; 2]> {
 /// Metres per point of a converter in points.
 fn pixel(dataset: &Dataset<'_>, name: &str) -> Option<f64> {
     let AttributeValue::Members(members) = dataset.attribute(&[name])? else { return None };
-    let values = || members.iter().map(|(_, value)| value);
-    let mut texts = values().filter_map(AttributeValue::text);
+    let mut texts = members.iter().filter_map(AttributeValue::text);
     let is_lateral = texts.any(|text| matches!(text, "LateralCat" | "Pixels"));
-    values().find_map(AttributeValue::numbers).filter(|_| is_lateral)?.get(1).copied()
+    members.iter().find_map(AttributeValue::numbers).filter(|_| is_lateral)?.get(1).copied()
 }

@@ -23,7 +23,6 @@
 //! Source: WaveMetrics, *Technical note 003, Igor binary format* (PTN003).
 
 use super::prelude::*;
-use crate::text;
 
 const DATA: usize = 384;
 
@@ -91,17 +90,14 @@ pub(crate) fn parse(mut b: Bytes<'_>) -> Result<Contents<'_>, ReadError> {
         b.slice(start, length)
     };
     let note = String::from_utf8_lossy(next(note)?).into_owned();
-    let extended = crate::binary::text(next(data_unit)?);
-    let unit = if extended.is_empty() { b.text(212, 4)? } else { extended };
-    let mut step_units = [b.text(216, 4)?, b.text(220, 4)?];
-    for (i, length) in units.into_iter().enumerate() {
-        let extended = crate::binary::text(next(length)?);
-        if i < 2 && !extended.is_empty() {
-            step_units[i] = extended;
-        }
+    let mut unit = |length: usize, at: usize| match text(next(length)?) {
+        none if none.is_empty() => b.text(at, 4),
+        extended => Ok(extended),
+    };
+    let (unit, step_units) = (unit(data_unit, 212)?, [unit(units[0], 216)?, unit(units[1], 220)?]);
+    for length in [units[2], units[3], labels[0], labels[1]] {
+        next(length)?;
     }
-    next(labels[0])?;
-    next(labels[1])?;
     let labels = next(labels[2])?;
 
     let steps = [b.f64(156)?, b.f64(148)?];
@@ -110,7 +106,7 @@ pub(crate) fn parse(mut b: Bytes<'_>) -> Result<Contents<'_>, ReadError> {
     let mut contents = Contents::default();
     let wave = b.text(92, 32)?;
     for layer in 0..layers {
-        let label = labels.get(32 * (layer + 1)..32 * (layer + 2)).map(crate::binary::text);
+        let label = labels.get(32 * (layer + 1)..32 * (layer + 2)).map(text);
         let name =
             label.filter(|l| !l.is_empty()).unwrap_or_else(|| format!("layer {}", layer + 1));
         let raster = b.raster(DATA + layer * layer_size, [ny, nx], sample)?;

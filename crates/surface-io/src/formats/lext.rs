@@ -15,7 +15,6 @@
 
 use super::prelude::*;
 use crate::tiff::{self, IMAGE_DESCRIPTION, Page};
-use crate::xml;
 
 const EXIF: u16 = 34665;
 const DEVICE: u16 = 41995;

@@ -15,8 +15,6 @@
 //! Source: Molecular Imaging, *MI file format*, as implemented by several free readers.
 
 use super::prelude::*;
-use crate::binary::find;
-use crate::text;
 
 const KEY: usize = 14;
 

@@ -14,12 +14,10 @@
 //! Sources: SurfaceTopography (open); ISO/IEC 29500 for the container; three made workbooks of that
 //! project, none from an instrument.
 
-use super::archive::Archive;
 use super::prelude::*;
 use super::scattered::Line;
 use crate::cells::Digits;
 use crate::units::quantity;
-use crate::xml;
 
 pub(crate) fn parse(b: Bytes<'_>) -> Result<Contents<'_>, ReadError> {
     let mut book = Book::open(b)?;

@@ -21,11 +21,11 @@
 //! aspect ratio, slow axis and version 9.2 Gwyddion and SurfaceTopography (both open readers).
 
 use super::prelude::*;
-use crate::text;
 
 /// What the scan list says of every image.
 const COMMON: &str =
     "version|samps/line|lines|slow axis size|aspect ratio|operating mode|start context";
+const ABOUT: &str = "date|version|microscope|description|serial number";
 
 /// From this version on every stored point has 4 bytes.
 const WIDE: u64 = 0x0920_0000;
@@ -54,14 +54,9 @@ pub(crate) fn parse(b: Bytes<'_>) -> Result<Contents<'_>, ReadError> {
         for (key, value) in section.iter().filter(|(key, _)| key.starts_with('@')) {
             common.insert(key.clone(), value.clone());
         }
-        for key in COMMON.split('|') {
-            if let Some(value) = section.get(key) {
-                common.entry(key.into()).or_insert_with(|| value.clone());
-            }
-        }
-        for key in ["date", "version", "microscope", "description", "serial number"] {
-            if let Some(value) = section.get(key) {
-                contents.metadata.entry(key.into()).or_insert_with(|| value.clone());
+        for (kept, keys) in [(&mut common, COMMON), (&mut contents.metadata, ABOUT)] {
+            for key in keys.split('|').filter(|key| section.contains_key(*key)) {
+                kept.entry(key.into()).or_insert_with(|| section[key].clone());
             }
         }
     }
@@ -88,7 +83,7 @@ fn is_image(section: &str) -> bool {
 fn sections(b: Bytes<'_>) -> Result<(Vec<(String, HeaderSection)>, bool), ReadError> {
     let bytes = b.data;
     let end = bytes.iter().position(|&byte| byte == 0x1a);
-    let list_end = crate::binary::find(bytes, b"File list end");
+    let list_end = find(bytes, b"File list end");
     let header = &bytes[..end.into_iter().chain(list_end).min().unwrap_or(bytes.len())];
     let header = text::latin1(header);
     let mut sections: Vec<(String, HeaderSection)> = Vec::new();
@@ -114,7 +109,7 @@ fn channel<'a>(
     let entries = Entries::new(b, section);
     let whole = |key: &'static str| {
         let text = entries.text(key)?;
-        whole(text).ok_or_else(|| b.field(key, format!("{text:?} is no whole number")))
+        count(section, key).ok_or_else(|| b.field(key, format!("{text:?} is no whole number")))
     };
     let stated = [whole("number of lines")?, whole("samps/line")?];
     b.check_points(stated)?;
@@ -123,7 +118,7 @@ fn channel<'a>(
         4 => (Sample::I32, 65536.0 * 65536.0),
         size => return Err(b.field("bytes/pixel", format!("{size}, not 2 or 4"))),
     };
-    let length = section.get("data length").and_then(|text| self::whole(text));
+    let length = count(section, "data length");
     let points = stated[0].saturating_mul(stated[1]);
     let version = common.get("version").map(|text| text.trim_start_matches("0x"));
     let is_wide = version.and_then(|v| u64::from_str_radix(v, 16).ok()).is_some_and(|v| v >= WIDE);
@@ -146,18 +141,17 @@ fn channel<'a>(
     Ok(channel.flipped())
 }
 
-fn whole(text: &str) -> Option<usize> {
-    text.split_whitespace().next()?.parse().ok()
+fn count(section: &HeaderSection, key: &str) -> Option<usize> {
+    section.get(key)?.split_whitespace().next()?.parse().ok()
 }
 
 /// Lines, and points in each, that are stored where `points` are: fewer lines than stated if the
 /// scan was stopped early; those of the scan list if it is the one that fits.
 fn there(points: Option<usize>, stated: [usize; 2], common: &HeaderSection) -> [usize; 2] {
-    let count = |key: &str| common.get(key).and_then(|text| whole(text));
     let Some(points) = points.filter(|&n| n != stated[0].saturating_mul(stated[1])) else {
         return stated;
     };
-    match (count("lines"), count("samps/line")) {
+    match (count(common, "lines"), count(common, "samps/line")) {
         (Some(ny), Some(nx)) if ny.saturating_mul(nx) == points => [ny, nx],
         _ => [stated[0].min(points / stated[1].max(1)), stated[1]],
     }
@@ -172,12 +166,11 @@ fn pixel(
     stated: [usize; 2],
     shape: [usize; 2],
 ) -> Option<[f64; 2]> {
-    let count = |key: &str| common.get(key).and_then(|text| whole(text));
     let ratio = |of: &HeaderSection| of.get("aspect ratio").and_then(|text| aspect(text));
     let [lines, samples] = stated;
     let [fast, second] = scan_size(section.get("scan size")?)?;
     let slow_axis = common.get("slow axis size").and_then(|text| scan_size(text));
-    let (all, across) = (count("lines"), count("samps/line"));
+    let (all, across) = (count(common, "lines"), count(common, "samps/line"));
     if let (Some([slow, _]), Some(all), Some(across)) = (slow_axis, all, across)
         && shape[1] != samples
     {

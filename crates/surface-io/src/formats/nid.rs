@@ -15,9 +15,8 @@
 //! Source: Nanosurf, *NID file format*, as implemented by several free readers.
 
 use super::prelude::*;
-use crate::binary::{Raster, find};
+use crate::binary::Raster;
 use crate::entries::sections;
-use crate::text;
 
 pub(crate) fn parse(b: Bytes<'_>) -> Result<Contents<'_>, ReadError> {
     let end = find(b.data, b"\n#!").ok_or_else(|| b.fault(b.data.len(), "there are no data"))?;
@@ -56,7 +55,7 @@ fn raster<'a>(b: Bytes<'a>, at: usize, section: Entries<'_>) -> Result<Raster<'a
     let order = if is_little { ByteOrder::Little } else { ByteOrder::Big };
     let is_signed = section.text("SaveSign")? == "Signed";
     let bits: usize = section.parsed("SaveBits", "whole number")?;
-    let sample = Sample::whole(bits / 8, is_signed).filter(|_| matches!(bits, 8 | 16 | 32));
+    let sample = Sample::of_bits(bits, is_signed);
     let sample = sample.ok_or_else(|| b.field("SaveBits", format!("{bits}, not 8, 16 or 32")))?;
     let shape = [section.parsed("Lines", "size")?, section.parsed("Points", "size")?];
     Bytes { order, ..b }.raster(at, shape, sample)

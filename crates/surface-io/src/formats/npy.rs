@@ -42,12 +42,11 @@ impl Array {
         };
         let header = std::str::from_utf8(b.slice(at, length)?)
             .map_err(|e| b.fault(at + e.valid_up_to(), "the header is not text"))?;
-        let entry = |key: &str| {
+        let entry = |key: &'static str| {
             let quoted = [format!("'{key}':"), format!("\"{key}\":")];
-            let found = quoted.iter().find_map(|q| header.find(q).map(|i| i + q.len()));
-            found
-                .map(|i| header[i..].trim_start())
-                .ok_or_else(|| b.field(key.to_owned(), "not in the header"))
+            let found = quoted.iter().find_map(|quoted| header.split_once(quoted.as_str()));
+            let (_, value) = found.ok_or_else(|| b.field(key, "not in the header"))?;
+            Ok::<_, ReadError>(value.trim_start())
         };
         let descr = entry("descr")?;
         let (sample, order) = sample(descr).ok_or_else(|| {
@@ -80,9 +79,8 @@ impl Array {
             [nx] => [1, nx],
             [ny, nx] => [ny, nx],
             _ => {
-                return Err(
-                    b.unsupported(format!("an array with {} axes (a map has 2)", sides.len()))
-                );
+                let axes = sides.len();
+                return Err(b.unsupported(format!("an array with {axes} axes (a map has 2)")));
             }
         };
         b.check_points(shape)?;

@@ -4,7 +4,7 @@
 //!
 //! Source: <https://numpy.org/doc/stable/reference/generated/numpy.savez.html>.
 
-use super::archive::{Archive, is_npy};
+use super::archive::ends;
 use super::npy::Array;
 use super::prelude::*;
 
@@ -12,10 +12,7 @@ pub(crate) fn parse(b: Bytes<'_>) -> Result<Contents<'_>, ReadError> {
     let mut archive = Archive::open(b)?;
     let mut contents = Contents::default();
     let mut first_error = None;
-    for name in archive.names.clone() {
-        if !is_npy(&name) {
-            continue;
-        }
+    for name in archive.names.clone().into_iter().filter(|name| ends(name, ".npy")) {
         let member = archive.unpack(&name)?;
         let name = &name[..name.len() - ".npy".len()];
         match Array::parse(b.with(&member)) {

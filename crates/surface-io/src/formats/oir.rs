@@ -30,9 +30,8 @@
 //!
 //! Source: SurfaceTopography (an open reader). Not checked against a real file.
 
-use super::archive::{Archive, is_oir};
+use super::archive::ends;
 use super::prelude::*;
-use crate::xml;
 use std::borrow::Cow;
 use std::ops::Range;
 use std::rc::Rc;
@@ -53,8 +52,7 @@ pub(crate) fn parse(b: Bytes<'_>) -> Result<Contents<'_>, ReadError> {
         return Ok(contents);
     }
     let mut archive = Archive::open(b)?;
-    let names: Vec<String> = archive.names.iter().filter(|name| is_oir(name)).cloned().collect();
-    for name in names {
+    for name in archive.names.clone().into_iter().filter(|name| ends(name, ".oir")) {
         let member = archive.unpack(&name)?;
         // A member that cannot be read must not cost the others.
         if let Err(fault) = add(b, &mut contents, &name, &Rc::new(member.into())) {
@@ -104,13 +102,11 @@ fn add<'a>(
         })();
         contents.add(&name, channel);
     }
+    let calibration = "acquisition/microscopeConfiguration/pixelCalibration/z";
     for (key, path) in [
         ("date", "general/creationDateTime"),
         ("instrument", "microscope/name"),
-        (
-            "height calibration, not applied",
-            "acquisition/microscopeConfiguration/pixelCalibration/z",
-        ),
+        ("height calibration, not applied", calibration),
     ] {
         if let Some(text) = image.get(path) {
             contents.metadata.entry(key.into()).or_insert_with(|| text.to_owned());
@@ -145,9 +141,8 @@ struct FileParts<'f> {
 impl<'f> FileParts<'f> {
     fn of(b: Bytes<'f>) -> Result<Self, ReadError> {
         if b.slice(72, 8)?.starts_with(b"FLUOVIEW") {
-            return Err(
-                b.unsupported("an image of a fluorescence microscope, which has no heights,")
-            );
+            let feature = "an image of a fluorescence microscope, which has no heights,";
+            return Err(b.unsupported(feature));
         }
         let (mut properties, mut prefix, mut data) = (None, None, BTreeMap::new());
         let (mut at, mut chunks) = (FIRST_CHUNK, 0);
@@ -161,10 +156,10 @@ impl<'f> FileParts<'f> {
             let chunk = |at| Cursor { b: b.with(&b.data[..start + size]), at };
             match kind {
                 0 => {
-                    for (kind, text) in blocks(chunk(start))? {
+                    for (kind, raw) in blocks(chunk(start))? {
                         match kind {
-                            PROPERTIES => properties = Some(text),
-                            PREFIX => prefix = Some(crate::binary::text(text)),
+                            PROPERTIES => properties = Some(raw),
+                            PREFIX => prefix = Some(text(raw)),
                             _ => {}
                         }
                     }
@@ -241,9 +236,8 @@ fn properties(b: Bytes<'_>) -> Result<(Vec<(String, Fields)>, Fields), ReadError
     const CHANNEL: [&str; 4] = ["imageInfo", "phase", "group", "channel"];
     let (mut channels, mut fields) = (Vec::new(), BTreeMap::new());
     let mut open = BTreeMap::new();
-    let raw = b.data;
-    let raw = &raw[..raw.iter().rposition(|&byte| byte != 0).map_or(0, |last| last + 1)];
-    xml::walk(b.with(raw), "image properties", |element| {
+    let end = b.data.iter().rposition(|&byte| byte != 0).map_or(0, |last| last + 1);
+    xml::walk(b.with(&b.data[..end]), "image properties", |element| {
         let [_root, path @ ..] = element.path else { return Ok(()) };
         if path == CHANNEL {
             let id = element.attribute("id").unwrap_or_default().to_owned();
@@ -253,10 +247,9 @@ fn properties(b: Bytes<'_>) -> Result<(Vec<(String, Fields)>, Fields), ReadError
         let text = element.text.trim();
         if !text.is_empty() {
             let inside = path.len() > CHANNEL.len() && path[..CHANNEL.len()] == CHANNEL;
-            let (map, path) =
-                if inside { (&mut open, &path[CHANNEL.len()..]) } else { (&mut fields, path) };
+            let (map, above) = if inside { (&mut open, CHANNEL.len()) } else { (&mut fields, 0) };
             b.check_items(map.len() as u64 + 1)?;
-            map.entry(path.join("/")).or_insert_with(|| text.to_owned());
+            map.entry(path[above..].join("/")).or_insert_with(|| text.to_owned());
         }
         Ok(())
     })?;

@@ -25,7 +25,6 @@
 
 use super::npy::transpose;
 use super::prelude::*;
-use crate::text;
 
 const ENTRY: usize = 24;
 pub(crate) const TEXT: &[u8] = b"Wyko ASCII Data File Format";

@@ -28,7 +28,6 @@
 //! Source: the item list of several free readers, checked against files.
 
 use super::prelude::*;
-use crate::binary::text;
 
 pub(crate) const MAGIC: &[u8] = b"VCA DATA\x01\0\0\x55";
 const ARRAY_HEAD: usize = 5;
@@ -48,10 +47,8 @@ const NUMBERS: [(u8, Sample); 9] = [
 enum ItemValue {
     Number(f64),
     Text(String),
-    Quantity {
-        value: f64,
-        symbol: String,
-    },
+    /// Of so much, in a unit.
+    Quantity(f64, String),
     /// An array of f64 as one row, or a matrix of f32.
     Numbers(usize, [usize; 2], Sample),
 }
@@ -76,7 +73,7 @@ pub(crate) fn parse(b: Bytes<'_>) -> Result<Contents<'_>, ReadError> {
         let shown = match value {
             ItemValue::Number(value) => value.to_string(),
             ItemValue::Text(text) => text.clone(),
-            ItemValue::Quantity { value, symbol } => format!("{value} {symbol}"),
+            ItemValue::Quantity(value, symbol) => format!("{value} {symbol}"),
             ItemValue::Numbers(..) => continue,
         };
         contents.metadata.insert(key.to_owned(), shown);
@@ -88,10 +85,8 @@ type Items = BTreeMap<String, ItemValue>;
 
 /// Metres of a quantity; `None` if it is not there or no length.
 fn metres(items: &Items, path: &str) -> Option<f64> {
-    match items.get(path)? {
-        ItemValue::Quantity { value, symbol } => Some(value * metres_per(symbol)?),
-        _ => None,
-    }
+    let ItemValue::Quantity(value, symbol) = items.get(path)? else { return None };
+    Some(value * metres_per(symbol)?)
 }
 
 /// The map or profile of a path, if it is one.
@@ -101,8 +96,9 @@ fn channel<'a>(
     path: &str,
     (at, shape, sample): (usize, [usize; 2], Sample),
 ) -> Result<Option<Channel<'a>>, ReadError> {
-    let map = path.strip_suffix("/Matrix").filter(|path| path.starts_with("/2D_Data/"));
-    let profile = path.strip_suffix("/Array").filter(|path| path.starts_with("/1D_Data/"));
+    let named =
+        |start: &str, end: &str| path.strip_suffix(end).filter(|path| path.starts_with(start));
+    let (map, profile) = (named("/2D_Data/", "/Matrix"), named("/1D_Data/", "/Array"));
     let [ny, nx] = shape;
     let (folder, [extent_y, extent_x]) = match (map, profile) {
         (Some(folder), _) => (folder, ["Dimension1Extent", "Dimension2Extent"]),
@@ -120,7 +116,7 @@ fn channel<'a>(
         _ => Pixel::Unknown,
     };
     let (factor, unit) = match items.get(&format!("{folder}/DataScale")) {
-        Some(ItemValue::Quantity { value, symbol }) => (*value, symbol.as_str()),
+        Some(ItemValue::Quantity(value, symbol)) => (*value, symbol.as_str()),
         _ => (1.0, ""),
     };
     let name = match items.get(&format!("{folder}/DataKind")) {
@@ -183,7 +179,7 @@ impl ItemReader<'_> {
             19 => {
                 let value = self.file.number(Sample::F64)?;
                 self.file.text()?;
-                Some(ItemValue::Quantity { value, symbol: self.file.text()? })
+                Some(ItemValue::Quantity(value, self.file.text()?))
             }
             64 => {
                 let shape = [1, (end - start).saturating_sub(ARRAY_HEAD) / 8];
@@ -199,10 +195,9 @@ impl ItemReader<'_> {
             }
             _ => None,
         };
-        let rest = end.checked_sub(self.file.at);
-        let rest =
-            rest.ok_or_else(|| self.file.b.fault(self.file.at, "an item reaches beyond its end"))?;
-        self.file.take(rest)?;
+        let Cursor { b, at } = self.file;
+        let rest = end.checked_sub(at);
+        self.file.take(rest.ok_or_else(|| b.fault(at, "an item reaches beyond its end"))?)?;
         if let Some(value) = value {
             self.items.insert(path, value);
         }

@@ -10,9 +10,7 @@
 //!
 //! Sources: SurfaceTopography, surfalize (both open readers). Not checked against a real file.
 
-use super::archive::Archive;
 use super::prelude::*;
-use crate::xml;
 
 pub(crate) fn parse(b: Bytes<'_>) -> Result<Contents<'_>, ReadError> {
     let mut archive = Archive::open(b)?;

@@ -1,7 +1,11 @@
 //! What most readers need.
 
-pub(super) use crate::binary::{ByteOrder, Bytes, Cursor, Sample};
+#[cfg(feature = "zip")]
+pub(super) use super::archive::Archive;
+pub(super) use crate::binary::{ByteOrder, Bytes, Cursor, Sample, find, text};
 pub(super) use crate::entries::Entries;
 pub(super) use crate::measurement::{Channel, Contents, Pixel};
-pub(super) use crate::{ReadError, metres_per};
+#[cfg(feature = "zip")]
+pub(super) use crate::xml;
+pub(super) use crate::{ReadError, metres_per, text};
 pub(super) use std::collections::BTreeMap;

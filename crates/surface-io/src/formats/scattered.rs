@@ -6,7 +6,6 @@ use crate::measurement::{Channel, Pixel};
 use crate::{Limits, ReadError, metres_per};
 
 /// Evenly spaced positions found in a column of coordinates.
-#[derive(Debug, Clone)]
 pub(crate) struct Line {
     pub(crate) step: f64,
     pub(crate) is_falling: bool,
@@ -124,10 +123,11 @@ pub(crate) fn grid(
     let (nx, ny, n) = (x.count, y.count, values.len() / columns);
     limits.check_points(TEXT, [ny, nx])?;
     if nx.saturating_mul(ny) > n.saturating_mul(2) {
-        return Err(unsupported(format!(
+        let feature = format!(
             "a list x y z of {n} points that fill less than half of their {ny} x {nx} grid and are \
              to be put on a grid first"
-        )));
+        );
+        return Err(ReadError::unsupported(TEXT, feature));
     }
     let mut heights = vec![vec![f64::NAN; nx * ny]; columns - 2];
     let mut seen = vec![false; nx * ny];
@@ -141,16 +141,10 @@ pub(crate) fn grid(
             heights[at] = *height;
         }
     }
-    let step = match (y.step, x.step) {
-        (Some(y), Some(x)) => [y, x],
-        (Some(step), None) | (None, Some(step)) => [step; 2],
-        (None, None) => return Err(unsupported("a single point".into())),
+    let (Some(dy), Some(dx)) = (y.step.or(x.step), x.step.or(y.step)) else {
+        return Err(ReadError::unsupported(TEXT, "a single point"));
     };
-    Ok(GriddedMap { shape: [ny, nx], step, heights, is_complete: n == nx * ny })
-}
-
-fn unsupported(feature: String) -> ReadError {
-    ReadError::unsupported(TEXT, feature)
+    Ok(GriddedMap { shape: [ny, nx], step: [dy, dx], heights, is_complete: n == nx * ny })
 }
 
 /// One coordinate of a list.
@@ -204,10 +198,11 @@ impl GridLines {
                 return Ok(Self { first, step: Some(step), count: count as usize });
             }
         }
-        Err(unsupported(format!(
+        let feature = format!(
             "a list x y z whose {all} different {name} are not evenly spaced and are to be \
              interpolated to a grid first"
-        )))
+        );
+        Err(ReadError::unsupported(TEXT, feature))
     }
 
     fn index(&self, value: f64) -> usize {

@@ -21,7 +21,6 @@
 //! Source: ISO 25178-71:2017.
 
 use super::prelude::*;
-use crate::text;
 
 /// Behind the points a trailer of text may follow; more bytes than this that are no text may not, for
 /// then the header lies about the size.

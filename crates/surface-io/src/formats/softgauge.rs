@@ -11,8 +11,6 @@
 //! Source: the softgauges of <https://physics.nist.gov/VSC/jsp/Database.jsp>.
 
 use super::prelude::*;
-use crate::binary::find;
-use crate::{text, xml};
 
 pub(crate) fn sniff(bytes: &[u8]) -> bool {
     let start = &bytes[..bytes.len().min(4096)];

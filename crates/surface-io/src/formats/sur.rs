@@ -42,9 +42,8 @@ pub(crate) fn parse(b: Bytes<'_>) -> Result<Contents<'_>, ReadError> {
         1 | 2 => 1,
         8 | 11 => b.i16(14)?.max(1),
         kind => {
-            return Err(b.unsupported(format!(
-                "an object of kind {kind} (profiles 1 and surfaces 2, 8, 11 are)"
-            )));
+            let kinds = "(profiles 1 and surfaces 2, 8, 11 are)";
+            return Err(b.unsupported(format!("an object of kind {kind} {kinds}")));
         }
     };
     let mut at = 0;

@@ -16,8 +16,6 @@
 //! version 2 and one of a version 3.
 
 use super::prelude::*;
-use crate::binary::find;
-use crate::text;
 
 pub(crate) fn parse(mut b: Bytes<'_>) -> Result<Contents<'_>, ReadError> {
     let end = find(b.data, b"\x1a\x04");

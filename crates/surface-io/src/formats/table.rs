@@ -1,24 +1,13 @@
-//! Text with numbers: a matrix of heights, a list of x y z, or a profile x z.
+//! Text with numbers: a matrix of heights, a list of x y z, or a profile x z. The book's page of formats
+//! tells under *Text* what is recognised, and by what. Beside that:
 //!
 //! | what | recognised by |
 //! |---|---|
-//! | separators | semicolon, tab, comma, blanks; none inside quotation marks |
-//! | missing points | empty cells, `NaN`, `1.#QNAN`, `No Data`, `---`, 3.402823e38, and marks that are given |
-//! | decimal mark, thousands | by their pattern; what can be either is refused |
-//! | encodings | UTF-8, UTF-16 with byte order mark, Latin-1; `\n`, `\r\n`, `\r`, also mixed |
-//! | header | the lines before the first two lines with equally many numbers; lines starting with `#`, `%`, `!`, `//` |
-//! | `Width`, `Height` with unit | total size of a matrix: the pixel is size / N (Gwyddion's export in its languages; SPIP's `x-length`, `x-unit`, nm if absent) |
-//! | `pixel size`, `dx`, `dy` with unit | spacing of a matrix; Nova's `Scale X`, `Unit X`; Keyence's `XY Calibration` |
-//! | `Lateral units` | unit of x and y (Gwyddion's XYZ export) |
-//! | `Value units`, `z-unit`, `Unit Data` | unit of the heights; in a Keyence export also `Unit` |
-//! | `Bit2nm`; `Scale Data`, `Bias Data` if `DataScaleNeeded` | nm per stored number (SPIP); factor and offset (Nova) |
+//! | line ends | `\n`, `\r\n`, `\r`, also mixed |
+//! | comments | lines starting with `#`, `%`, `!`, `//` |
+//! | missing points | 3.402823e38 |
 //! | `voidpixels` above 0, twice `y-pixels` rows | the second half is 0 where a point is missing (SPIP) |
-//! | `height conversion factor (-> m)` | metres per stored number (SPIP) |
-//! | units in column titles | `X [mm]`, `X_(microns)`, `x in µm`, `µm µm` |
-//! | a header between rows | begins another table, of channels of its own |
-//! | three columns and more | x y z on a grid in any order (row 0 = smallest y), by titles or numbers; further columns are channels |
-//! | a first row and a first column of coordinates or running numbers around an empty corner | no heights: left out |
-//! | two columns | a profile, if x only rises or only falls |
+//! | units in column titles | also `µm µm` |
 //! | three columns or more called x, z1, z2, … (or height, trace, profile) | traces of one surface at the same positions |
 //!
 //! Coordinates fix the pixel size: (last − first) / (N − 1). Coordinates that are evenly spaced
@@ -29,9 +18,8 @@
 mod columns;
 
 use self::columns::{HEIGHTS, INDEX, two_readings};
-use super::scattered::{self, Line};
+use super::scattered::{GriddedMap, Line};
 use crate::binary::Bytes;
-use crate::cells::Digits;
 use crate::error::TEXT;
 use crate::header::Header;
 use crate::measurement::{Channel, Contents, Pixel};
@@ -96,16 +84,6 @@ const LIST_OR_TRACES: Ambiguity = Ambiguity {
     needs: &[Need::Layout(Layout::Traces), MATRIX],
 };
 
-/// What the columns of a table are taken for.
-enum Reading {
-    Matrix,
-    /// x y z and further columns, put on a grid already.
-    List(scattered::GriddedMap),
-    Profile,
-    Traces,
-    Column,
-}
-
 fn channels(
     mut table: NumberTable<'_>,
     header: &mut Header,
@@ -136,97 +114,80 @@ fn channels(
         || table.unit(0).is_some()
         || header.lateral_unit.is_some()
         || order.is_some();
-    let reading = match table.columns {
-        _ if are_traces => Reading::Traces,
-        _ if !is_list => Reading::Matrix,
+    let map = match table.columns {
+        _ if are_traces => return traces(&table, header),
+        _ if !is_list => None,
         1 if layout.is_some() => {
             return Err(bad_layout(Layout::List, "it has one column (a list has x y z or x z)"));
         }
-        1 => Reading::Column,
-        2 => Reading::Profile,
-        3 => Reading::List(table.grid(&options.limits).map_err(|error| {
+        1 => return column(table, header),
+        2 => {
+            let is_told = is_told || table.is_called(0, &POSITIONS);
+            let mut channel = profile(&table, header, 1)
+                .map_err(|e| if is_told { e } else { or_matrix(e, PROFILE) })?;
+            channel.ambiguity = (!is_told).then_some(PROFILE);
+            return Ok(vec![channel]);
+        }
+        3 => Some(table.grid(&options.limits).map_err(|error| {
             let others = match (order.is_some(), is_monotone(&table.column(0))) {
                 (false, true) if layout.is_none() => Some(LIST_OR_TRACES),
                 _ => (!is_told).then_some(LIST),
             };
             others.into_iter().fold(error, or_matrix)
         })?),
-        _ if is_told && (order.is_some() || layout.is_some()) => {
-            Reading::List(table.grid(&options.limits)?)
-        }
-        _ => match table.grid(&options.limits) {
+        _ if order.is_some() || layout.is_some() => Some(table.grid(&options.limits)?),
+        _ => {
             // Three points a side, all there, or many of them: not by chance.
-            Ok(map) if map.is_wide() && (map.is_complete || table.rows() > 19) => {
-                Reading::List(map)
-            }
-            _ => Reading::Matrix,
-        },
+            let is_sure =
+                |map: &GriddedMap| map.is_wide() && (map.is_complete || table.rows() > 19);
+            table.grid(&options.limits).ok().filter(is_sure)
+        }
     };
-    refuse_other_counts(&reading, &table, header)?;
-    match reading {
-        Reading::Traces => traces(&table, header),
-        Reading::List(map) => {
-            let is_plain = is_told || map.is_complete && map.is_wide();
-            Ok(list(map, &table, header, (!is_plain).then_some(LIST)))
-        }
-        Reading::Matrix => {
-            table.leave_out_axes(header, layout)?;
-            table.apply_mask(header);
-            if layout.is_none() && !says_map {
-                table.refuse_positions()?;
-            }
-            maps(table, header, options)
-        }
-        Reading::Profile => {
-            let is_told = is_told || table.is_called(0, &POSITIONS);
-            let (x, z) = (table.column(0), table.column(1));
-            let units = [table.unit(0), table.unit(1)];
-            let mut channel = profile(&x, z, table.digits[0], units, header)
-                .map_err(|e| if is_told { e } else { or_matrix(e, PROFILE) })?;
-            channel.ambiguity = (!is_told).then_some(PROFILE);
-            Ok(vec![channel])
-        }
-        Reading::Column => {
-            let pixel = header.pixel.map_or(Pixel::Unknown, Pixel::Metres);
-            let unit = header.value_unit.clone().or(table.unit(0));
-            let (shape, z) = ([1, table.rows()], table.values);
-            let mut channel =
-                Channel::new(header.name(), unit.as_deref(), shape, pixel, move || Ok(z));
-            channel.ambiguity = Some(COLUMN);
-            Ok(vec![channel])
-        }
+    if let Some(map) = map {
+        let is_plain = is_told || map.is_complete && map.is_wide();
+        return Ok(list(map, &table, header, (!is_plain).then_some(LIST)));
     }
+    let found = table.rows();
+    if let [Some(rows), Some(columns)] = header.counts()
+        && table.columns == columns
+        && found < rows
+    {
+        let what = format!(
+            "the header says {rows} rows of {columns} numbers, {found} are there: the file was cut off. To read \
+             these, change the number of rows in the header to {found}"
+        );
+        return Err(ReadError::at(TEXT, "rows", what));
+    }
+    table.leave_out_axes(header, layout)?;
+    table.apply_mask(header);
+    if layout.is_none() && !says_map {
+        table.refuse_positions()?;
+    }
+    maps(table, header, options)
 }
 
-/// A header that declares other numbers of rows and columns: the file was cut off, or is no map in rows.
-fn refuse_other_counts(
-    reading: &Reading,
-    table: &NumberTable<'_>,
-    header: &Header,
-) -> Result<(), ReadError> {
-    let [Some(rows), Some(columns)] = header.counts() else { return Ok(()) };
-    let (found, wide) = (table.rows(), table.columns);
-    match reading {
-        Reading::Column if found == rows.saturating_mul(columns) => {
-            let what = format!(
-                "one column of {found} numbers, and the header says {rows} rows of {columns}: whether rows or columns \
-                 follow each other is not said; save it in {rows} rows"
-            );
-            Err(two_readings(what, &[]))
-        }
-        Reading::Matrix if wide == columns && found < rows => {
-            let what = format!(
-                "the header says {rows} rows of {columns} numbers, {found} are there: the file was cut off. To read \
-                 these, change the number of rows in the header to {found}"
-            );
-            Err(ReadError::at(TEXT, "rows", what))
-        }
-        _ => Ok(()),
+/// The heights of a profile, unless the header says that they are those of a map.
+fn column(table: NumberTable<'_>, header: &Header) -> Result<Vec<Channel<'static>>, ReadError> {
+    let found = table.rows();
+    if let [Some(rows), Some(columns)] = header.counts()
+        && found == rows.saturating_mul(columns)
+    {
+        let what = format!(
+            "one column of {found} numbers, and the header says {rows} rows of {columns}: whether rows or columns \
+             follow each other is not said; save it in {rows} rows"
+        );
+        return Err(two_readings(what, &[]));
     }
+    let pixel = header.pixel.map_or(Pixel::Unknown, Pixel::Metres);
+    let unit = header.value_unit.clone().or(table.unit(0));
+    let decode = move || Ok(table.values);
+    let mut channel = Channel::new(header.name(), unit.as_deref(), [1, found], pixel, decode);
+    channel.ambiguity = Some(COLUMN);
+    Ok(vec![channel])
 }
 
 fn bad_layout(layout: Layout, reason: &'static str) -> ReadError {
-    ReadError::BadLayout { format: TEXT, layout, reason: reason.into() }
+    ReadError::BadLayout { format: TEXT, layout, reason }
 }
 
 /// A refusal of columns that may be something else.
@@ -260,10 +221,8 @@ fn traces(table: &NumberTable<'_>, header: &Header) -> Result<Vec<Channel<'stati
     }
     let name = |i: usize| table.titles[i].name.as_str();
     let are_named = (1..columns).all(|i| !name(i).is_empty() && (1..i).all(|j| name(i) != name(j)));
-    let x = table.column(0);
     let trace = |i: usize| -> Result<Channel<'static>, ReadError> {
-        let units = [table.unit(0), table.unit(i).or(table.unit(1))];
-        let mut channel = profile(&x, table.column(i), table.digits[0], units, header)?;
+        let mut channel = profile(table, header, i)?;
         channel.info.name = if are_named { name(i).to_owned() } else { format!("trace {i}") };
         channel.info.is_trace = columns > 2;
         Ok(channel)
@@ -273,7 +232,7 @@ fn traces(table: &NumberTable<'_>, header: &Header) -> Result<Vec<Channel<'stati
 
 /// One channel for z, and one for every column behind it.
 fn list(
-    map: scattered::GriddedMap,
+    map: GriddedMap,
     table: &NumberTable<'_>,
     header: &Header,
     ambiguity: Option<Ambiguity>,
@@ -365,15 +324,16 @@ fn matrix(table: &NumberTable<'_>, header: &Header, values: Vec<f64>) -> Channel
     channel
 }
 
+/// The heights in a column at the positions in the first.
 fn profile(
-    x: &[f64],
-    z: Vec<f64>,
-    digits: Digits,
-    [x_unit, z_unit]: [Option<String>; 2],
+    table: &NumberTable<'_>,
     header: &Header,
+    column: usize,
 ) -> Result<Channel<'static>, ReadError> {
-    let line = Line::new(x, digits).map_err(|what| ReadError::at(TEXT, "column 1", what))?;
-    let z_unit = header.value_unit.clone().or(z_unit);
-    let x_unit = x_unit.or(header.lateral_unit.clone());
-    Ok(line.profile(header.name(), z_unit.as_deref(), x_unit.as_deref(), move || Ok(z)))
+    let line = Line::new(&table.column(0), table.digits[0]);
+    let line = line.map_err(|what| ReadError::at(TEXT, "column 1", what))?;
+    let unit = header.value_unit.clone().or(table.unit(column)).or(table.unit(1));
+    let x_unit = table.unit(0).or(header.lateral_unit.clone());
+    let z = table.column(column);
+    Ok(line.profile(header.name(), unit.as_deref(), x_unit.as_deref(), move || Ok(z)))
 }

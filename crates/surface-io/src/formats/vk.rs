@@ -45,12 +45,10 @@ pub(crate) fn parse(b: Bytes<'_>) -> Result<Contents<'_>, ReadError> {
         }
         let image = b.from(at)?;
         let shape = [image.u32(4)? as usize, image.u32(0)? as usize];
-        let sample = match image.u32(8)? {
-            8 => Sample::U8,
-            16 => Sample::U16,
-            32 => Sample::U32,
-            bits => return Err(b.fault(at + 8, format!("{bits} bits a point, not 8, 16 or 32"))),
-        };
+        let bits = image.u32(8)? as usize;
+        let sample = Sample::of_bits(bits, false);
+        let fault = || b.fault(at + 8, format!("{bits} bits a point, not 8, 16 or 32"));
+        let sample = sample.ok_or_else(fault)?;
         let raster = b.raster(at + 796, shape, sample)?;
         if image.u32(16)? as usize != raster.end - (at + 796) {
             let what = format!("{} bytes for {} x {} points", image.u32(16)?, shape[0], shape[1]);
@@ -62,11 +60,9 @@ pub(crate) fn parse(b: Bytes<'_>) -> Result<Contents<'_>, ReadError> {
     if channels.is_empty() {
         return Err(b.fault(36, "the file has no height image"));
     }
-    let mut date = [0; 6];
-    for (i, part) in date.iter_mut().enumerate() {
-        *part = conditions.u32(4 + 4 * i)?;
-    }
-    let [year, month, day, hour, minute, second] = date;
+    let part = |i: usize| conditions.u32(4 + 4 * i);
+    let [year, month, day] = [part(0)?, part(1)?, part(2)?];
+    let [hour, minute, second] = [part(3)?, part(4)?, part(5)?];
     let date = format!("{year}-{month:02}-{day:02} {hour:02}:{minute:02}:{second:02}");
     Ok(Contents::new(channels, [("date", date)]))
 }

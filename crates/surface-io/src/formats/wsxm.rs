@@ -16,7 +16,6 @@
 
 use super::prelude::*;
 use crate::entries::sections;
-use crate::text;
 use crate::units::quantity;
 
 pub(crate) fn parse(b: Bytes<'_>) -> Result<Contents<'_>, ReadError> {

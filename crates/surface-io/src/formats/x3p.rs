@@ -20,9 +20,8 @@
 //! Source: ISO 25178-72:2017; the schema `ISO5436_2.xsd` and sample files of openGPS,
 //! <https://sourceforge.net/p/open-gps>.
 
-use super::archive::{Archive, is_main_xml};
+use super::archive::is_main_xml;
 use super::prelude::*;
-use crate::xml;
 
 pub(crate) fn parse(b: Bytes<'_>) -> Result<Contents<'_>, ReadError> {
     let mut archive = Archive::open(b)?;

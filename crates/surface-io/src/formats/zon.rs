@@ -18,9 +18,7 @@
 //!
 //! Sources: SurfaceTopography, surfalize (both open readers); a file of a VR-6100.
 
-use super::archive::Archive;
 use super::prelude::*;
-use crate::xml;
 
 const HEIGHTS: &str = "4cdb0c75-5706-48cc-a9a1-adf395d609ae";
 const MASK: &str = "9e7ca6dd-0e6a-4d7b-8986-f0a7b773c916";

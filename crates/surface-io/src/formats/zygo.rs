@@ -37,7 +37,6 @@
 //! Format 2 was not checked against a real file.
 
 use super::prelude::*;
-use crate::text;
 
 pub(crate) fn is_text(bytes: &[u8]) -> bool {
     bytes.starts_with(b"Zygo XYZ Data File") || bytes.starts_with(b"Zygo ASCII Data File")

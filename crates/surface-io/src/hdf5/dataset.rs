@@ -7,7 +7,6 @@ use crate::error::ReadError;
 use crate::unpack::zlib;
 use std::borrow::Cow;
 
-#[derive(Debug)]
 pub(crate) struct Dataset<'a> {
     file: File<'a>,
     /// Sizes of the axes, the slowest first.
@@ -18,7 +17,6 @@ pub(crate) struct Dataset<'a> {
     pub(crate) attributes: Vec<(String, AttributeValue)>,
 }
 
-#[derive(Debug)]
 enum Storage {
     /// One after the other from this byte.
     Contiguous(usize),
@@ -29,7 +27,6 @@ enum Storage {
 }
 
 /// One filter of the chain.
-#[derive(Debug)]
 struct Filter {
     id: u16,
     /// First number of its settings: of shuffle, the bytes of an element.
@@ -37,7 +34,6 @@ struct Filter {
 }
 
 /// Where the chunks of a data set are.
-#[derive(Debug)]
 enum Index {
     /// In a B-tree at this address.
     Tree(usize),
@@ -52,8 +48,9 @@ impl<'a> Dataset<'a> {
         let find = |kind: u16| messages.iter().copied().find(|message| message.kind == kind);
         let missing = |what: &'static str| file.b.fault(at, format!("a data set without {what}"));
         let kind = find(0x03).ok_or_else(|| missing("type"))?;
-        let (kind, _) = read_type(file, kind.at, 0)?;
-        let Type::Number(sample, order) = kind.kind else { return Ok(None) };
+        let (Type::Number(sample, order), _) = read_type(file, kind.at, 0)? else {
+            return Ok(None);
+        };
         let shape = find(0x01).ok_or_else(|| missing("dataspace"))?;
         let shape = read_shape(file, shape.at)?;
         let mut attributes = Vec::new();

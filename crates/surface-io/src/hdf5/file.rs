@@ -1,7 +1,17 @@
-//! Superblock, addresses, and the messages of an object's header.
+//! Superblock, addresses, the messages of an object's header, and the tree of groups.
 
 use crate::binary::Bytes;
 use crate::error::ReadError;
+
+const LINK_INFO: u16 = 0x02;
+const LAYOUT: u16 = 0x08;
+const LINK: u16 = 0x06;
+const SYMBOL_TABLE: u16 = 0x11;
+
+type Paths = Vec<(String, usize)>;
+
+/// Groups within groups beyond this are refused.
+const DEEPEST: usize = 32;
 
 /// What to do about a file of a newer form.
 pub(super) const WAY_OUT: &str = "`h5repack -f NONE -l CONTI IN OUT` writes the form that is";
@@ -28,7 +38,6 @@ pub(crate) struct File<'a> {
 pub(crate) struct Message {
     pub(crate) kind: u16,
     pub(crate) at: usize,
-    pub(crate) size: usize,
 }
 
 impl<'a> File<'a> {
@@ -36,10 +45,11 @@ impl<'a> File<'a> {
         let start = superblock(whole.data);
         let b = whole.from(start.ok_or_else(|| whole.fault(0, "there is no superblock"))?)?;
         let version = b.u8(8)?;
-        let (sizes, root_at): (usize, fn(usize, usize) -> usize) = match version {
-            0 => (13, |address, _| 24 + 5 * address),
-            1 => (13, |address, _| 28 + 5 * address),
-            2 | 3 => (9, |address, _| 12 + 3 * address),
+        // Where the sizes are; the root group stands behind so many bytes and addresses.
+        let (sizes, bytes, addresses) = match version {
+            0 => (13, 24, 5),
+            1 => (13, 28, 5),
+            2 | 3 => (9, 12, 3),
             _ => {
                 return Err(b.unsupported(format!("a superblock of version {version} ({WAY_OUT})")));
             }
@@ -49,7 +59,7 @@ impl<'a> File<'a> {
             return Err(b.fault(sizes, format!("sizes {address_size} and {length_size}")));
         }
         let mut file = Self { b, address_size, length_size, root: 0 };
-        file.root = file.address(root_at(address_size, length_size))?.unwrap_or(usize::MAX);
+        file.root = file.address(bytes + addresses * address_size)?.unwrap_or(usize::MAX);
         Ok(file)
     }
 
@@ -91,10 +101,12 @@ impl<'a> File<'a> {
         while let Some((mut at, size)) = blocks.pop() {
             let end = at.checked_add(size);
             let end = end.ok_or_else(|| self.b.fault(at, "a header without end"))?;
-            let head = match (is_new, flags & 4 != 0) {
-                (false, _) => 8,
-                (true, false) => 4,
-                (true, true) => 6,
+            let head = if !is_new {
+                8
+            } else if flags & 4 != 0 {
+                6
+            } else {
+                4
             };
             while at.saturating_add(head) <= end {
                 read += 1;
@@ -104,9 +116,9 @@ impl<'a> File<'a> {
                 } else {
                     (self.b.u16(at)?, self.b.u16(at + 2)?, self.b.u8(at + 4)?)
                 };
-                let message = Message { kind, at: at + head, size: size.into() };
-                self.b.slice(message.at, message.size)?;
-                at = message.at + message.size;
+                let message = Message { kind, at: at + head };
+                self.b.slice(message.at, size.into())?;
+                at = message.at + usize::from(size);
                 match kind {
                     0 => {}
                     // The header goes on elsewhere; new blocks have a name and a checksum.
@@ -141,10 +153,118 @@ impl<'a> File<'a> {
             let (kind, size) = (self.b.u16(at)?, usize::from(self.b.u16(at + 2)?));
             if kind == message.kind {
                 self.b.slice(at + 8, size)?;
-                return Ok(Some(Message { kind, at: at + 8, size }));
+                return Ok(Some(Message { kind, at: at + 8 }));
             }
             at += 8 + size;
         }
         Ok(None)
     }
+}
+
+/// Path and address of every data set, in the order of the file, and the first reason why a group
+/// could not be listed.
+pub(crate) fn datasets(file: &File<'_>) -> Result<(Paths, Option<ReadError>), ReadError> {
+    let (mut datasets, mut fault) = (Paths::new(), None);
+    let mut seen = std::collections::HashSet::new();
+    // Depth first, children in order: the last one is put on the pile first.
+    let mut pile = vec![(String::new(), file.root, 0)];
+    while let Some((path, at, depth)) = pile.pop() {
+        if !seen.insert(at) {
+            continue; // a second name, or a circle
+        }
+        file.b.check_items(seen.len() as u64)?;
+        if depth > DEEPEST {
+            return Err(file.b.fault(at, format!("groups nested deeper than {DEEPEST}")));
+        }
+        let messages = file.messages(at)?;
+        if messages.iter().any(|message| message.kind == LAYOUT) {
+            datasets.push((path, at));
+            continue;
+        }
+        let mut links = Vec::new();
+        for message in &messages {
+            match message.kind {
+                SYMBOL_TABLE => symbol_table(file, message.at, &mut links)?,
+                LINK => links.extend(link(file, *message)?),
+                LINK_INFO if is_dense(file, *message)? => {
+                    fault.get_or_insert_with(|| {
+                        file.b.unsupported(format!(
+                            "group {path:?}, whose links stand in a fractal heap ({WAY_OUT})"
+                        ))
+                    });
+                }
+                _ => {}
+            }
+        }
+        for (name, address) in links.into_iter().rev() {
+            let separator = if path.is_empty() { "" } else { "/" };
+            pile.push((format!("{path}{separator}{name}"), address, depth + 1));
+        }
+        file.b.check_items(pile.len() as u64)?;
+    }
+    Ok((datasets, fault))
+}
+
+fn is_dense(file: &File<'_>, message: Message) -> Result<bool, ReadError> {
+    let indices = if file.b.u8(message.at + 1)? & 1 != 0 { 8 } else { 0 };
+    Ok(file.address(message.at + 2 + indices)?.is_some())
+}
+
+/// Name and address of a link in the header; soft and external links are left out.
+fn link(file: &File<'_>, message: Message) -> Result<Option<(String, usize)>, ReadError> {
+    let flags = file.b.u8(message.at + 1)?;
+    let mut at = message.at + 2;
+    let kind = if flags & 8 != 0 { file.b.u8(at)? } else { 0 };
+    at += usize::from(flags & 8 != 0) + 8 * usize::from(flags & 4 != 0);
+    at += usize::from(flags & 0x10 != 0);
+    let width = 1 << (flags & 3);
+    let length = file.unsigned(at, width)?;
+    let name = file.b.text(at + width, length)?;
+    if kind != 0 {
+        return Ok(None);
+    }
+    Ok(file.address((at + width).saturating_add(length))?.map(|address| (name, address)))
+}
+
+/// Links of a group of the older form: a B-tree of nodes of symbols, names in a local heap.
+fn symbol_table(file: &File<'_>, at: usize, links: &mut Paths) -> Result<(), ReadError> {
+    let (Some(tree), Some(heap)) = (file.address(at)?, file.address(at + file.address_size)?)
+    else {
+        return Ok(());
+    };
+    if file.b.slice(heap, 4)? != b"HEAP" {
+        return Err(file.b.fault(heap, "a local heap is expected here"));
+    }
+    let names = file.address(heap + 8 + 2 * file.length_size)?.unwrap_or(usize::MAX);
+    let mut nodes = vec![tree];
+    let mut read = 0;
+    while let Some(node) = nodes.pop() {
+        read += 1;
+        file.b.check_items(read)?;
+        if file.b.slice(node, 4)? == b"TREE" {
+            let count = usize::from(file.b.u16(node + 6)?);
+            let first = node + 8 + 2 * file.address_size;
+            let step = file.length_size + file.address_size;
+            for i in (0..count).rev() {
+                nodes.extend(file.address(first + i * step + file.length_size)?);
+            }
+            file.b.check_items(nodes.len() as u64)?;
+            continue;
+        }
+        if file.b.slice(node, 4)? != b"SNOD" {
+            return Err(file.b.fault(node, "a node of symbols is expected here"));
+        }
+        for i in 0..usize::from(file.b.u16(node + 6)?) {
+            let entry = node + 8 + i * (2 * file.address_size + 24);
+            let name = names.saturating_add(file.unsigned(entry, file.address_size)?);
+            // Names end with a zero; longer ones than this are none.
+            let rest = file.b.from(name)?.data;
+            let name = crate::binary::text(&rest[..rest.len().min(1024)]);
+            file.b.check_items(links.len() as u64 + 1)?;
+            if let Some(address) = file.address(entry + file.address_size)? {
+                links.push((name, address));
+            }
+        }
+    }
+    Ok(())
 }

@@ -16,12 +16,10 @@
 
 mod dataset;
 mod file;
-mod groups;
 mod types;
 mod write;
 
 pub(crate) use dataset::Dataset;
-pub(crate) use file::{File, superblock};
-pub(crate) use groups::datasets;
+pub(crate) use file::{File, datasets, superblock};
 pub(crate) use types::AttributeValue;
 pub use write::hdf5;

@@ -5,30 +5,22 @@ use crate::binary::{ByteOrder, Bytes, Sample, text};
 use crate::error::ReadError;
 
 /// A data type, as far as it is read.
-#[derive(Debug, Clone)]
 pub(crate) enum Type {
     Number(Sample, ByteOrder),
-    /// Text of a fixed length.
-    Text,
+    /// Text of so many bytes.
+    Text(usize),
     /// Text, or numbers, of any length in the global heap.
     Long(Option<(Sample, ByteOrder)>),
-    /// Names, offsets and types of the members.
-    Compound(Vec<(String, usize, Sized)>),
+    /// Offsets and types of the members.
+    Compound(Vec<(usize, Type)>),
     Other,
 }
 
-#[derive(Debug, Clone)]
-pub(crate) struct Sized {
-    pub(crate) kind: Type,
-    pub(crate) size: usize,
-}
-
-#[derive(Debug, Clone, PartialEq)]
 pub(crate) enum AttributeValue {
     Numbers(Vec<f64>),
     Text(String),
-    /// Of a compound, by name.
-    Members(Vec<(String, AttributeValue)>),
+    /// Of a compound.
+    Members(Vec<AttributeValue>),
 }
 
 impl AttributeValue {
@@ -49,7 +41,7 @@ pub(crate) fn read_type(
     file: &File<'_>,
     at: usize,
     depth: usize,
-) -> Result<(Sized, usize), ReadError> {
+) -> Result<(Type, usize), ReadError> {
     let b = file.b;
     let head = b.u8(at)?;
     let (version, class) = (head >> 4, head & 15);
@@ -60,7 +52,7 @@ pub(crate) fn read_type(
         return Err(b.fault(at, "a data type nested too deep"));
     }
     let number = |sample| Type::Number(sample, order);
-    let (kind, end) = match class {
+    Ok(match class {
         0 => {
             let is_whole = b.u16(at + 8)? == 0 && usize::from(b.u16(at + 10)?) == 8 * size;
             let sample = Sample::whole(size, bits[0] & 8 != 0).filter(|_| is_whole);
@@ -76,7 +68,7 @@ pub(crate) fn read_type(
             };
             (kind, at + 20)
         }
-        3 => (Type::Text, at + 8),
+        3 => (Type::Text(size), at + 8),
         6 => {
             let count = usize::from(u16::from_le_bytes(bits));
             let (mut members, mut next) = (Vec::new(), at + 8);
@@ -84,26 +76,20 @@ pub(crate) fn read_type(
                 let rest = b.from(next)?.data;
                 let length = rest.iter().take(1024).position(|&byte| byte == 0);
                 let length = length.ok_or_else(|| b.fault(next, "a name without end"))?;
-                let name = text(&rest[..length]);
                 next += if version < 3 { (length + 8) / 8 * 8 } else { length + 1 };
-                let width = match (version, size) {
-                    (0..3, _) => 4,
-                    (_, 0..=0xff) => 1,
-                    (_, 0x100..=0xffff) => 2,
-                    (_, 0x1_0000..=0xff_ffff) => 3,
-                    _ => 4,
-                };
+                // Later versions take as many bytes as the size has.
+                let width = if version < 3 { 4 } else { size.max(1).ilog2() as usize / 8 + 1 };
                 let offset = file.unsigned(next, width)?;
                 next += width + if version == 1 { 28 } else { 0 };
                 let (member, end) = read_type(file, next, depth + 1)?;
                 next = end;
-                members.push((name, offset, member));
+                members.push((offset, member));
             }
             (Type::Compound(members), next)
         }
         9 => {
             let (base, end) = read_type(file, at + 8, depth + 1)?;
-            let kind = match (bits[0] & 15, base.kind) {
+            let kind = match (bits[0] & 15, base) {
                 (1, _) => Type::Long(None),
                 (_, Type::Number(sample, order)) => Type::Long(Some((sample, order))),
                 _ => Type::Other,
@@ -113,8 +99,7 @@ pub(crate) fn read_type(
         2 => (Type::Other, at + 10),
         4 => (Type::Other, at + 12),
         _ => (Type::Other, at + 8),
-    };
-    Ok((Sized { kind, size }, end))
+    })
 }
 
 /// Sizes of the axes in a dataspace message.
@@ -147,7 +132,7 @@ pub(crate) fn read_attribute(
 /// `count` values from `at`; of texts and compounds the first.
 fn value(
     file: &File<'_>,
-    kind: &Sized,
+    kind: &Type,
     at: usize,
     count: usize,
 ) -> Result<Option<AttributeValue>, ReadError> {
@@ -155,12 +140,12 @@ fn value(
     if count == 0 {
         return Ok(None);
     }
-    Ok(match &kind.kind {
+    Ok(match kind {
         Type::Number(sample, order) => {
             let b = Bytes { order: *order, ..b };
             Some(AttributeValue::Numbers(b.samples(at, count.min(1024), *sample)?))
         }
-        Type::Text => Some(AttributeValue::Text(b.text(at, kind.size)?)),
+        Type::Text(size) => Some(AttributeValue::Text(b.text(at, *size)?)),
         Type::Long(base) => {
             let length = b.u32(at)? as usize;
             let Some(heap) = file.address(at + 4)? else { return Ok(None) };
@@ -176,10 +161,8 @@ fn value(
         }
         Type::Compound(members) => {
             let mut values = Vec::new();
-            for (name, offset, member) in members {
-                if let Some(value) = value(file, member, at.saturating_add(*offset), 1)? {
-                    values.push((name.clone(), value));
-                }
+            for (offset, member) in members {
+                values.extend(value(file, member, at.saturating_add(*offset), 1)?);
             }
             Some(AttributeValue::Members(values))
         }

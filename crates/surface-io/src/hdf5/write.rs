@@ -41,7 +41,12 @@ pub fn hdf5(
     let bytes = 8 * grid.len() as u64;
     let end = first + bytes * fields.len() as u64;
 
-    out.write_all(&superblock(end))?;
+    let mut superblock = MAGIC.to_vec();
+    superblock.extend([2, 8, 8, 0]); // version, bytes of an offset, of a length, no flags
+    for address in [0, NOWHERE, end, SUPERBLOCK] {
+        superblock.extend(address.to_le_bytes()); // base, no extension, end of file, root group
+    }
+    out.write_all(&sealed(superblock))?;
     out.write_all(&root(fields, &headers, comment))?;
     for (i, field) in fields.iter().enumerate() {
         out.write_all(&header(field, first + bytes * i as u64))?;
@@ -69,15 +74,6 @@ fn check(grid: Grid, fields: &[(&str, &str, &[f64])], comment: &str) -> io::Resu
         0..=60_000 => Ok(()),
         n => refused(format!("a comment of {n} bytes, at most 60000 fit")),
     }
-}
-
-fn superblock(end: u64) -> Vec<u8> {
-    let mut block = MAGIC.to_vec();
-    block.extend([2, 8, 8, 0]); // version, bytes of an offset, of a length, no flags
-    for address in [0, NOWHERE, end, SUPERBLOCK] {
-        block.extend(address.to_le_bytes()); // base, no extension, end of file, root group
-    }
-    sealed(block)
 }
 
 /// The header of the root group: links to the data sets.

@@ -129,11 +129,10 @@ impl NumberTable<'_> {
 
     /// True if the first of three columns or more counts the points that the others list.
     pub(super) fn has_index(&self, limits: &Limits) -> bool {
-        if self.columns < 3 || self.rows() < 3 || !runs(&self.column(0)) {
+        // With a title it would be called so.
+        let is_called = !self.titles[0].name.is_empty();
+        if self.columns < 3 || self.rows() < 3 || is_called || !runs(&self.column(0)) {
             return false;
-        }
-        if !self.titles[0].name.is_empty() {
-            return false; // it would be called so
         }
         if self.columns == 3 {
             return Line::new(&self.column(1), self.digits[1])
