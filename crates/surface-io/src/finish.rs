@@ -36,20 +36,18 @@ pub(crate) fn finish(
     }
     let mut metadata = contents.metadata;
 
-    if let Some([dy, dx]) = options.pixel {
-        for value in [dy, dx] {
-            positive(Need::PixelSize, value)?;
-        }
-        if let Pixel::Steps([step_y, step_x]) = channel.pixel
-            && channel.info.shape[0] > 1
-            && channel.info.shape[1] > 1
-            && ((dy / dx) / (step_y / step_x) - 1.0).abs() > 1e-3
-        {
-            let (given, steps) = ([dy, dx], [step_y, step_x]);
-            return Err(ReadError::PixelContradicts { given, steps });
-        }
-        if let Pixel::Metres([dy, dx]) = channel.pixel {
-            metadata.insert("overridden pixel".into(), format!("{dx:e} m, {dy:e} m"));
+    if let Some(given @ [dy, dx]) = options.pixel {
+        positive(Need::PixelSize, dy)?;
+        positive(Need::PixelSize, dx)?;
+        let is_map = channel.info.shape.iter().all(|side| *side > 1);
+        match channel.pixel {
+            Pixel::Steps(steps @ [y, x]) if is_map && ((dy / dx) / (y / x) - 1.0).abs() > 1e-3 => {
+                return Err(ReadError::PixelContradicts { given, steps });
+            }
+            Pixel::Metres([dy, dx]) => {
+                metadata.insert("overridden pixel".into(), format!("{dx:e} m, {dy:e} m"));
+            }
+            _ => {}
         }
     }
     if let Some(unit) = options.lateral_unit {
@@ -62,16 +60,13 @@ pub(crate) fn finish(
     });
     if let Some(given) = options.height_unit {
         positive(Need::HeightUnit, given.metres())?;
-        match (&channel.info.unit, channel.scale, given) {
-            (Some(_), Some(own), HeightUnit::IfSilent(other))
-                if (own / other - 1.0).abs() <= 1e-9 => {}
-            (Some(unit), Some(_), HeightUnit::IfSilent(_)) => {
-                metadata.insert("height unit of the file, kept".into(), unit.clone());
-            }
-            (Some(unit), _, _) => {
-                metadata.insert("overridden height unit".into(), unit.clone());
-            }
-            _ => {}
+        let note = match (channel.scale, given) {
+            (Some(own), HeightUnit::IfSilent(other)) if (own / other - 1.0).abs() <= 1e-9 => "",
+            (Some(_), HeightUnit::IfSilent(_)) => "height unit of the file, kept",
+            _ => "overridden height unit",
+        };
+        if let Some(unit) = channel.info.unit.as_ref().filter(|_| !note.is_empty()) {
+            metadata.insert(note.into(), unit.clone());
         }
     }
     let scale = match options.height_unit {

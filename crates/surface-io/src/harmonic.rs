@@ -74,7 +74,7 @@ impl GridLevel {
         let holes = (0..heights.len()).filter(|&i| heights[i].is_nan());
         let holes: Vec<u32> = holes.map(|i| i as u32).collect();
         let [ny, nx] = grid.shape();
-        let [wx, wy] = fluxes(grid.pixel());
+        let [dy, dx] = grid.pixel();
         let mut number = vec![NONE; heights.len()];
         for (k, &i) in holes.iter().enumerate() {
             number[i as usize] = k as u32;
@@ -94,7 +94,7 @@ impl GridLevel {
             ];
             for (side, j) in around.into_iter().enumerate() {
                 let Some(j) = j else { continue };
-                let w = if side < 2 { wx } else { wy };
+                let w = if side < 2 { dy / dx } else { dx / dy };
                 if number[j] == NONE {
                     pins[k][side / 2] += w;
                     sums[k][0] += w * heights[j];
@@ -166,14 +166,10 @@ impl GridLevel {
     }
 }
 
-fn fluxes([dy, dx]: [f64; 2]) -> [f64; 2] {
-    [dy / dx, dx / dy]
-}
-
 /// The finest level and all coarser ones.
-fn levels(finest: GridLevel, pixel: [f64; 2]) -> Vec<GridLevel> {
+fn levels(finest: GridLevel, [dy, dx]: [f64; 2]) -> Vec<GridLevel> {
     let mut levels = vec![finest];
-    let [mut wx, mut wy] = fluxes(pixel);
+    let (mut wx, mut wy) = (dy / dx, dx / dy);
     while let Some(last) = levels.last_mut().filter(|level| level.b.len() > 32) {
         // Join along the stronger bonds until both directions are alike.
         let side = |n: usize, is_weak: bool| if n == 1 || is_weak { 1 } else { 2 };

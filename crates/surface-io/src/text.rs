@@ -264,7 +264,7 @@ fn scan<'a>(
     let (mut tables, mut marks) = (Vec::new(), Marks::default());
     let mut table = NumberTable::empty(Vec::new());
     // The line before, if it may be the first row: the next one decides.
-    let mut held: Option<((usize, &str), RowShape)> = None;
+    let mut held = None;
     let mut started = false;
     let mut counts: NumberedLines<'_> = Vec::new();
     // Lines between rows: comments, or the header of the next table. And why the first of them is no row.
@@ -276,13 +276,11 @@ fn scan<'a>(
         let is_blank = line.trim().is_empty() && !line.contains('\t');
         if is_blank || is_comment(line, options) {
             is_parted = started;
-            match (started, is_blank) {
-                (true, false) => between.push((number, line)),
-                (false, false) => {
-                    table.header.extend(held.take().map(|(line, _)| line));
-                    table.header.push((number, line));
-                }
-                (_, true) => {}
+            if started && !is_blank {
+                between.push((number, line));
+            } else if !is_blank {
+                table.header.extend(held.take().map(|(line, _)| line));
+                table.header.push((number, line));
             }
             continue;
         }
@@ -384,11 +382,8 @@ fn separators(line: &str) -> &'static [char] {
     }
 }
 
-/// Separator and number of cells of a row.
-type RowShape = (char, usize);
-
-/// Of a line that is a row of numbers or missing cells.
-fn row_shape(line: &str, options: &ReadOptions) -> Option<RowShape> {
+/// Separator and number of cells of a line that is a row of numbers or missing cells.
+fn row_shape(line: &str, options: &ReadOptions) -> Option<(char, usize)> {
     separators(line).iter().copied().find_map(|separator| {
         let line = if separator == BLANK { options.joined(line) } else { line.into() };
         let mut count = 0;

@@ -219,7 +219,6 @@ impl<'a> Page<'a> {
 /// A picture of one number a point.
 pub(crate) struct Image<'a> {
     bytes: Bytes<'a>,
-    /// `[ny, nx]`
     pub(crate) shape: [usize; 2],
     sample: Sample,
     compression: u32,

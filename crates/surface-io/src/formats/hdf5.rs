@@ -18,7 +18,7 @@
 
 use super::npy::transpose;
 use super::prelude::*;
-use super::scattered::Line;
+use super::scattered::{Line, profile};
 use crate::cells::Digits;
 use crate::hdf5::{self, AttributeValue, Dataset};
 use crate::packed::Packing;
@@ -128,7 +128,7 @@ fn profiles<'a>(
         let line = line.transpose()?;
         let unit = unit(&dataset).map(str::to_owned);
         let decode = move || values(&dataset);
-        found.push(Line::profile_along(line, path, unit.as_deref(), count, decode));
+        found.push(profile(path, unit.as_deref(), count, line, decode));
     }
     Ok(found)
 }

@@ -39,11 +39,11 @@ pub(crate) fn parse(b: Bytes<'_>) -> Result<Contents<'_>, ReadError> {
         if size < 22 {
             return Err(b.fault(at, format!("a frame of {size} bytes; its header has 22")));
         }
-        let frame = StoredFrame { b, at, own: b.with(b.slice(at, size)?), number };
+        let frame = b.with(b.slice(at, size)?);
         at += size;
-        let channel = match frame.own.u16(4)? {
-            0 => frame.scan(),
-            106 => frame.map(),
+        let channel = match frame.u16(4)? {
+            0 => scan(frame, number),
+            106 => map(b, frame, number),
             _ => continue,
         };
         contents.add(&format!("Frame {number}"), channel);
@@ -51,73 +51,60 @@ pub(crate) fn parse(b: Bytes<'_>) -> Result<Contents<'_>, ReadError> {
     Ok(contents)
 }
 
-/// One frame: the whole file for its data, and its own bytes for the rest.
-struct StoredFrame<'a> {
-    b: Bytes<'a>,
-    at: usize,
-    own: Bytes<'a>,
-    number: u64,
+fn scan(f: Bytes<'_>, number: u64) -> Result<Channel<'_>, ReadError> {
+    let axis = |at: usize| Ok::<_, ReadError>((f.f32(at)?, f.f32(at + 4)?, f.i16(at + 8)?));
+    let (x, y, z) = (axis(22)?, axis(32)?, axis(42)?);
+    let mode = 22 + usize::from(f.u16(20)?);
+    let shape = [f.u16(mode + 4)?.into(), f.u16(mode + 2)?.into()];
+    f.check_points(shape)?;
+    if f.u16(mode + 6)? > 0 {
+        return Err(f.unsupported("a scan with spectra at single points"));
+    }
+    let steps = [y.1.abs(), x.1.abs()].map(f64::from);
+    let pixel = Pixel::in_units(steps, [unit(y.2), unit(x.2)]);
+    let (offset, step) = (f64::from(z.0), f64::from(z.1));
+    let raster = f.raster(mode + 8, shape, Sample::I16)?;
+    let title = f.u32(raster.end).and_then(|n| f.text(raster.end + 4, n as usize));
+    let title = title.ok().filter(|title| !title.is_empty());
+    let kind = if f.u8(52)? == 0 { "Height" } else { "Scan" };
+    let name = format!("{} (frame {})", title.as_deref().unwrap_or(kind), number);
+    let convert = move |raw: f64| offset + raw * step;
+    Ok(Channel::raster(name, unit(z.2), pixel, raster, convert).flipped())
 }
 
-impl<'a> StoredFrame<'a> {
-    fn scan(&self) -> Result<Channel<'a>, ReadError> {
-        let f = self.own;
-        let axis = |at: usize| Ok::<_, ReadError>((f.f32(at)?, f.f32(at + 4)?, f.i16(at + 8)?));
-        let (x, y, z) = (axis(22)?, axis(32)?, axis(42)?);
-        let mode = 22 + usize::from(f.u16(20)?);
-        let shape = [f.u16(mode + 4)?.into(), f.u16(mode + 2)?.into()];
-        f.check_points(shape)?;
-        if f.u16(mode + 6)? > 0 {
-            return Err(f.unsupported("a scan with spectra at single points"));
-        }
-        let steps = [y.1.abs(), x.1.abs()].map(f64::from);
-        let pixel = Pixel::in_units(steps, [unit(y.2), unit(x.2)]);
-        let (offset, step) = (f64::from(z.0), f64::from(z.1));
-        let data = mode + 8;
-        let length = f.map_length(data, shape, Sample::I16)?;
-        let title = f.u32(data + length).and_then(|n| f.text(data + length + 4, n as usize));
-        let title = title.ok().filter(|title| !title.is_empty());
-        let kind = if f.u8(52)? == 0 { "Height" } else { "Scan" };
-        let name = format!("{} (frame {})", title.as_deref().unwrap_or(kind), self.number);
-        let raster = self.b.raster(self.at + data, shape, Sample::I16)?;
-        let convert = move |raw: f64| offset + raw * step;
-        Ok(Channel::raster(name, unit(z.2), pixel, raster, convert).flipped())
+/// The data of a general map stand anywhere in the file.
+fn map<'a>(b: Bytes<'a>, f: Bytes<'_>, number: u64) -> Result<Channel<'a>, ReadError> {
+    let mut texts = 0usize;
+    for i in 0..5 {
+        texts = texts.saturating_add(f.u32(66 + 4 * i)? as usize);
     }
-
-    fn map(&self) -> Result<Channel<'a>, ReadError> {
-        let f = self.own;
-        let mut texts = 0usize;
-        for i in 0..5 {
-            texts = texts.saturating_add(f.u32(66 + 4 * i)? as usize);
-        }
-        let name = f.text(98, f.u32(66)? as usize)?;
-        let data = f.u32(90)? as usize;
-        let head = 98usize.saturating_add(texts).saturating_add(4);
-        let structure = f.u32(head)? as usize;
-        let counts = [f.u32(head + 4 + 12)?, f.u32(head + 4 + 16)?];
-        let [2, 1] = counts else {
-            let [dimensions, quantities] = counts;
-            return Err(f.unsupported(format!(
-                "{quantities} quantities over {dimensions} dimensions (one over two is)"
-            )));
-        };
-        let mut at = (head + 4).saturating_add(structure);
-        let x = Calibration::at(f, &mut at)?;
-        let y = Calibration::at(f, &mut at)?;
-        let z = Calibration::at(f, &mut at)?;
-        let shape = [y.count, x.count];
-        let sample = match z.kind {
-            -5892 => Some(Sample::F32),
-            -13320 => Some(Sample::F64),
-            kind => Sample::whole(kind.unsigned_abs() as usize, kind < 0),
-        };
-        let sample = sample.ok_or_else(|| f.fault(at, format!("numbers of type {}", z.kind)))?;
-        let pixel = Pixel::in_units([y.scale.abs(), x.scale.abs()], [&y.unit, &x.unit]);
-        let name = format!("{name} (frame {})", self.number);
-        let raster = self.b.raster(data, shape, sample)?;
-        let convert = move |raw: f64| z.bias + raw * z.scale;
-        Ok(Channel::raster(name, &z.unit, pixel, raster, convert).flipped())
-    }
+    let name = f.text(98, f.u32(66)? as usize)?;
+    let data = f.u32(90)? as usize;
+    let head = 98usize.saturating_add(texts).saturating_add(4);
+    let structure = f.u32(head)? as usize;
+    let counts = [f.u32(head + 4 + 12)?, f.u32(head + 4 + 16)?];
+    let [2, 1] = counts else {
+        let [dimensions, quantities] = counts;
+        return Err(f.unsupported(format!(
+            "{quantities} quantities over {dimensions} dimensions (one over two is)"
+        )));
+    };
+    let mut at = (head + 4).saturating_add(structure);
+    let x = Calibration::at(f, &mut at)?;
+    let y = Calibration::at(f, &mut at)?;
+    let z = Calibration::at(f, &mut at)?;
+    let shape = [y.count, x.count];
+    let sample = match z.kind {
+        -5892 => Some(Sample::F32),
+        -13320 => Some(Sample::F64),
+        kind => Sample::whole(kind.unsigned_abs() as usize, kind < 0),
+    };
+    let sample = sample.ok_or_else(|| f.fault(at, format!("numbers of type {}", z.kind)))?;
+    let pixel = Pixel::in_units([y.scale.abs(), x.scale.abs()], [&y.unit, &x.unit]);
+    let name = format!("{name} (frame {number})");
+    let raster = b.raster(data, shape, sample)?;
+    let convert = move |raw: f64| z.bias + raw * z.scale;
+    Ok(Channel::raster(name, &z.unit, pixel, raster, convert).flipped())
 }
 
 fn unit(code: i16) -> &'static str {

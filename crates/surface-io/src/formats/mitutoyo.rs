@@ -15,7 +15,7 @@
 //! project, none from an instrument.
 
 use super::prelude::*;
-use super::scattered::Line;
+use super::scattered::{Line, profile};
 use crate::cells::Digits;
 use crate::units::quantity;
 
@@ -59,8 +59,8 @@ pub(crate) fn parse(b: Bytes<'_>) -> Result<Contents<'_>, ReadError> {
     let x: Vec<f64> = x.into_values().collect();
     let line = Line::new(&x, digits).map_err(|what| b.field("DATA, column E", what))?;
     let heights = move || Ok(z.into_values().collect());
-    let (unit, x_unit) = (height_unit.as_deref(), x_unit.as_deref());
-    contents.channels.push(line.profile("Profile", unit, x_unit, heights));
+    let positions = Some((line, x_unit.as_deref()));
+    contents.channels.push(profile("Profile", height_unit.as_deref(), x.len(), positions, heights));
     Ok(contents)
 }
 
@@ -70,7 +70,6 @@ fn length_unit(text: &str) -> Option<String> {
 
 /// A workbook: its texts, and the members of its sheets.
 struct Book<'a> {
-    b: Bytes<'a>,
     archive: Archive<'a>,
     texts: Vec<String>,
     sheets: BTreeMap<String, String>,
@@ -117,7 +116,7 @@ impl<'a> Book<'a> {
             }
             Ok(())
         })?;
-        Ok(Self { b, archive, texts, sheets })
+        Ok(Self { archive, texts, sheets })
     }
 
     /// Calls `visit` with row, column and text of every cell of a sheet that is not empty.
@@ -126,7 +125,7 @@ impl<'a> Book<'a> {
         name: &str,
         mut visit: impl FnMut(u32, &str, &str) -> Result<(), ReadError>,
     ) -> Result<(), ReadError> {
-        let b = self.b;
+        let b = self.archive.b;
         let Some(member) = self.sheets.get(name) else {
             let names: Vec<&str> = self.sheets.keys().map(String::as_str).collect();
             return Err(b.unsupported(format!(

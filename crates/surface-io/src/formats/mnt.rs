@@ -30,8 +30,8 @@
 use super::prelude::*;
 use crate::encoding::utf16;
 use crate::ole::Document;
-use std::sync::Arc;
 
+const FORMAT: &str = "Digital Surf MNT";
 const STREAM: &str = "ScopedContents";
 const DATA: u32 = 9012;
 const SURFACE: u32 = 9062;
@@ -54,7 +54,7 @@ fn with_way_out(error: ReadError) -> ReadError {
 
 fn unsupported(feature: &str) -> ReadError {
     let feature = format!("{feature} (save the surface as SUR in Mountains)");
-    ReadError::unsupported("Digital Surf MNT", feature)
+    ReadError::unsupported(FORMAT, feature)
 }
 
 fn contents(file: Bytes<'_>) -> Result<Contents<'_>, ReadError> {
@@ -72,7 +72,7 @@ fn contents(file: Bytes<'_>) -> Result<Contents<'_>, ReadError> {
         };
         return Err(file.unsupported(feature));
     }
-    let stream: Arc<[u8]> = document.stream(STREAM)?.into();
+    let stream = document.stream(STREAM)?;
     let b = file.with(&stream);
     let whole = Part { bytes: b.from(8)?, at: 8 };
     let parts = whole.get(&[1, 0x02bd, 2, 1])?;
@@ -95,11 +95,10 @@ fn contents(file: Bytes<'_>) -> Result<Contents<'_>, ReadError> {
         let name = surface.get(&[BASE, BASE, BASE, BASE, 1]).and_then(Part::text);
         let name = name.unwrap_or_else(|_| format!("Surface {}", contents.channels.len() + 1));
         let channel = StoredSurface::new(surface).map(|found| {
-            let stream = Arc::clone(&stream);
             let unit = found.z.shown.clone();
             let pixel = Pixel::Metres(found.pixel);
             Channel::new(name.as_str(), Some(&unit), found.shape, pixel, move || {
-                found.heights(file.with(&stream)).map_err(with_way_out)
+                found.heights().map_err(with_way_out)
             })
         });
         contents.add(&name, channel.map_err(with_way_out));
@@ -249,11 +248,11 @@ impl StoredSurface {
     }
 
     /// In the unit shown.
-    fn heights(&self, stream: Bytes<'_>) -> Result<Vec<f64>, ReadError> {
+    fn heights(&self) -> Result<Vec<f64>, ReadError> {
         let [_, nx] = self.shape;
-        let mut numbers = self.numbers.unpack(stream)?;
+        let mut numbers = self.numbers.unpack()?;
         if let Some(mask) = &self.mask {
-            let mask = mask.unpack(stream)?;
+            let mask = mask.unpack()?;
             let marks = mask.chunks(nx + 2).skip(1).flat_map(|row| &row[1..=nx]);
             for (number, &mark) in numbers.iter_mut().zip(marks) {
                 match mark as u8 {
@@ -268,7 +267,7 @@ impl StoredSurface {
         let [lowest, highest] = self.range;
         if low <= high && [low as i32, high as i32] != self.range {
             let what = format!("numbers from {low} to {high}, the file says {lowest} to {highest}");
-            return Err(stream.field("heights", what));
+            return Err(ReadError::at(FORMAT, "heights", what));
         }
         for number in &mut numbers {
             *number = *number * self.z.step + self.z.offset;
@@ -277,11 +276,11 @@ impl StoredSurface {
     }
 }
 
-/// Numbers in packed blocks; each is here as first point, points, and where it is in the stream.
+/// Numbers in packed blocks; each is here as first point, points, where it is in the stream, and its bytes.
 struct Blob {
     points: usize,
     sample: Sample,
-    blocks: Vec<[usize; 4]>,
+    blocks: Vec<(usize, usize, usize, Vec<u8>)>,
 }
 
 impl Blob {
@@ -298,13 +297,12 @@ impl Blob {
             b.check_items(blocks.len() as u64 + 1)?;
             let first = usize::try_from(b.u64(at)?).unwrap_or(usize::MAX);
             let (count, packed) = (b.u32(at + 8)? as usize, b.u32(at + 12)? as usize);
-            b.slice(at + 16, packed)?;
-            blocks.push([first, count, part.at + at + 16, packed]);
+            blocks.push((first, count, part.at + at + 16, b.slice(at + 16, packed)?.to_vec()));
             at += 16 + packed;
         }
         blocks.sort_unstable();
         let mut next = 0usize;
-        for &[first, count, ..] in &blocks {
+        for &(first, count, ..) in &blocks {
             if first != next {
                 return Err(fault(format!("point {next} is in no block, or in two,")));
             }
@@ -316,17 +314,16 @@ impl Blob {
         Ok(Self { points, sample, blocks })
     }
 
-    fn unpack(&self, stream: Bytes<'_>) -> Result<Vec<f64>, ReadError> {
+    fn unpack(&self) -> Result<Vec<f64>, ReadError> {
         let mut values = Vec::with_capacity(self.points);
-        for &[_, count, at, packed] in &self.blocks {
+        for (_, count, at, packed) in &self.blocks {
             let length = count * self.sample.size();
-            let block = crate::unpack::zlib(stream.slice(at, packed)?, length + 1)
-                .map_err(|what| stream.field(STREAM, format!("block at byte {at}: {what}")))?;
+            let fault = |what| ReadError::at(FORMAT, STREAM, format!("block at byte {at}: {what}"));
+            let block = crate::unpack::zlib(packed, length + 1).map_err(fault)?;
             if block.len() != length {
-                let what = format!("block at byte {at}: it does not hold {length} bytes");
-                return Err(stream.field(STREAM, what));
+                return Err(fault(format!("it does not hold {length} bytes")));
             }
-            values.extend(self.sample.decode(&block, stream.order));
+            values.extend(self.sample.decode(&block, ByteOrder::Little));
         }
         Ok(values)
     }

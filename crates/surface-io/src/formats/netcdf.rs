@@ -26,7 +26,7 @@
 
 use super::npy::transpose;
 use super::prelude::*;
-use super::scattered::Line;
+use super::scattered::{Line, profile};
 use crate::cells::Digits;
 use crate::packed::Packing;
 
@@ -70,7 +70,6 @@ impl Variable {
         }
     }
 
-    /// Its values as positions along a line.
     fn positions(&self, b: Bytes<'_>, count: usize) -> Result<Line, ReadError> {
         let line = Line::new(&self.values(b, count)()?, Digits::NONE);
         line.map_err(|what| b.field(format!("coordinate {}", self.name), what))
@@ -170,7 +169,7 @@ fn profiles<'a>(
         let positions = |x: &'_ Variable| x.positions(b, *count);
         let line = x.map(positions).transpose()?.zip(x.map(Variable::unit));
         let (unit, decode) = (unit_of(variable, x), variable.values(b, *count));
-        found.push(Line::profile_along(line, variable.name.clone(), unit, *count, decode));
+        found.push(profile(&variable.name, unit, *count, line, decode));
     }
     Ok(found)
 }

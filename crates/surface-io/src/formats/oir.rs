@@ -32,9 +32,6 @@
 
 use super::archive::ends;
 use super::prelude::*;
-use std::borrow::Cow;
-use std::ops::Range;
-use std::rc::Rc;
 
 pub(crate) const MAGIC: &[u8] = b"OLYMPUSRAWFORMAT";
 const FIRST_CHUNK: usize = 96;
@@ -48,14 +45,14 @@ const PREFIX: usize = 6;
 pub(crate) fn parse(b: Bytes<'_>) -> Result<Contents<'_>, ReadError> {
     let mut contents = Contents::default();
     if b.data.starts_with(MAGIC) {
-        add(b, &mut contents, "", &Rc::new(Cow::Borrowed(b.data)))?;
+        add(b, &mut contents, "")?;
         return Ok(contents);
     }
     let mut archive = Archive::open(b)?;
     for name in archive.names.clone().into_iter().filter(|name| ends(name, ".oir")) {
         let member = archive.unpack(&name)?;
         // A member that cannot be read must not cost the others.
-        if let Err(fault) = add(b, &mut contents, &name, &Rc::new(member.into())) {
+        if let Err(fault) = add(b.with(&member), &mut contents, &name) {
             contents.add(&name, Err(fault));
         }
     }
@@ -63,13 +60,7 @@ pub(crate) fn parse(b: Bytes<'_>) -> Result<Contents<'_>, ReadError> {
 }
 
 /// Adds the channels of one file; `member` is its name in an archive.
-fn add<'a>(
-    file: Bytes<'a>,
-    contents: &mut Contents<'a>,
-    member: &str,
-    data: &Rc<Cow<'a, [u8]>>,
-) -> Result<(), ReadError> {
-    let b = file.with(data);
+fn add(b: Bytes<'_>, contents: &mut Contents<'_>, member: &str) -> Result<(), ReadError> {
     let parts = FileParts::of(b)?;
     let (channels, fields) = properties(b.with(parts.properties))?;
     let image = Entries::new(b, &fields);
@@ -87,16 +78,9 @@ fn add<'a>(
             if bits != "16" {
                 return Err(b.unsupported(format!("data of {bits} bits")));
             }
-            let pieces = parts.data_of(b, &id, 2 * shape[0] * shape[1])?;
+            let raw = parts.data_of(b, &id, 2 * shape[0] * shape[1])?;
             let (unit, factor) = if kind == "HEIGHT" { ("m", step) } else { ("counts", 1.0) };
-            let data = Rc::clone(data);
-            let decode = move || {
-                let (b, mut values) = (file.with(&data), Vec::with_capacity(shape[0] * shape[1]));
-                for piece in pieces {
-                    values.extend(b.samples(piece.start, piece.len() / 2, Sample::U16)?);
-                }
-                Ok(values)
-            };
+            let decode = move || Ok(Sample::U16.decode(&raw, ByteOrder::Little));
             let channel = Channel::new(name.as_str(), Some(unit), shape, pixel, decode);
             Ok(channel.converted(move |raw| raw * factor))
         })();
@@ -135,7 +119,7 @@ fn scale(
 struct FileParts<'f> {
     properties: &'f [u8],
     prefix: String,
-    data: BTreeMap<String, Range<usize>>,
+    data: BTreeMap<String, &'f [u8]>,
 }
 
 impl<'f> FileParts<'f> {
@@ -167,8 +151,7 @@ impl<'f> FileParts<'f> {
                 3 => {
                     let name = chunk(start + 8).text()?;
                     let length = b.u32(at)? as usize;
-                    b.slice(at + 8, length)?;
-                    data.insert(name, at + 8..at + 8 + length);
+                    data.insert(name, b.slice(at + 8, length)?);
                     at += 8 + length;
                 }
                 _ => {}
@@ -183,17 +166,12 @@ impl<'f> FileParts<'f> {
     }
 
     /// The pieces of a channel's data, which have to make `length` bytes.
-    fn data_of(
-        &self,
-        b: Bytes<'_>,
-        id: &str,
-        length: usize,
-    ) -> Result<Vec<Range<usize>>, ReadError> {
-        let piece = |i: usize| self.data.get(&format!("{}_{id}_{i}", self.prefix)).cloned();
-        let pieces: Vec<_> = (0..).map_while(piece).collect();
-        let found: usize = pieces.iter().map(Range::len).sum();
+    fn data_of(&self, b: Bytes<'_>, id: &str, length: usize) -> Result<Vec<u8>, ReadError> {
+        let piece = |i: usize| self.data.get(&format!("{}_{id}_{i}", self.prefix)).copied();
+        let pieces: Vec<&[u8]> = (0..).map_while(piece).collect();
+        let found: usize = pieces.iter().map(|piece| piece.len()).sum();
         if found == length && pieces.iter().all(|piece| piece.len() % 2 == 0) {
-            return Ok(pieces);
+            return Ok(pieces.concat());
         }
         let what = format!("{found} bytes in {} pieces, {length} are needed", pieces.len());
         Err(b.field(format!("data {}_{id}", self.prefix), what))

@@ -9,7 +9,6 @@ use crate::{Limits, ReadError, metres_per};
 pub(crate) struct Line {
     pub(crate) step: f64,
     pub(crate) is_falling: bool,
-    count: usize,
     /// Largest deviation in steps, if more than the printed digits explain, and distances of the points from the lowest
     /// one in steps, rising.
     pub(crate) uneven: Option<(f64, Vec<f64>)>,
@@ -52,37 +51,25 @@ impl Line {
             }
             (deviation / step, places)
         });
-        Ok(Self { step, is_falling, count: x.len(), uneven })
+        Ok(Self { step, is_falling, uneven })
     }
+}
 
-    /// The profile of `count` heights, at positions in a unit if it has some.
-    pub(crate) fn profile_along<'a>(
-        positions: Option<(Self, Option<&str>)>,
-        name: String,
-        unit: Option<&str>,
-        count: usize,
-        decode: impl FnOnce() -> Result<Vec<f64>, ReadError> + 'a,
-    ) -> Channel<'a> {
-        match positions {
-            Some((line, x_unit)) => line.profile(name, unit, x_unit, decode),
-            None => Channel::new(name, unit, [1, count], Pixel::Unknown, decode),
-        }
-    }
-
-    /// The profile of heights at these positions, which are in `x_unit`.
-    pub(crate) fn profile<'a>(
-        self,
-        name: impl Into<String>,
-        unit: Option<&str>,
-        x_unit: Option<&str>,
-        decode: impl FnOnce() -> Result<Vec<f64>, ReadError> + 'a,
-    ) -> Channel<'a> {
-        let count = self.count;
-        let pixel = Pixel::scaled([self.step; 2], [x_unit.and_then(metres_per); 2]);
-        let channel = Channel::new(name, unit, [1, count], pixel, decode);
-        let channel = if self.is_falling { channel.mirrored() } else { channel };
-        Channel { uneven: self.uneven, ..channel }
-    }
+/// The profile of `count` heights, at positions in a unit if it has some.
+pub(crate) fn profile<'a>(
+    name: impl Into<String>,
+    unit: Option<&str>,
+    count: usize,
+    positions: Option<(Line, Option<&str>)>,
+    decode: impl FnOnce() -> Result<Vec<f64>, ReadError> + 'a,
+) -> Channel<'a> {
+    let Some((line, x_unit)) = positions else {
+        return Channel::new(name, unit, [1, count], Pixel::Unknown, decode);
+    };
+    let pixel = Pixel::scaled([line.step; 2], [x_unit.and_then(metres_per); 2]);
+    let channel = Channel::new(name, unit, [1, count], pixel, decode);
+    let channel = if line.is_falling { channel.mirrored() } else { channel };
+    Channel { uneven: line.uneven, ..channel }
 }
 
 /// How far a coordinate may be from its place: one printed digit (half for the point, half for

@@ -18,7 +18,7 @@
 mod columns;
 
 use self::columns::{HEIGHTS, INDEX, two_readings};
-use super::scattered::{GriddedMap, Line};
+use super::scattered::{self, GriddedMap, Line};
 use crate::binary::Bytes;
 use crate::error::TEXT;
 use crate::header::Header;
@@ -334,6 +334,6 @@ fn profile(
     let line = line.map_err(|what| ReadError::at(TEXT, "column 1", what))?;
     let unit = header.value_unit.clone().or(table.unit(column)).or(table.unit(1));
     let x_unit = table.unit(0).or(header.lateral_unit.clone());
-    let z = table.column(column);
-    Ok(line.profile(header.name(), unit.as_deref(), x_unit.as_deref(), move || Ok(z)))
+    let (z, positions) = (table.column(column), Some((line, x_unit.as_deref())));
+    Ok(scattered::profile(header.name(), unit.as_deref(), z.len(), positions, move || Ok(z)))
 }

@@ -34,7 +34,7 @@ pub(crate) fn parse(b: Bytes<'_>) -> Result<Contents<'_>, ReadError> {
         .ok_or_else(|| b.field("archive", "there is no main.xml"))?;
     let folder = &main[..main.len() - "main.xml".len()];
     let xml = archive.unpack(&main)?;
-    let MainXml { fields, list, bad } = main_xml(b.with(&xml))?;
+    let (fields, list, bad) = main_xml(b.with(&xml))?;
     let entries = Entries::new(b, &fields);
     let [nx, ny, layers] = size(b, entries)?;
     let points = nx.saturating_mul(ny).saturating_mul(layers);
@@ -121,13 +121,9 @@ fn member(archive: &Archive<'_>, folder: &str, link: &str) -> Result<String, Rea
         })
 }
 
-/// `main.xml`, flattened: the text of every element by its path below the root.
-struct MainXml {
-    fields: BTreeMap<String, String>,
-    list: Vec<f64>,
-    /// The refusal of the first Datum that is no number.
-    bad: Option<ReadError>,
-}
+/// `main.xml`, flattened: the text of every element by its path below the root, every Datum, and the refusal of the
+/// first one that is no number.
+type MainXml = (BTreeMap<String, String>, Vec<f64>, Option<ReadError>);
 
 fn main_xml(b: Bytes<'_>) -> Result<MainXml, ReadError> {
     let (mut fields, mut list, mut bad) = (BTreeMap::new(), Vec::new(), None);
@@ -154,7 +150,7 @@ fn main_xml(b: Bytes<'_>) -> Result<MainXml, ReadError> {
         }
         Ok(())
     })?;
-    Ok(MainXml { fields, list, bad })
+    Ok((fields, list, bad))
 }
 
 fn finite(b: Bytes<'_>, entries: Entries<'_>, path: &str, default: f64) -> Result<f64, ReadError> {

@@ -236,18 +236,14 @@ impl NumberTable<'_> {
 
     /// True if most rows or most columns rise or fall, without the first.
     pub(super) fn is_plane(&self) -> bool {
-        let rises = |line: &mut dyn Iterator<Item = f64>| {
-            let there: Vec<f64> = line.filter(|z| !z.is_nan()).collect();
+        let rises = |line: &[f64]| {
+            let there: Vec<f64> = line.iter().copied().filter(|z| !z.is_nan()).collect();
             there.len() > 2 && is_monotone(&there)
         };
         let rows = self.values.chunks_exact(self.columns).skip(1);
         let most = self.rows() / 2;
-        let rising = rows.filter(|row| rises(&mut row[1..].iter().copied())).count();
-        let columns = (1..self.columns).filter(|&column| {
-            rises(
-                &mut self.values.iter().skip(self.columns + column).step_by(self.columns).copied(),
-            )
-        });
+        let rising = rows.filter(|row| rises(&row[1..])).count();
+        let columns = (1..self.columns).filter(|&column| rises(&self.column(column)[1..]));
         rising > most || columns.count() > self.columns / 2
     }
 
@@ -258,9 +254,8 @@ impl NumberTable<'_> {
         }
         let x = self.column(0);
         let Ok(line) = Line::new(&x, self.digits[0]) else { return Ok(()) };
-        let others = 1..self.columns;
         if line.uneven.is_some() && x.len() < 8
-            || others.into_iter().any(|other| is_monotone(&self.column(other)))
+            || (1..self.columns).any(|other| is_monotone(&self.column(other)))
         {
             return Ok(());
         }
