@@ -1,7 +1,7 @@
 //! Axes: from data to figure units, ticks where a reader expects them, a frame on two sides.
 
 use crate::draw::palette::{GRID, INK, INK2, LINE, Stroke};
-use crate::draw::svg::{Canvas, Text, text_width};
+use crate::draw::svg::{Canvas, Rect, Text, text_width};
 use crate::numbers::{fixed, power_of_ten};
 
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -12,7 +12,7 @@ pub(crate) enum AxisScale {
     Log,
 }
 
-/// One axis: data `[lo, hi]` onto figure units `[start, end]`.
+/// One axis: data `[lo, hi]` onto figure units `[start, end]`; of an axis alone onto 0 to 1.
 #[derive(Debug, Clone, Copy)]
 pub(crate) struct PlotAxis {
     pub(crate) spacing: AxisScale,
@@ -21,12 +21,12 @@ pub(crate) struct PlotAxis {
 }
 
 impl PlotAxis {
-    pub(crate) fn log(data: [f64; 2], units: [f64; 2]) -> Self {
-        Self { spacing: AxisScale::Log, data, units }
+    pub(crate) fn log(data: [f64; 2]) -> Self {
+        Self { spacing: AxisScale::Log, data, units: [0.0, 1.0] }
     }
 
-    pub(crate) fn linear(data: [f64; 2], units: [f64; 2]) -> Self {
-        Self { spacing: AxisScale::Linear, data, units }
+    pub(crate) fn linear(data: [f64; 2]) -> Self {
+        Self { spacing: AxisScale::Linear, data, units: [0.0, 1.0] }
     }
 
     fn warp(&self, value: f64) -> f64 {
@@ -167,6 +167,20 @@ pub(crate) struct PlotFrame {
 }
 
 impl PlotFrame {
+    /// Axes along the left and the lower side of a box, with their titles.
+    pub(crate) fn new(
+        [left, top, right, bottom]: Rect,
+        [x, y]: [PlotAxis; 2],
+        [x_title, y_title]: [&str; 2],
+    ) -> Self {
+        Self {
+            x: PlotAxis { units: [left, right], ..x },
+            y: PlotAxis { units: [bottom, top], ..y },
+            x_title: x_title.into(),
+            y_title: y_title.into(),
+        }
+    }
+
     pub(crate) fn at(&self, [x, y]: [f64; 2]) -> [f64; 2] {
         [self.x.at(x), self.y.at(y)]
     }
@@ -174,6 +188,13 @@ impl PlotFrame {
     /// Grid, ticks, axes, numbers and titles.
     pub(crate) fn draw(&self, canvas: &mut Canvas) {
         self.draw_with(canvas, &self.x.ticks(), &self.y.ticks());
+    }
+
+    /// A canvas with nothing but these.
+    pub(crate) fn canvas(&self) -> Canvas {
+        let mut canvas = Canvas::default();
+        self.draw(&mut canvas);
+        canvas
     }
 
     /// The same with ticks chosen by the caller.
@@ -223,16 +244,16 @@ mod tests {
 
     #[test]
     fn log_ticks_are_decades_or_one_two_five() {
-        let wide = PlotAxis::log([0.25, 250.0], [0.0, 100.0]);
+        let wide = PlotAxis::log([0.25, 250.0]);
         assert_eq!(wide.major(), [1.0, 10.0, 100.0]);
-        let narrow = PlotAxis::log([0.08, 3.0], [0.0, 100.0]);
+        let narrow = PlotAxis::log([0.08, 3.0]);
         assert_eq!(narrow.major().len(), 5); // 0.1 0.2 0.5 1 2
         assert_eq!(narrow.tick_text(0.2), "0.2");
         // Coarser sets would leave the part above 1 to be guessed.
-        let last = PlotAxis::log([0.49, 1.93], [0.0, 100.0]).major().pop();
+        let last = PlotAxis::log([0.49, 1.93]).major().pop();
         assert_eq!(last, Some(1.5));
         assert_eq!(wide.tick_text(1e-6), "10⁻⁶");
-        assert!((wide.at(25.0_f64.sqrt() * 0.5) - 100.0 / 3.0).abs() < 1e-9);
+        assert!((wide.at(25.0_f64.sqrt() * 0.5) - 1.0 / 3.0).abs() < 1e-9);
     }
 
     #[test]
@@ -248,7 +269,7 @@ mod tests {
 
     #[test]
     fn linear_ticks_are_round_and_inside() {
-        let axis = PlotAxis::linear([-43.0, 22.0], [0.0, 1.0]);
+        let axis = PlotAxis::linear([-43.0, 22.0]);
         assert_eq!(axis.major(), [-40.0, -20.0, 0.0, 20.0]);
         assert_eq!(axis.tick_text(-20.0), "\u{2212}20");
     }

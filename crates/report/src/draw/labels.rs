@@ -1,5 +1,6 @@
 //! Direct labels: names beside the ends of lines, pushed apart until all can be read.
 
+use crate::draw::axes::PlotFrame;
 use crate::draw::palette::{Colour, DETERMINISTIC, Stroke};
 use crate::draw::svg::{Canvas, Rect, Text, overlap};
 use crate::lines::LoadLine;
@@ -58,15 +59,17 @@ pub(crate) fn push_apart(wanted: &[f64], pitch: f64, [lo, hi]: [f64; 2]) -> Vec<
     placed
 }
 
-/// Draws the labels right of `x` with hairline leaders, within `[top, bottom]`.
+/// Draws the labels right of a frame with hairline leaders, so far from its corners.
 pub(crate) fn draw_end_labels(
     canvas: &mut Canvas,
-    x: f64,
-    [top, bottom]: [f64; 2],
+    frame: &PlotFrame,
+    margin: f64,
     labels: &[EndLabel],
 ) {
+    let ([_, x], [bottom, top]) = (frame.x.units, frame.y.units);
     let wanted: Vec<f64> = labels.iter().map(|l| l.y).collect();
-    for (label, y) in labels.iter().zip(push_apart(&wanted, PITCH, [top, bottom])) {
+    for (label, y) in labels.iter().zip(push_apart(&wanted, PITCH, [top + margin, bottom - margin]))
+    {
         let leader = [[x + 1.5, label.y], [x + 9.0, y]];
         canvas.series(&label.series, |canvas| {
             canvas.polyline(&leader, Stroke::solid(label.colour, 0.6));

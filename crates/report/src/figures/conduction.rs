@@ -3,17 +3,14 @@
 use crate::draw::axes::{PlotAxis, PlotFrame};
 use crate::draw::labels::{EndLabel, ROOM, draw_end_labels};
 use crate::draw::palette::{DETERMINISTIC_STYLE, INK2, Marker, PERSSON, Stroke, Style};
-use crate::draw::svg::{COLUMN, Canvas, Figure};
+use crate::draw::svg::{COLUMN, Canvas, Figure, Rect};
 use crate::figures::curves::log_limits;
 use crate::lines::{LoadLine, load_axis, load_ends, range_words};
 use crate::numbers::{METRES, significant, times, unit_for};
 use contact_compare::{Octave, SurfaceComparison};
 
-const LEFT: f64 = 52.0;
-const RIGHT: f64 = COLUMN - ROOM;
-const TOP: f64 = 12.0;
-const BOTTOM: f64 = 226.0;
-const HEIGHT: f64 = 262.0;
+const FRAME: Rect = [52.0, 12.0, COLUMN - ROOM, 226.0];
+const SIZE: [f64; 2] = [COLUMN, 262.0];
 
 /// A quantity over the loads of a surface: the deterministic one, and what closed forms make of it.
 pub(crate) fn over_load(
@@ -35,14 +32,9 @@ pub(crate) fn over_load(
     let last = (0..x.len()).rfind(is_drawn).unwrap_or(x.len() - 1);
     let beside = others.iter().flat_map(|values| values.iter().zip(&reference));
     let limits = log_limits(reference.iter().flatten(), beside, f64::INFINITY);
-    let frame = PlotFrame {
-        x: PlotAxis::log(load_ends(x[0], x[last]), [LEFT, RIGHT]),
-        y: PlotAxis::log(limits, [BOTTOM, TOP]),
-        x_title,
-        y_title: format!("{title} ({unit_name})"),
-    };
-    let mut canvas = Canvas::default();
-    frame.draw(&mut canvas);
+    let axes = [load_ends(x[0], x[last]), limits].map(PlotAxis::log);
+    let frame = PlotFrame::new(FRAME, axes, [&x_title, &format!("{title} ({unit_name})")]);
+    let mut canvas = frame.canvas();
     let mut labels = Vec::new();
     for (line, values) in lines.iter().zip(&others) {
         let end = canvas.series(&line.name, |canvas| draw(canvas, &frame, &x, values, line.look));
@@ -51,10 +43,10 @@ pub(crate) fn over_load(
     }
     let end = draw(&mut canvas, &frame, &x, &reference, DETERMINISTIC_STYLE);
     labels.extend(end.map(EndLabel::deterministic));
-    draw_end_labels(&mut canvas, RIGHT, [TOP + 2.0, BOTTOM - 2.0], &labels);
+    draw_end_labels(&mut canvas, &frame, 2.0, &labels);
     let range = range_words(&reference, &format!(" {unit_name}"));
     let description = format!("Log-log plot. Deterministic: {range}.");
-    canvas.figure(key, format!("{title} over the load"), description, [COLUMN, HEIGHT])
+    canvas.figure(key, format!("{title} over the load"), description, SIZE)
 }
 
 /// Area and conductance over those of the whole map, by the shortest wave left.
@@ -66,15 +58,13 @@ pub(crate) fn octaves(octaves: &[Octave], key: &str) -> Figure {
     let conductance: Vec<_> = octaves.iter().map(|o| Some(o.stiffness / first.stiffness)).collect();
     let all = || area.iter().chain(&conductance).copied().flatten();
     let (lo, hi) = (all().fold(1.0, f64::min), all().fold(1.0, f64::max));
-    let frame = PlotFrame {
-        x: PlotAxis::log([shortest / 1.1 / unit.scale, longest * 1.1 / unit.scale], [LEFT, RIGHT]),
-        y: PlotAxis::log([(lo / 1.1).min(0.8), (hi * 1.1).max(1.25)], [BOTTOM, TOP]),
-        x_title: format!("Shortest wave of the map ({})", unit.name),
-        y_title: "Over that of the whole map".into(),
-    };
-    let mut canvas = Canvas::default();
-    frame.draw(&mut canvas);
-    canvas.line([LEFT, frame.y.at(1.0)], [RIGHT, frame.y.at(1.0)], Stroke::solid(INK2, 0.6));
+    let x = [shortest / 1.1 / unit.scale, longest * 1.1 / unit.scale];
+    let axes = [x, [(lo / 1.1).min(0.8), (hi * 1.1).max(1.25)]].map(PlotAxis::log);
+    let x_title = format!("Shortest wave of the map ({})", unit.name);
+    let frame = PlotFrame::new(FRAME, axes, [&x_title, "Over that of the whole map"]);
+    let mut canvas = frame.canvas();
+    let [from, to] = [FRAME[0], FRAME[2]].map(|x| [x, frame.y.at(1.0)]);
+    canvas.line(from, to, Stroke::solid(INK2, 0.6));
     let waves: Vec<f64> = octaves.iter().map(|o| o.shortest / unit.scale).collect();
     let mut labels = Vec::new();
     for (text, values, look, bold) in [
@@ -85,7 +75,7 @@ pub(crate) fn octaves(octaves: &[Octave], key: &str) -> Figure {
         let (text, colour, series) = (text.into(), look.colour, String::new());
         labels.extend(end.map(|y| EndLabel { y, text, colour, bold, series }));
     }
-    draw_end_labels(&mut canvas, RIGHT, [TOP + 2.0, BOTTOM - 2.0], &labels);
+    draw_end_labels(&mut canvas, &frame, 2.0, &labels);
     let description = format!(
         "From the whole map to waves of at least {} {}: area times {}, conductance times {}.",
         significant(longest / unit.scale, 2),
@@ -94,7 +84,7 @@ pub(crate) fn octaves(octaves: &[Octave], key: &str) -> Figure {
         significant(last.stiffness / first.stiffness, 3)
     );
     let title = "Area and conductance without the shortest waves";
-    canvas.figure(key, title, description, [COLUMN, HEIGHT])
+    canvas.figure(key, title, description, SIZE)
 }
 
 /// A line with a marker at every value; answers with the height of its end.
@@ -106,10 +96,11 @@ fn draw(
     look: Style,
 ) -> Option<f64> {
     let placed = x.iter().zip(values).filter_map(|(x, v)| Some(frame.at([*x, (*v)?])));
-    let points: Vec<[f64; 2]> = placed.filter(|[_, y]| (TOP..=BOTTOM).contains(y)).collect();
+    let [_, top, _, bottom] = FRAME;
+    let points: Vec<[f64; 2]> = placed.filter(|[_, y]| (top..=bottom).contains(y)).collect();
     canvas.polyline(&points, look.stroke());
     for point in points {
         canvas.marker(point, 2.4, look);
     }
-    values.iter().flatten().last().map(|last| frame.y.at(*last).clamp(TOP, BOTTOM))
+    values.iter().flatten().last().map(|last| frame.y.at(*last).clamp(top, bottom))
 }

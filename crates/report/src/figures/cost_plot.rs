@@ -99,17 +99,13 @@ pub(super) struct CostPlot {
 impl CostPlot {
     /// Axes in a plot box; the floor with whose uncertainty it is.
     pub(super) fn framed(
-        [left, top, right, bottom]: Rect,
-        [seconds, errors]: [[f64; 2]; 2],
-        [x_title, y_title]: [&str; 2],
+        inside: Rect,
+        limits: [[f64; 2]; 2],
+        titles: [&str; 2],
         floor: Option<(f64, &str)>,
     ) -> Self {
-        let frame = PlotFrame {
-            x: PlotAxis::log(seconds, [left, right]),
-            y: PlotAxis::log(errors, [bottom, top]),
-            x_title: x_title.into(),
-            y_title: y_title.into(),
-        };
+        let frame = PlotFrame::new(inside, limits.map(PlotAxis::log), titles);
+        let [left, _, right, bottom] = inside;
         let mut canvas = Canvas::default();
         if let Some((floor, _)) = floor {
             canvas.rect([left, frame.y.at(100.0 * floor), right, bottom], BAND, 1.0);

@@ -93,7 +93,7 @@ impl<'a> Plot<'a> {
         let band: Vec<_> = lines.pressures.iter().zip(&lines.interval).map(ends).collect();
         let all = reference.iter().flatten().chain(band.iter().flatten().flatten());
         let beside = models.iter().flat_map(|values| values.iter().zip(&reference));
-        let y = PlotAxis::log(log_limits(all, beside, ceiling), [0.0, 1.0]);
+        let y = PlotAxis::log(log_limits(all, beside, ceiling));
         let notes = load_notes(lines, &models, y.data);
         let (title, y_title, description) = (title.into(), y_title.into(), describe(&reference));
         Self { lines, reference, band, models, y, notes, cells, title, y_title, description }
@@ -108,12 +108,8 @@ impl<'a> Plot<'a> {
         let notes = NOTE * self.notes.len() as f64;
         let top = TOP + if is_error || self.notes.is_empty() { notes } else { notes - 2.0 };
         let bottom = HEIGHT - BOTTOM_MARGIN;
-        let frame = PlotFrame {
-            x: PlotAxis::log(load_ends(x[0], x[x.len() - 1]), [LEFT, RIGHT]),
-            y: PlotAxis { units: [bottom, top], ..self.y },
-            x_title,
-            y_title: self.y_title,
-        };
+        let axes = [PlotAxis::log(load_ends(x[0], x[x.len() - 1])), self.y];
+        let frame = PlotFrame::new([LEFT, top, RIGHT, bottom], axes, [&x_title, &self.y_title]);
         let mut canvas = Canvas::default();
         let tolerance = [LEFT, frame.y.at(10.0), RIGHT, frame.y.at(-10.0)];
         if is_error {
@@ -173,7 +169,7 @@ impl<'a> Plot<'a> {
             let at = [LEFT + 4.0, tolerance[1] + 9.5];
             canvas.text(&Text::start(at, "within 10\u{202F}%", INK2).small().halo());
         }
-        draw_end_labels(&mut canvas, RIGHT, [top + 2.0, bottom - 2.0], &ends);
+        draw_end_labels(&mut canvas, &frame, 2.0, &ends);
         canvas.figure(key, self.title, self.description, [COLUMN, HEIGHT])
     }
 }
@@ -262,7 +258,7 @@ pub(crate) fn error(lines: &LoadLines, key: &str) -> Figure {
         reference: Vec::new(),
         band,
         models: errors,
-        y: PlotAxis::linear([lo, hi], [0.0, 1.0]),
+        y: PlotAxis::linear([lo, hi]),
         notes,
         cells: 'e',
         title: "Signed error of each closed form against load".into(),

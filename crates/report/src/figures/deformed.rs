@@ -4,12 +4,12 @@ use crate::draw::axes::{PlotAxis, PlotFrame};
 use crate::draw::palette::{
     BAND, DETERMINISTIC, GRID, INK, INK2, LINE, PRESSURE_RAMP, Stroke, ramp_table,
 };
-use crate::draw::svg::{Canvas, Figure, Text, num};
-use crate::numbers::{METRES, unit_for};
+use crate::draw::svg::{Canvas, Figure, Rect, Text, num};
+use crate::numbers::{METRES, Unit, unit_for};
 
 /// Width and height of the figure, and its plot box.
 const SIZE: [f64; 2] = [704.0, 200.0];
-const FRAME: [f64; 4] = [44.0, 8.0, 692.0, 164.0];
+const FRAME: Rect = [44.0, 8.0, 692.0, 164.0];
 
 /// What lies along one row, heights (m) from the mean plane of the surface.
 pub(crate) struct SectionCut {
@@ -46,7 +46,7 @@ impl SectionCut {
     }
 
     /// Units of length and height.
-    fn units(&self) -> [crate::numbers::Unit; 2] {
+    fn units(&self) -> [Unit; 2] {
         let [low, high] = self.range();
         [self.length, high.abs().max(low.abs())].map(|metres| unit_for(metres, METRES))
     }
@@ -55,12 +55,9 @@ impl SectionCut {
         let ([low, high], [x_unit, y_unit]) = (self.range(), self.units());
         let room = 0.05 * (high - low).max(1e-3 * y_unit.scale);
         let y = [low - room, high + room].map(|z| z / y_unit.scale);
-        PlotFrame {
-            x: PlotAxis::linear([0.0, self.length / x_unit.scale], [FRAME[0], FRAME[2]]),
-            y: PlotAxis::linear(y, [FRAME[3], FRAME[1]]),
-            x_title: format!("Along the dashed line of the map ({})", x_unit.name),
-            y_title: format!("Height ({})", y_unit.name),
-        }
+        let axes = [[0.0, self.length / x_unit.scale], y].map(PlotAxis::linear);
+        let along = format!("Along the dashed line of the map ({})", x_unit.name);
+        PlotFrame::new(FRAME, axes, [&along, &format!("Height ({})", y_unit.name)])
     }
 
     /// What the script needs to draw another load or a part of the length: edges of the plot box, heights (m)

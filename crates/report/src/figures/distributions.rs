@@ -2,13 +2,13 @@
 
 use crate::draw::axes::{PlotAxis, PlotFrame};
 use crate::draw::palette::{DETERMINISTIC, INK2, PERSSON, Stroke};
-use crate::draw::svg::{COLUMN, Canvas, Figure, Text};
+use crate::draw::svg::{COLUMN, Canvas, Figure, Rect, Text};
 use crate::numbers::{AREAS, METRES, SPACE, Unit, percent, quantity, significant, unit_for};
 use contact_compare::{Distributions, GapDistribution, PressureHistogram, SpotDistribution};
 use serde_json::{Value, json};
 use std::f64::consts::{FRAC_PI_2, PI};
 
-const FRAME: [f64; 4] = [44.0, 12.0, COLUMN - 14.0, 196.0];
+const FRAME: Rect = [44.0, 12.0, COLUMN - 14.0, 196.0];
 const HEIGHT: f64 = 232.0;
 /// Room for the longer label of the spots.
 const ROOM: f64 = 66.0;
@@ -58,8 +58,7 @@ impl DistributionFigure {
     /// Of one load; `None` if it has no such distribution.
     pub(crate) fn figure(&self, found: &Distributions, key: &str) -> Option<Figure> {
         let axes = (self.axes)(&[found])?;
-        let mut canvas = Canvas::default();
-        axes.frame.draw(&mut canvas);
+        let mut canvas = axes.frame.canvas();
         (self.marks)(&mut canvas, &axes, found);
         (self.over)(&mut canvas, &axes);
         let description = (self.description)(found)?;
@@ -101,6 +100,14 @@ struct Axes {
     unit: Unit,
 }
 
+impl Axes {
+    /// Shares (%) over a quantity.
+    fn shares(data: [f64; 2], [x, y]: [&str; 2], unit: Unit) -> Self {
+        let axes = [PlotAxis::log(data), PlotAxis::linear([0.0, 105.0])];
+        Self { frame: PlotFrame::new(FRAME, axes, [&format!("{x} ({})", unit.name), y]), unit }
+    }
+}
+
 fn highest(values: impl Iterator<Item = f64>) -> Option<f64> {
     values.reduce(f64::max)
 }
@@ -121,12 +128,9 @@ fn pressure_axes(all: &[&Distributions]) -> Option<Axes> {
     };
     let right = highest(all.iter().map(|d| right(&d.pressure)))?.max(2.5);
     let top = highest(all.iter().flat_map(|d| over_the_mean(&d.pressure).1))?.max(0.8);
-    let frame = PlotFrame {
-        x: PlotAxis::linear([0.0, right], [FRAME[0], FRAME[2]]),
-        y: PlotAxis::linear([0.0, 1.1 * top], [FRAME[3], FRAME[1]]),
-        x_title: "Pressure over its mean in contact".into(),
-        y_title: "Density in contact".into(),
-    };
+    let axes = [[0.0, right], [0.0, 1.1 * top]].map(PlotAxis::linear);
+    let titles = ["Pressure over its mean in contact", "Density in contact"];
+    let frame = PlotFrame::new(FRAME, axes, titles);
     Some(Axes { frame, unit: Unit { name: "", scale: 1.0 } })
 }
 
@@ -179,13 +183,8 @@ fn gap_axes(all: &[&Distributions]) -> Option<Axes> {
     let widest = highest(each().map(|g| g.gaps[g.gaps.len() - 1]))?;
     let least = each().map(|g| g.gaps[0]).reduce(f64::min)?;
     let unit = unit_for(highest(each().map(|g| g.mean))?, METRES);
-    let frame = PlotFrame {
-        x: PlotAxis::log([least / unit.scale, 1.1 * widest / unit.scale], [FRAME[0], FRAME[2]]),
-        y: PlotAxis::linear([0.0, 105.0], [FRAME[3], FRAME[1]]),
-        x_title: format!("Gap ({})", unit.name),
-        y_title: "Nominal area with less gap (%)".into(),
-    };
-    Some(Axes { frame, unit })
+    let gaps = [least / unit.scale, 1.1 * widest / unit.scale];
+    Some(Axes::shares(gaps, ["Gap", "Nominal area with less gap (%)"], unit))
 }
 
 /// Share of the nominal area that stands less than a gap apart; from below, what touches.
@@ -217,13 +216,8 @@ fn spot_axes(all: &[&Distributions]) -> Option<Axes> {
     let longest = all.iter().map(|d| &d.spots.areas).max_by_key(|areas| areas.len())?;
     let unit = unit_for(longest[longest.len() / 2], AREAS);
     let [low, high] = [longest[0], longest[longest.len() - 1]].map(|a| a / unit.scale);
-    let frame = PlotFrame {
-        x: PlotAxis::log([low / 1.1, high.max(2.0 * low) * 1.1], [FRAME[0], FRAME[2]]),
-        y: PlotAxis::linear([0.0, 105.0], [FRAME[3], FRAME[1]]),
-        x_title: format!("Spot area ({})", unit.name),
-        y_title: "In spots at least as large (%)".into(),
-    };
-    Some(Axes { frame, unit })
+    let areas = [low / 1.1, high.max(2.0 * low) * 1.1];
+    Some(Axes::shares(areas, ["Spot area", "In spots at least as large (%)"], unit))
 }
 
 /// Share of the contact area, and of the number of spots, in spots of at least an area.

@@ -89,12 +89,9 @@ pub(crate) fn figure(
         let is_first = i % PER_ROW == 0;
         let left = LEFT + (i % PER_ROW) as f64 * (PANEL[0] + GAP);
         let top = (i / PER_ROW) as f64 * row_height + head;
-        let frame = PlotFrame {
-            x: PlotAxis::log(x_data, [left, left + PANEL[0]]),
-            y: axis(limits, [top + PANEL[1], top]),
-            x_title: String::new(),
-            y_title: if is_first { y_title.into() } else { String::new() },
-        };
+        let inside = [left, top, left + PANEL[0], top + PANEL[1]];
+        let titles = ["", if is_first { y_title } else { "" }];
+        let frame = PlotFrame::new(inside, [PlotAxis::log(x_data), axis(limits)], titles);
         let name = shortened(&panel.name, 30);
         canvas.text(&Text::start([left, top - head + 11.0], &name, INK).bold());
         for (row, (model, text)) in notes.iter().enumerate() {
@@ -105,7 +102,7 @@ pub(crate) fn figure(
         let clip = format!("{key}-c{i}");
         let ends = draw_panel(&mut canvas, panel, &frame, of_errors, &clip, is_first);
         if i % PER_ROW == PER_ROW - 1 || i + 1 == panels.len() {
-            draw_end_labels(&mut canvas, left + PANEL[0], [top, top + PANEL[1]], &ends);
+            draw_end_labels(&mut canvas, &frame, 0.0, &ends);
         }
     }
     let height = panels.len().div_ceil(PER_ROW).max(1) as f64 * row_height + 12.0;

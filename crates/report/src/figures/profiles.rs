@@ -2,7 +2,7 @@
 
 use crate::draw::axes::{PlotAxis, PlotFrame};
 use crate::draw::palette::{BAND, DETERMINISTIC, INK2, Stroke};
-use crate::draw::svg::{Canvas, Figure, Text};
+use crate::draw::svg::{Canvas, Figure, Rect, Text};
 use crate::figures::curves;
 use crate::lines::{LoadLine, LoadLines};
 use crate::messages::profile::profile_headline;
@@ -11,7 +11,7 @@ use contact_compare::ProfileComparison;
 
 /// Width and height of the figure of a trace, and its plot box.
 const SIZE: [f64; 2] = [704.0, 190.0];
-const FRAME: [f64; 4] = [44.0, 12.0, 692.0, 154.0];
+const FRAME: Rect = [44.0, 12.0, 692.0, 154.0];
 /// Most columns that are drawn: each as the line from its lowest to its highest point.
 const COLUMNS: usize = 648;
 
@@ -46,12 +46,9 @@ pub(crate) fn first_trace(study: &ProfileComparison, key: &str) -> Option<Figure
     let y_unit = unit_for(high.abs().max(low.abs()), METRES);
     let room = 0.06 * (high - low);
     let data = [low - room, high + room].map(|z| z / y_unit.scale);
-    let frame = PlotFrame {
-        x: PlotAxis::linear([0.0, length / x_unit.scale], [FRAME[0], FRAME[2]]),
-        y: PlotAxis::linear(data, [FRAME[3], FRAME[1]]),
-        x_title: format!("Position ({})", x_unit.name),
-        y_title: format!("Height ({})", y_unit.name),
-    };
+    let axes = [[0.0, length / x_unit.scale], data].map(PlotAxis::linear);
+    let titles = [format!("Position ({})", x_unit.name), format!("Height ({})", y_unit.name)];
+    let frame = PlotFrame::new(FRAME, axes, titles.each_ref().map(String::as_str));
     let mut canvas = Canvas::default();
     let x = |metres: f64| frame.x.at(metres / x_unit.scale);
     if let Ok(found) = &s.roughness {

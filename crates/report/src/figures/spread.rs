@@ -3,7 +3,7 @@
 use crate::digest::Quantiles;
 use crate::draw::axes::{PlotAxis, PlotFrame};
 use crate::draw::palette::{BAND, DETERMINISTIC, INK, INK2, LINE, Stroke, Style};
-use crate::draw::svg::{COLUMN, Canvas, Figure, Text};
+use crate::draw::svg::{COLUMN, Canvas, Figure, Rect, Text};
 use crate::numbers::{SPACE, Unit, signed_percent, significant, unit_for};
 
 /// Area over load of many maps, `[load, area fraction]` each.
@@ -55,7 +55,7 @@ fn between(curve: &[[f64; 2]], load: f64) -> Option<f64> {
 
 /// Every curve thin, the median thick.
 pub(crate) fn curves(curves: &Curves, key: &str) -> Figure {
-    const FRAME: [f64; 4] = [44.0, 12.0, COLUMN - 14.0, 246.0];
+    const FRAME: Rect = [44.0, 12.0, COLUMN - 14.0, 246.0];
     let points = || curves.each.iter().flatten().filter(|p| p[0] > 0.0 && p[1] > 0.0);
     let limits = |of: fn(&[f64; 2]) -> f64| {
         let (low, high) = points()
@@ -72,14 +72,10 @@ pub(crate) fn curves(curves: &Curves, key: &str) -> Figure {
     );
     let [x_low, x_high] = [low, high].map(|x| x / scale);
     let [y_low, y_high] = limits(|p| p[1]).map(|a| 100.0 * a);
-    let frame = PlotFrame {
-        x: PlotAxis::log([x_low / 1.15, x_high * 1.15], [FRAME[0], FRAME[2]]),
-        y: PlotAxis::log([y_low / 1.3, (y_high * 1.3).min(110.0)], [FRAME[3], FRAME[1]]),
-        x_title,
-        y_title: "Real contact area (%)".into(),
-    };
-    let mut canvas = Canvas::default();
-    frame.draw(&mut canvas);
+    let data = [[x_low / 1.15, x_high * 1.15], [y_low / 1.3, (y_high * 1.3).min(110.0)]];
+    let axes = data.map(PlotAxis::log);
+    let frame = PlotFrame::new(FRAME, axes, [&x_title, "Real contact area (%)"]);
+    let mut canvas = frame.canvas();
     let place = |p: &[f64; 2]| frame.at([p[0] / scale, 100.0 * p[1]]);
     let bands = curves.bands();
     let edge = |k: usize| bands.iter().map(move |b| [b[0], b[k]]);
@@ -130,12 +126,9 @@ pub(crate) fn strips(strips: &[Strip], key: &str) -> Figure {
     let (low, high) = (low.max(-1.0), high.min(2.0));
     let room = 0.06 * (high - low);
     let [x0, x1] = [100.0 * (low - room), 100.0 * (high + room)];
-    let frame = PlotFrame {
-        x: PlotAxis::linear([x0, x1], [LEFT, COLUMN - 10.0]),
-        y: PlotAxis::linear([0.0, 1.0], [bottom, TOP]),
-        x_title: "Error of the area at the headline (%)".into(),
-        y_title: String::new(),
-    };
+    let axes = [[x0, x1], [0.0, 1.0]].map(PlotAxis::linear);
+    let titles = ["Error of the area at the headline (%)", ""];
+    let frame = PlotFrame::new([LEFT, TOP, COLUMN - 10.0, bottom], axes, titles);
     let mut canvas = Canvas::default();
     let within = [frame.x.at((-10.0_f64).max(x0)), frame.x.at(10.0_f64.min(x1))];
     canvas.rect([within[0], TOP, within[1], bottom], BAND, 1.0);
@@ -183,23 +176,15 @@ pub(crate) fn histograms(all: &[(String, Quantiles)], key: &str) -> Figure {
 }
 
 /// Classes of equal width, on a logarithmic axis if the numbers are wide.
-fn histogram(
-    title: &str,
-    values: &Quantiles,
-    [left, top, right, bottom]: [f64; 4],
-    canvas: &mut Canvas,
-) {
-    let wide = values.is_wide();
+fn histogram(title: &str, values: &Quantiles, inside: Rect, canvas: &mut Canvas) {
+    let [left, top, right, bottom] = inside;
     let [mut low, mut high] = values.ends();
     if high <= low {
         let room = if low == 0.0 { 1.0 } else { 0.1 * low.abs() };
         (low, high) = (low - room, high + room);
     }
-    let axis = |data| {
-        let units = [left, right];
-        if wide { PlotAxis::log(data, units) } else { PlotAxis::linear(data, units) }
-    };
-    let x = axis([low, high]);
+    let axis = if values.is_wide() { PlotAxis::log } else { PlotAxis::linear };
+    let x = PlotAxis { units: [left, right], ..axis([low, high]) };
     // Twice the cube root, after Rice; no class without a name.
     let classes = ((2.0 * (values.sorted.len() as f64).cbrt()).ceil() as usize).clamp(5, 24);
     let mut counts = vec![0_usize; classes];
@@ -208,12 +193,8 @@ fn histogram(
         counts[((part * classes as f64) as usize).min(classes - 1)] += 1;
     }
     let most = counts.iter().copied().max().unwrap_or(1).max(1);
-    let frame = PlotFrame {
-        x,
-        y: PlotAxis::linear([0.0, most as f64 * 1.08], [bottom, top]),
-        x_title: title.to_owned(),
-        y_title: String::new(),
-    };
+    let y = PlotAxis::linear([0.0, most as f64 * 1.08]);
+    let frame = PlotFrame::new(inside, [x, y], [title, ""]);
     let crowded = frame.x.ticks();
     let keep = crowded.len().div_ceil(5).max(1);
     let x_ticks: Vec<_> = crowded.into_iter().step_by(keep).collect();

@@ -60,14 +60,9 @@ pub(crate) fn heights(histogram: &Histogram, at: &str, key: &str) -> Figure {
     let end = start + STEP * all.len() as f64;
     let (left, right) = (start.clamp(-8.0, -4.0), end.clamp(4.0, 8.0));
     let top = 1.0_f64.max(1.2 * all.iter().copied().fold(0.0, f64::max));
-    let frame = PlotFrame {
-        x: PlotAxis::linear([left - 0.2, right + 0.2], [FRAME[0], FRAME[2]]),
-        y: PlotAxis::log([FLOOR, top], [FRAME[3], FRAME[1]]),
-        x_title: "Height / Sq".into(),
-        y_title: "Probability density".into(),
-    };
-    let mut canvas = Canvas::default();
-    frame.draw(&mut canvas);
+    let axes = [PlotAxis::linear([left - 0.2, right + 0.2]), PlotAxis::log([FLOOR, top])];
+    let frame = PlotFrame::new(FRAME, axes, ["Height / Sq", "Probability density"]);
+    let mut canvas = frame.canvas();
     let steps = |values: &[f64]| -> Vec<[f64; 2]> {
         let bins = values.iter().enumerate().map(|(k, &v)| {
             ([start + STEP * k as f64, start + STEP * (k + 1) as f64], v.max(FLOOR))
@@ -134,12 +129,9 @@ pub(crate) fn spectrum(spectrum: &Spectrum, key: &str) -> Option<Figure> {
         (4, "Radial power spectral density", format!("Radial PSD C ({}⁴)", unit.name))
     };
     let psd = unit.scale.powi(power); // unit of the density
-    let frame = PlotFrame {
-        x: PlotAxis::log([first[0] / unit.scale, last[0] / unit.scale], [FRAME[0], FRAME[2]]),
-        y: PlotAxis::log([lowest / psd / 2.0, highest / psd * 4.0], [FRAME[3], FRAME[1]]),
-        x_title: format!("Wavelength ({})", unit.name),
-        y_title: symbol,
-    };
+    let waves = [first[0] / unit.scale, last[0] / unit.scale];
+    let axes = [waves, [lowest / psd / 2.0, highest / psd * 4.0]].map(PlotAxis::log);
+    let frame = PlotFrame::new(FRAME, axes, [&format!("Wavelength ({})", unit.name), &symbol]);
     let mut canvas = Canvas::default();
     if let Some((_, [short, long])) = spectrum.fit {
         let at = |l: f64| frame.x.at(l / unit.scale).clamp(FRAME[0], FRAME[2]);

@@ -6,16 +6,15 @@ use crate::lines::LoadLine;
 use crate::messages::conduction::{conductance, joint_words, kinds, scientific};
 use crate::messages::finding::capital;
 use crate::numbers::relative_interval;
-use crate::page::shared::{CONDUCTANCE, ReportPage, key_table};
+use crate::page::shared::{CONDUCTANCE, SurfacePart, key_table};
 use crate::plot_styles::plot_style;
-use contact_compare::{SurfaceComparison, TheoryStiffness};
+use contact_compare::TheoryStiffness;
 
 /// Numbers at the headline, resistance over the load, and what the shortest waves do to it.
-pub(crate) fn section(page: &mut ReportPage<'_>, surface: &SurfaceComparison, id: &str) -> String {
+pub(crate) fn section(part: &mut SurfacePart<'_>) -> String {
+    let SurfacePart { surface, h, p, .. } = *part;
     let Some(found) = &surface.conduction else { return String::new() };
-    let h = page.heading();
-    let barber = page.numbers.source(CONDUCTANCE);
-    let p = crate::messages::headline_load(surface);
+    let barber = part.numbers.source(CONDUCTANCE);
     let estimate = surface.headline_answer().and_then(|a| a.budget.stiffness);
     let stated = estimate.and_then(|k| k.stated());
     let mut rows: Vec<[String; 3]> = Vec::new();
@@ -85,15 +84,14 @@ pub(crate) fn section(page: &mut ReportPage<'_>, surface: &SurfaceComparison, id
             if area.is_some() { "" } else { " of unit nominal area" },
             if yields { " and of Cooper, Mikic and Yovanovich (CMY)" } else { "" }
         );
-        out.push_str(&page.numbers.figure(id, draw, &caption));
+        out += &part.figure(draw, &caption);
     }
     if found.octaves.len() > 1 {
         let caption = format!(
             "Without the shortest waves</b> at {p}: area and conductance over those of the whole map."
         );
         let draw = |key: &str| figures::octaves(&found.octaves, key);
-        out.push_str(&page.numbers.figure(id, draw, &caption));
+        out += &part.figure(draw, &caption);
     }
-    out.push_str("</div>\n");
-    out
+    out + "</div>\n"
 }

@@ -6,34 +6,29 @@ use crate::figures::maps;
 use crate::numbers::{AREAS, METRES, PASCALS, percent, quantity, significant};
 use crate::page::deformed;
 use crate::page::moving::Moving;
-use crate::page::shared::{ReportPage, attribute, figure, reduced_words};
+use crate::page::shared::{SurfacePart, attribute, figure, reduced_words};
 use contact_compare::{Distributions, SurfaceComparison};
 use grid_fft::parallel::join;
 
-pub(crate) fn where_it_touches(
-    page: &mut ReportPage<'_>,
-    surface: &SurfaceComparison,
-    id: &str,
-) -> String {
+pub(crate) fn where_it_touches(part: &mut SurfacePart<'_>) -> String {
+    let SurfacePart { surface, id, h, p, map_limit: limit, .. } = *part;
     let (grid, pressure) = (surface.solved_map().grid(), &surface.pressure);
     if pressure.len() != grid.len() || grid.shape().contains(&1) {
         return String::new();
     }
-    let h = page.heading();
-    let p = crate::messages::headline_load(surface);
     let heights = surface.solved_map().heights();
     let window = maps::busiest_window(pressure, grid.shape());
-    let n = page.numbers.next_figure();
+    let n = part.numbers.next_figure();
     let key = format!("{id}-f{n}");
     let cut = deformed::cut(surface);
     let row = cut.as_ref().map(|(_, row)| *row);
-    let moving = moving(page, surface);
-    let (limit, surfaces) = (page.map_limit, page.comparison.surfaces.len());
+    let (moving, surfaces) = (moving(part), part.comparison.surfaces.len());
     let (map, hidden) = join(
         || maps::contact(pressure, heights, grid, (window, row), limit, &key).inline(),
         || moving.as_ref().map_or_else(String::new, |moving| moving.whole(limit, surfaces)),
     );
-    let load = if moving.is_some() { format!("<span data-k=\"load\">{p}</span>") } else { p };
+    let load =
+        if moving.is_some() { format!("<span data-k=\"load\">{p}</span>") } else { p.into() };
     let reduced = reduced_words(grid.shape(), limit);
     let caption =
         format!("<b>Fig. {n}. Contact map.</b> Colour: pressure; grey: no contact.{reduced}");
@@ -46,18 +41,15 @@ pub(crate) fn where_it_touches(
         let caption = format!("<b>Boxed area</b>, enlarged {times}×.");
         shown += &figure(&(zoom.inline() + &hidden), &caption);
     }
-    let section = deformed::through(page, surface, cut, moving.is_some(), id);
+    let section = deformed::through(part, cut, moving.is_some());
     format!(
         "<{h}>Where it touches at {load}</{h}>\n<div class=\"two maps\">\n{shown}</div>\n{section}"
     )
 }
 
 /// What moves with the slider, if the page bears it.
-pub(crate) fn moving<'a>(
-    page: &ReportPage<'_>,
-    surface: &'a SurfaceComparison,
-) -> Option<Moving<'a>> {
-    Moving::of(surface).filter(|_| page.comparison.surfaces.len() <= MOST_MOVING)
+fn moving<'a>(part: &SurfacePart<'a>) -> Option<Moving<'a>> {
+    Moving::of(part.surface).filter(|_| part.comparison.surfaces.len() <= MOST_MOVING)
 }
 
 /// Of more surfaces the pictures that move would make the page too large.
@@ -97,13 +89,10 @@ pub(crate) fn cells(surface: &SurfaceComparison) -> impl Iterator<Item = (&str, 
 }
 
 /// Three figures; nothing where few points touch.
-pub(crate) fn distributions(
-    page: &mut ReportPage<'_>,
-    surface: &SurfaceComparison,
-    id: &str,
-) -> String {
+pub(crate) fn distributions(part: &mut SurfacePart<'_>) -> String {
+    let SurfacePart { surface, id, .. } = *part;
     let Some(found) = at(surface, surface.headline) else { return String::new() };
-    let moves = moving(page, surface).is_some();
+    let moves = moving(part).is_some();
     let say = |(key, words): Say| {
         let words = words(found).unwrap_or_default();
         if moves { format!("<span data-k=\"{key}\">{words}</span>") } else { words }
@@ -123,7 +112,7 @@ pub(crate) fn distributions(
     let mut figures = String::new();
     let there = [PRESSURE, SPOTS, GAP].into_iter().zip(captions).filter(|(of, _)| of.is_in(found));
     for (of, caption) in there {
-        let n = page.numbers.next_figure();
+        let n = part.numbers.next_figure();
         let Some(still) = of.figure(found, &format!("{id}-f{n}")) else { continue };
         let facts = of.moving(&loads, &why).filter(|_| moves).map(|facts| {
             format!("<span class=\"spread\" hidden data-facts='{}'></span>", attribute(&facts))

@@ -6,7 +6,7 @@ use crate::figures::maps::{FEWEST_STEPS, combined};
 use crate::lines::min_max;
 use crate::numbers::{METRES, fixed, quantity, significant};
 use crate::page::moving::LARGEST;
-use crate::page::shared::{ReportPage, attribute, figure, touching, wide};
+use crate::page::shared::{SurfacePart, attribute, figure, touching, wide};
 use base64::Engine as _;
 use base64::engine::general_purpose::STANDARD;
 use contact_compare::{DeterministicPoint, Section, SurfaceComparison};
@@ -52,14 +52,13 @@ pub(crate) fn cut(surface: &SurfaceComparison) -> Option<(SectionCut, usize)> {
 
 /// The figure with its caption; with what the script moves, if the page `moves`.
 pub(crate) fn through(
-    page: &mut ReportPage<'_>,
-    surface: &SurfaceComparison,
+    part: &mut SurfacePart<'_>,
     cut: Option<(SectionCut, usize)>,
     moves: bool,
-    id: &str,
 ) -> String {
+    let SurfacePart { surface, id, .. } = *part;
     let Some((cut, row)) = cut else { return String::new() };
-    let n = page.numbers.next_figure();
+    let n = part.numbers.next_figure();
     let touching = touching(surface);
     let title = |(point, (load, share)): (&DeterministicPoint, (&PressedRow, &String))| {
         let at = crate::messages::load(point.mean_pressure, surface.load_area);

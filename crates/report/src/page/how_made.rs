@@ -6,17 +6,18 @@ use crate::messages::materials::material_line;
 use crate::messages::pair::{bodies, lying, moments, of_body};
 use crate::messages::plan as plan_messages;
 use crate::numbers::{METRES, PASCALS, SPACE, chosen, counted, duration, significant};
-use crate::page::shared::{ReportPage, levelled, terms, tolerance_words};
+use crate::page::shared::{levelled, terms, tolerance_words};
+use crate::provenance::Provenance;
 use contact_accuracy::{PERIMETER_CORRECTION, Reached};
-use contact_compare::{Body, FileOrigin, Origin, Recipe, Settings, SurfaceComparison};
+use contact_compare::{Body, Comparison, FileOrigin, Origin, Recipe, Settings, SurfaceComparison};
 use contact_types::Named;
 use surface_stats::Level;
 use surface_stats::clean::Record;
 
 /// Program, inputs, settings, the command that repeats it.
-pub(crate) fn section(page: &ReportPage<'_>) -> String {
-    let settings = &page.comparison.settings;
-    let made = page.provenance;
+pub(crate) fn section(comparison: &Comparison, made: &Provenance) -> String {
+    let Comparison { surfaces, settings, .. } = comparison;
+    let several = surfaces.len() > 1;
     let mut rows = vec![(
         "Program".to_owned(),
         format!(
@@ -24,12 +25,12 @@ pub(crate) fn section(page: &ReportPage<'_>) -> String {
             escape(&made.version),
             escape(&made.platform),
             counted(settings.threads, "thread"),
-            duration(page.comparison.seconds)
+            duration(comparison.seconds)
         ),
     )];
-    for surface in &page.comparison.surfaces {
+    for surface in surfaces {
         rows.push((
-            if page.several() { escape(&surface.name) } else { "Input".into() },
+            if several { escape(&surface.name) } else { "Input".into() },
             format!("{}. {}", origin_words(&surface.origin), map_words(surface)),
         ));
         let cleaned = surface.origin.cleaned().iter().enumerate();
@@ -37,33 +38,33 @@ pub(crate) fn section(page: &ReportPage<'_>) -> String {
             |(i, step): (usize, &Record)| format!("{}. {}", i + 1, escape(&step.to_string()));
         let steps: Vec<String> = cleaned.map(step).collect();
         if !steps.is_empty() {
-            let term = if page.several() { "its cleaning" } else { "Cleaning" };
+            let term = if several { "its cleaning" } else { "Cleaning" };
             rows.push((term.into(), steps.join("<br>\n")));
         }
     }
-    for refused in &page.comparison.refused {
+    for refused in &comparison.refused {
         let reason = format!("no study: {}", escape(&refused.reason));
         rows.push((escape(&refused.name), reason));
     }
-    let pair = page.comparison.surfaces.first().and_then(|s| s.origin.pair());
+    let pair = surfaces.first().and_then(|s| s.origin.pair());
     let material = pair.map_or_else(
         || bodies_words(settings),
         |pair| {
             // Of several pairs each has its own names.
             let names = pair.names.each_ref().map(String::as_str);
-            let names = if page.several() { ["first body", "second body"] } else { names };
+            let names = if several { ["first body", "second body"] } else { names };
             escape(&bodies(names, &settings.bodies, settings.modulus))
         },
     );
     rows.push(("Material".into(), material + &materials_words(settings)));
     rows.extend(hardness_words(settings).map(|words| ("Hardness".to_owned(), words)));
     rows.extend(loads_line(settings).map(|words| ("Loads".to_owned(), words)));
-    for surface in &page.comparison.surfaces {
+    for surface in surfaces {
         let Some(plan) = &surface.plan else { continue };
-        let several = page.several().then(|| format!("{}, accuracy", escape(&surface.name)));
+        let several = several.then(|| format!("{}, accuracy", escape(&surface.name)));
         rows.push((several.unwrap_or_else(|| "Accuracy".into()), plan_messages(plan)));
     }
-    rows.push(("Solver".into(), solver_words(page)));
+    rows.push(("Solver".into(), solver_words(comparison)));
     format!(
         "<h2>How this was made</h2>\n{}<pre>{}</pre>\n<p class=\"why\">All numbers: <code>curves.csv</code>, \
          <code>results.json</code>; settings: <code>run.toml</code>.</p>\n",
@@ -194,15 +195,14 @@ fn plan_messages(plan: &Reached) -> String {
     )
 }
 
-fn solver_words(page: &ReportPage<'_>) -> String {
-    let settings = &page.comparison.settings;
-    let points = || page.comparison.surfaces.iter().flat_map(|s| &s.deterministic);
+fn solver_words(Comparison { surfaces, settings, .. }: &Comparison) -> String {
+    let points = || surfaces.iter().flat_map(|s| &s.deterministic);
     let answers = || points().filter_map(|p| p.answer.as_ref());
     let found = || answers().map(|a| &a.diagnostics);
     let methods: std::collections::BTreeSet<&str> = found().map(|d| d.method.name()).collect();
     let pairs: f64 = found().map(|d| d.transforms).sum();
     let seconds: f64 = found().map(|d| d.seconds).sum();
-    let plan = page.comparison.surfaces.iter().find_map(|s| s.plan.as_ref());
+    let plan = surfaces.iter().find_map(|s| s.plan.as_ref());
     let (precision, tolerance) =
         plan.map_or((settings.precision, settings.tolerance), |p| (p.precision, p.tolerance));
     format!(

@@ -3,10 +3,10 @@
 use crate::draw::palette::{COLOURS, Colour};
 use crate::draw::svg::escape;
 use crate::messages;
-use crate::page::shared::{Numbering, ReportPage, date};
+use crate::page::shared::{Numbering, SurfacePart, date};
 use crate::page::{conduction, contact_map, how_made, leak, overview, sections, slider};
 use crate::provenance::Provenance;
-use contact_compare::{Comparison, SurfaceComparison};
+use contact_compare::Comparison;
 use contact_types::Citation;
 use grid_fft::parallel::join;
 
@@ -24,21 +24,24 @@ const POLICY: &str = "default-src 'none'; img-src data:; style-src 'unsafe-inlin
                       script-src 'unsafe-inline'";
 
 pub(crate) fn report(comparison: &Comparison, provenance: &Provenance) -> String {
-    let several = comparison.surfaces.len() > 1;
-    let mut page = ReportPage {
-        comparison,
-        provenance,
-        numbers: Numbering::default(),
-        // Pictures take a byte and a half per pixel and colour noise does not compress: this
-        // keeps those that stand still under 3 MB for up to ten surfaces. What moves adds 0.5 MB for each of up to four.
-        map_limit: ((640.0 / (comparison.surfaces.len().max(1) as f64).sqrt()) as usize).max(160),
-    };
-    let mut body = if several { overview::section(&mut page) } else { String::new() };
-    for (index, surface) in comparison.surfaces.iter().enumerate() {
-        body += &surface_sections(&mut page, surface, index);
+    let count = comparison.surfaces.len();
+    let several = count > 1;
+    // Pictures take a byte and a half per pixel and colour noise does not compress: this
+    // keeps those that stand still under 3 MB for up to ten surfaces. What moves adds 0.5 MB for each of up to four.
+    let map_limit = ((640.0 / (count.max(1) as f64).sqrt()) as usize).max(160);
+    let mut numbers = Numbering::default();
+    let mut body = String::new();
+    if several {
+        body += &overview::section(comparison, provenance, &mut numbers);
     }
-    body += &how_made::section(&page);
-    body += &references(&page.numbers.sources);
+    for (index, surface) in comparison.surfaces.iter().enumerate() {
+        let (id, p) = (&*format!("s{index}"), &*messages::headline_load(surface));
+        let (h, numbers) = (if several { "h3" } else { "h2" }, &mut numbers);
+        let part = SurfacePart { comparison, surface, id, h, p, numbers, map_limit };
+        body += &surface_sections(part, provenance);
+    }
+    body += &how_made::section(comparison, provenance);
+    body += &references(&numbers.sources);
     document(&title(comparison), several, &body, &format!("<script>{SCRIPT}</script>"))
 }
 
@@ -74,48 +77,42 @@ fn title(comparison: &Comparison) -> String {
 }
 
 /// All sections of one surface; folded behind the overview where there are three or more.
-fn surface_sections(
-    page: &mut ReportPage<'_>,
-    surface: &SurfaceComparison,
-    index: usize,
-) -> String {
-    let id = format!("s{index}");
+fn surface_sections(mut part: SurfacePart<'_>, made: &Provenance) -> String {
+    let (surface, limit) = (part.surface, part.map_limit);
     let loads = surface.deterministic.len();
     let heading = format!("<h2>{}</h2>", escape(&surface.name));
-    let (element, title) = match page.comparison.surfaces.len() {
+    let (element, title) = match part.comparison.surfaces.len() {
         1 => ("div", String::new()),
         2 => ("div", heading),
         _ => ("details", format!("<summary>{heading}</summary>")),
     };
-    let limit = page.map_limit;
+    let part = &mut part;
     let mut out = format!("<{element} class=\"surface\" data-loads=\"{loads}\">\n{title}");
-    out += &opening(page, surface);
-    out += &sections::key_and_notes(page, surface, &id);
-    out += &sections::over_load(page, surface, &id);
-    out += &sections::models(page, surface);
-    let (touches, heights) = join(
-        || contact_map::where_it_touches(page, surface, &id),
-        || sections::height_figures(surface, limit),
-    );
+    out += &opening(part, made);
+    out += &sections::key_and_notes(part);
+    out += &sections::over_load(part);
+    out += &sections::models(part);
+    let (touches, heights) =
+        join(|| contact_map::where_it_touches(part), || sections::height_figures(surface, limit));
     out += &touches;
-    out += &contact_map::distributions(page, surface, &id);
-    out += &conduction::section(page, surface, &id);
-    out += &leak::section(page, surface, &id);
-    out += &sections::the_surface(page, surface, heights, &id);
-    out += &sections::accuracy(page, surface);
+    out += &contact_map::distributions(part);
+    out += &conduction::section(part);
+    out += &leak::section(part);
+    out += &sections::the_surface(part, heights);
+    out += &sections::accuracy(part);
     out += &slider::data(surface);
     out + &format!("</{element}>\n")
 }
 
-fn opening(page: &ReportPage<'_>, surface: &SurfaceComparison) -> String {
-    let say = messages::headline(surface);
-    if page.several() {
+fn opening(part: &SurfacePart<'_>, made: &Provenance) -> String {
+    let say = messages::headline(part.surface);
+    if part.comparison.surfaces.len() > 1 {
         return format!("<header><p class=\"say\">{say}</p></header>\n");
     }
     format!(
         "<header><p class=\"file\">rough-contact report · <b>{}</b> · {}</p>\n<h1>{say}</h1></header>\n",
-        escape(&surface.name),
-        date(page.provenance.unix_time)
+        escape(&part.surface.name),
+        date(made.unix_time)
     )
 }
 

@@ -9,7 +9,7 @@ use crate::messages::conduction::scientific;
 use crate::messages::finding::capital;
 use crate::messages::leak::{known, leak_notes};
 use crate::numbers::{METRES, duration, quantity, signed_percent, signed_range};
-use crate::page::shared::{ReportPage, reduced_words, table};
+use crate::page::shared::{SurfacePart, reduced_words, table};
 use crate::page::tables::{cells, head};
 use crate::plot_styles::plot_style;
 use contact_accuracy::{Axis, Leak, Leaks};
@@ -103,14 +103,15 @@ impl<'a> LeakCurves<'a> {
 }
 
 /// The table, permeability over the load, error against time, the map of the flow along each axis.
-pub(crate) fn section(page: &mut ReportPage<'_>, surface: &SurfaceComparison, id: &str) -> String {
-    let settings = &page.comparison.settings;
+pub(crate) fn section(part: &mut SurfacePart<'_>) -> String {
+    let SurfacePart { surface, h, p, map_limit: limit, .. } = *part;
+    let settings = &part.comparison.settings;
     let leaks = surface.leaks.get(surface.headline).and_then(Option::as_ref);
     let (Some(asked), Some(leaks)) = (settings.leak, leaks) else { return String::new() };
     let all: Vec<&Leaks> = surface.leaks.iter().flatten().collect();
     let notes = leak_notes(&all, settings.modulus, settings.hardness.is_some());
     let notes: String = notes.iter().map(|note| format!(" {}.", capital(note))).collect();
-    let (at, h, p) = (surface.headline, page.heading(), crate::messages::headline_load(surface));
+    let at = surface.headline;
     let axes = asked.along.axes().iter().enumerate();
     let curves: Vec<LeakCurves<'_>> =
         axes.map(|(k, &axis)| LeakCurves::of(surface, k, axis)).collect();
@@ -139,15 +140,15 @@ pub(crate) fn section(page: &mut ReportPage<'_>, surface: &SurfaceComparison, id
         let rings = if curves.len() > 1 { "; rings: along y" } else { "" };
         let caption = format!("Permeability of the gap</b> along {along}. Dots: solver{rings}.");
         let draw = |key: &str| over_load(surface, &reference, &lines, ("Permeability", "m³"), key);
-        out.push_str(&page.numbers.figure(id, draw, &caption));
+        out += &part.figure(draw, &caption);
     }
     if let Some((routes, floor)) = first.routes(at) {
         let caption = format!(
             "Error against time</b> of the permeability along {along}, once the gap is known."
         );
-        let of = ("permeability", p.as_str());
+        let of = ("permeability", p);
         let draw = |key: &str| cost::figure(&routes, floor, of, "Time per load", key);
-        out.push_str(&page.numbers.figure(id, draw, &caption));
+        out += &part.figure(draw, &caption);
     }
     out.push_str("</div>\n<div class=\"two maps\">\n");
     let grid = surface.solved_map().grid();
@@ -156,12 +157,11 @@ pub(crate) fn section(page: &mut ReportPage<'_>, surface: &SurfaceComparison, id
         if flow.flux.len() != grid.len() || surface.pressure.len() != grid.len() {
             continue;
         }
-        let limit = page.map_limit;
         let reduced = reduced_words(grid.shape(), limit);
         let caption =
             format!("Flow along {}.</b> Grey: contact; ring: bottleneck.{reduced}", axis.name());
         let draw = |key: &str| flow::flux(flow, &surface.pressure, grid, limit, key);
-        out.push_str(&page.numbers.figure(id, draw, &caption));
+        out += &part.figure(draw, &caption);
     }
     out + "</div>\n"
 }

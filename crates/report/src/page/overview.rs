@@ -6,17 +6,22 @@ use crate::lines::WANTED;
 use crate::messages;
 use crate::numbers::{METRES, SPACE, counted, duration, quantity, signed_percent, significant};
 use crate::page::how_made::modulus_in_head;
-use crate::page::shared::{ReportPage, date, row, table, wide};
-use contact_compare::{ModelComparison, SurfaceComparison, elastic_holds};
+use crate::page::shared::{Numbering, date, row, table, wide};
+use crate::provenance::Provenance;
+use contact_compare::{Comparison, ModelComparison, SurfaceComparison, elastic_holds};
 
 /// The opening of a report on several surfaces.
-pub(crate) fn section(page: &mut ReportPage<'_>) -> String {
-    let surfaces = &page.comparison.surfaces;
+pub(crate) fn section(
+    comparison: &Comparison,
+    made: &Provenance,
+    numbers: &mut Numbering,
+) -> String {
+    let surfaces = &comparison.surfaces;
     let line = format!(
         "<p class=\"file\">rough-contact report · {} surfaces · {} · {}</p>\n",
         surfaces.len(),
-        modulus_in_head(&page.comparison.settings),
-        date(page.provenance.unix_time)
+        modulus_in_head(&comparison.settings),
+        date(made.unix_time)
     );
     let (headline, listed) = (headline(surfaces), listed(surfaces));
     let mut out = format!("<header>{line}<h1>{headline}</h1></header>\n{listed}");
@@ -27,7 +32,7 @@ pub(crate) fn section(page: &mut ReportPage<'_>) -> String {
     for (is_error, (title, caption)) in [(false, of_area), (true, of_errors)] {
         let description = format!("{title}: {}.", names.join(", "));
         let draw = |key: &str| multiples::figure(surfaces, is_error, title, description, key);
-        out.push_str(&wide(&page.numbers.figure("o", draw, caption)));
+        out.push_str(&wide(&numbers.figure("o", draw, caption)));
     }
     out.push_str("<div class=\"page1\"></div>\n");
     out

@@ -12,7 +12,7 @@ use crate::messages::pair::{lying, moments};
 use crate::messages::{self, edge_words};
 use crate::numbers::{METRES, SPACE, fixed, quantity, signed_percent, significant};
 use crate::page::budget;
-use crate::page::shared::{AREA_CORRECTION, ReportPage, row, table};
+use crate::page::shared::{AREA_CORRECTION, SurfacePart, row, table};
 use crate::page::slider::dial;
 use crate::page::{statistics, tables};
 use crate::plot_styles::plot_style;
@@ -25,12 +25,8 @@ use contact_types::SpectralMoments;
 const MOST: usize = 3;
 
 /// What the answer holds for beside what speaks against it.
-pub(crate) fn key_and_notes(
-    page: &ReportPage<'_>,
-    surface: &SurfaceComparison,
-    id: &str,
-) -> String {
-    let (key, notes) = (tables::key_numbers(page, surface), notes(&findings(surface), id));
+pub(crate) fn key_and_notes(part: &SurfacePart<'_>) -> String {
+    let (key, notes) = (tables::key_numbers(part), notes(&findings(part.surface), part.id));
     format!("<div class=\"two\">\n{key}{notes}</div>\n")
 }
 
@@ -62,51 +58,45 @@ pub(crate) fn notes(found: &[Finding], id: &str) -> String {
 }
 
 /// Figs. 1 to 4: area, real pressure, error, cost; the first three once for each kind of bodies.
-pub(crate) fn over_load(
-    page: &mut ReportPage<'_>,
-    surface: &SurfaceComparison,
-    id: &str,
-) -> String {
-    let h = page.heading();
-    let p = messages::headline_load(surface);
+pub(crate) fn over_load(part: &mut SurfacePart<'_>) -> String {
+    let SurfacePart { surface, id, h, p, .. } = *part;
     let mut out = format!("<{h}>Area and pressure against load</{h}>\n{}", dial(surface, id));
     let panels = LoadLines::panels(surface);
     for (k, lines) in panels.iter().enumerate() {
         let break_after = if k == 0 { " page1" } else { "" };
-        let panel = panel(page, lines, id);
-        out.push_str(&format!("<div class=\"two{break_after}\">\n{panel}</div>\n"));
+        let panel = panel(part, lines);
+        out += &format!("<div class=\"two{break_after}\">\n{panel}</div>\n");
     }
-    let errors: String = panels.iter().map(|lines| errors(page, lines, id)).collect();
-    out.push_str(&format!("<div class=\"two\">\n{errors}"));
+    out += "<div class=\"two\">\n";
+    out += &panels.iter().map(|lines| errors(part, lines)).collect::<String>();
     if let Some(routes) = cost_routes(surface) {
         let (floor, time) = (relative_uncertainty(surface), "Time to the first answer");
         let caption = format!(
             "Error against time</b> at {p}, from the levelled map; bars: from typed numbers. Dashed: Pareto front."
         );
-        let draw = |key: &str| cost::figure(&routes, floor, ("area", &p), time, key);
-        out.push_str(&page.numbers.figure(id, draw, &caption));
+        let draw = |key: &str| cost::figure(&routes, floor, ("area", p), time, key);
+        out += &part.figure(draw, &caption);
     }
-    out.push_str("</div>\n");
-    out
+    out + "</div>\n"
 }
 
 fn of(lines: &LoadLines) -> String {
     if lines.of.is_empty() { String::new() } else { format!(", {}", lines.of) }
 }
 
-fn panel(page: &mut ReportPage<'_>, lines: &LoadLines, id: &str) -> String {
+fn panel(part: &mut SurfacePart<'_>, lines: &LoadLines) -> String {
     let of = of(lines);
     let band =
         if lines.interval.iter().flatten().count() > 1 { "; grey: ± of this map" } else { "" };
     let elastic = if lines.of == YIELDING { "; rings: elastic contact" } else { "" };
     let caption = format!("Real contact area{of}.</b> Dots: solver{elastic}{band}.");
-    let area = page.numbers.figure(id, |key| curves::area(lines, key, true), &caption);
+    let area = part.figure(|key| curves::area(lines, key, true), &caption);
     let caption = format!("Mean real pressure{of}</b>, load over real area.");
-    area + &page.numbers.figure(id, |key| curves::pressure(lines, key, true), &caption)
+    area + &part.figure(|key| curves::pressure(lines, key, true), &caption)
 }
 
 /// The error of each closed form; nothing where no theory of these bodies answers.
-fn errors(page: &mut ReportPage<'_>, lines: &LoadLines, id: &str) -> String {
+fn errors(part: &mut SurfacePart<'_>, lines: &LoadLines) -> String {
     if lines.models.iter().all(|m| m.name == "elastic") {
         return String::new();
     }
@@ -116,7 +106,7 @@ fn errors(page: &mut ReportPage<'_>, lines: &LoadLines, id: &str) -> String {
         "Error of each closed form{}</b> against the solver. Light band: 10{SPACE}%{dark}.",
         of(lines)
     );
-    page.numbers.figure(id, |key| curves::error(lines, key), &caption)
+    part.figure(|key| curves::error(lines, key), &caption)
 }
 
 fn relative_uncertainty(surface: &SurfaceComparison) -> Option<f64> {
@@ -144,9 +134,9 @@ fn cost_routes(surface: &SurfaceComparison) -> Option<Vec<CostRoute>> {
 }
 
 /// The model table, with the formula of each model in it that has one of a line.
-pub(crate) fn models(page: &mut ReportPage<'_>, surface: &SurfaceComparison) -> String {
-    let h = page.heading();
-    let table = tables::models(page, surface);
+pub(crate) fn models(part: &mut SurfacePart<'_>) -> String {
+    let SurfacePart { surface, h, .. } = *part;
+    let table = tables::models(part);
     let with = surface.models.iter().filter(|m| m.outcome.is_ok() && !m.card.formula.is_empty());
     let formula =
         |m: &ModelComparison| format!(" {}: {}.", escape(&m.card.label), escape(&m.card.formula));
@@ -168,14 +158,11 @@ pub(crate) fn height_figures(
 
 /// Height map, statistics, distribution, spectrum.
 pub(crate) fn the_surface(
-    page: &mut ReportPage<'_>,
-    surface: &SurfaceComparison,
+    part: &mut SurfacePart<'_>,
     (picture, histogram): (Option<(String, [f64; 2])>, Option<Histogram>),
-    id: &str,
 ) -> String {
-    let h = page.heading();
+    let SurfacePart { surface, h, p, .. } = *part;
     let grid = surface.surface.grid();
-    let p = messages::headline_load(surface);
     let (title, first) = match surface.origin.pair() {
         Some(both) => ("Composite surface", opening(both)),
         None => ("The surface", String::new()),
@@ -183,7 +170,7 @@ pub(crate) fn the_surface(
     let mut out = format!("<{h}>{title}</{h}>\n{first}<div class=\"two maps\">\n");
     if let Some(picture) = picture {
         let draw = |key: &str| heights::figure(&picture, grid, &[], key);
-        out.push_str(&page.numbers.figure(id, draw, "Height.</b>"));
+        out += &part.figure(draw, "Height.</b>");
     } else {
         out.push_str("<p>A single profile: no map is drawn.</p>\n");
     }
@@ -194,8 +181,8 @@ pub(crate) fn the_surface(
             format!(" At {p} heights above {}{SPACE}Sq touch.", fixed(lowest, 1))
         });
         let caption = format!("Height distribution.</b> Line: normal.{words}");
-        let draw = |key: &str| surface_figures::heights(&histogram, &p, key);
-        out.push_str(&page.numbers.figure(id, draw, &caption));
+        let draw = |key: &str| surface_figures::heights(&histogram, p, key);
+        out += &part.figure(draw, &caption);
     }
     let fit = surface.statistics.hurst.zip(surface.statistics.fractal_range);
     let spectrum =
@@ -205,19 +192,16 @@ pub(crate) fn the_surface(
     let window = if surface.spectral.windowed { "Hann window" } else { "periodic" };
     let caption = format!("Radial power spectrum</b>, {window}.{fitted}");
     let draw = |key: &str| surface_figures::spectrum(&spectrum, key);
-    out.push_str(&page.numbers.figure(id, draw, &caption));
-    out.push_str("</div>\n");
-    out
+    out + &part.figure(draw, &caption) + "</div>\n"
 }
 
 /// Error budget of the deterministic area, and what it does not cover.
-pub(crate) fn accuracy(page: &mut ReportPage<'_>, surface: &SurfaceComparison) -> String {
+pub(crate) fn accuracy(part: &mut SurfacePart<'_>) -> String {
+    let SurfacePart { surface, h, p, .. } = *part;
     let Some(answer) = surface.headline_answer() else { return String::new() };
-    let h = page.heading();
-    let p = messages::headline_load(surface);
-    let correction = page.numbers.source(AREA_CORRECTION);
+    let correction = part.numbers.source(AREA_CORRECTION);
     let budget = match answer.budget.area.half_width() {
-        Ok(_) => budget::sources(answer, surface, &p, correction),
+        Ok(_) => budget::sources(answer, surface, p, correction),
         Err(reason) => {
             let (reason, edges) = (escape(&reason.to_string()), edge_words(surface));
             format!(

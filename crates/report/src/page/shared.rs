@@ -2,7 +2,6 @@
 
 use crate::draw::svg::Figure;
 use crate::numbers::{percent, power_of_ten, significant};
-use crate::provenance::Provenance;
 use contact_compare::{Comparison, Section, SurfaceComparison};
 use contact_types::Citation;
 use std::borrow::Cow;
@@ -97,23 +96,29 @@ pub(crate) fn wide(figure: &str) -> String {
     figure.replacen("<figure>", "<figure class=\"wide scroll\" tabindex=\"0\">", 1)
 }
 
-pub(crate) struct ReportPage<'a> {
-    pub comparison: &'a Comparison,
-    pub provenance: &'a Provenance,
-    pub(crate) numbers: Numbering,
+/// The part of a page on one surface.
+pub(crate) struct SurfacePart<'a> {
+    pub(crate) comparison: &'a Comparison,
+    pub(crate) surface: &'a SurfaceComparison,
+    /// With which its ids begin.
+    pub(crate) id: &'a str,
+    /// Tag of its headings.
+    pub(crate) h: &'a str,
+    /// The load of the headline.
+    pub(crate) p: &'a str,
+    pub(crate) numbers: &'a mut Numbering,
     /// Longest side of a map picture in pixels.
-    pub map_limit: usize,
+    pub(crate) map_limit: usize,
 }
 
-impl ReportPage<'_> {
-    /// Several surfaces: sections move one heading level down.
-    pub(crate) fn several(&self) -> bool {
-        self.comparison.surfaces.len() > 1
-    }
-
-    /// Heading tag of a section of one surface.
-    pub(crate) fn heading(&self) -> &'static str {
-        if self.several() { "h3" } else { "h2" }
+impl SurfacePart<'_> {
+    /// Its next figure, see [`Numbering::figure`].
+    pub(crate) fn figure<F: Into<Option<Figure>>>(
+        &mut self,
+        draw: impl FnOnce(&str) -> F,
+        caption: &str,
+    ) -> String {
+        self.numbers.figure(self.id, draw, caption)
     }
 }
 

@@ -9,13 +9,14 @@ use crate::numbers::{
     signed_range, significant, unit_for,
 };
 use crate::page::how_made::modulus_in_head;
-use crate::page::shared::{DETERMINISTIC, Numbering, ReportPage, key_table, table};
+use crate::page::shared::{DETERMINISTIC, Numbering, SurfacePart, key_table, table};
 use crate::plot_styles::{inputs_html, plot_style};
-use contact_compare::{Applies, Card, ModelComparison, SurfaceComparison, elastic_limit, is_steep};
+use contact_compare::{Applies, Card, ModelComparison, elastic_limit, is_steep};
 use contact_types::{Citation, ContactState, ModelError, Named};
 
 /// What the answer holds for, and the ways to it: terms with a value and a note.
-pub(crate) fn key_numbers(page: &ReportPage<'_>, surface: &SurfaceComparison) -> String {
+pub(crate) fn key_numbers(part: &SurfacePart<'_>) -> String {
+    let (surface, settings) = (part.surface, &part.comparison.settings);
     let mut rows: Vec<[String; 3]> = Vec::new();
     let conducted = surface.conducted(surface.headline);
     for (name, value, spot) in conducted.iter().flat_map(messages::conduction::resistances) {
@@ -24,7 +25,6 @@ pub(crate) fn key_numbers(page: &ReportPage<'_>, surface: &SurfaceComparison) ->
         let beside = spot.map_or_else(String::new, |spot| format!("; one spot (Holm) {spot}"));
         rows.push([name.into(), value, of + &beside]);
     }
-    let settings = &page.comparison.settings;
     rows.extend(settings.leak.iter().flat_map(|asked| messages::leak::key_rows(asked, surface)));
     let (p, nominal) = (surface.headline_pressure(), surface.nominal_area());
     let side = unit_for(nominal.sqrt(), METRES);
@@ -110,22 +110,22 @@ pub(crate) fn applies(answer: Applies, reason: &str) -> String {
     format!("<td data-l=\"Applies\" class=\"dom\"><b class=\"{answer}\">{answer}</b> {reason}</td>")
 }
 
-pub(crate) fn models(page: &mut ReportPage<'_>, surface: &SurfaceComparison) -> String {
-    let p = messages::headline_load(surface);
+pub(crate) fn models(part: &mut SurfacePart<'_>) -> String {
+    let SurfacePart { surface, p, .. } = *part;
     let loads = &surface.deterministic;
     let [lightest, heaviest] = [&loads[0], &loads[loads.len() - 1]]
         .map(|point| messages::load(point.mean_pressure, surface.load_area));
     // Each theory stands below the solution for the bodies it is about.
     let mut rows = String::new();
     for mut reference in references(surface) {
-        rows.push_str(&deterministic_row(page, surface, &reference));
+        rows.push_str(&deterministic_row(part, &reference));
         let size = |(_, m): &(usize, &ModelComparison)| {
             let error = m.outcome.as_ref().ok().and_then(|c| c.errors[surface.headline]);
             error.map_or(f64::INFINITY, f64::abs)
         };
         reference.models.sort_by(|a, b| size(a).total_cmp(&size(b)));
         for (place, model) in reference.models {
-            rows.push_str(&model_row(page, surface, model, place));
+            rows.push_str(&model_row(part, model, place));
         }
     }
     let k = if loads.len() > 1 { " data-k=\"load\"" } else { "" };
@@ -141,14 +141,11 @@ pub(crate) fn cited(numbers: &mut Numbering, citation: Citation) -> String {
     format!("<td data-l=\"Ref.\" class=\"n src\"><a href=\"#r{n}\">{n}</a></td>")
 }
 
-fn deterministic_row(
-    page: &mut ReportPage<'_>,
-    surface: &SurfaceComparison,
-    reference: &Reference<'_>,
-) -> String {
+fn deterministic_row(part: &mut SurfacePart<'_>, reference: &Reference<'_>) -> String {
+    let surface = part.surface;
     let (points, of_elastic) = (reference.points, reference.of == ELASTIC);
     let answer = points.get(surface.headline).and_then(|p| p.answer.as_ref());
-    let source = cited(&mut page.numbers, DETERMINISTIC);
+    let source = cited(part.numbers, DETERMINISTIC);
     let k = match (points.len() > 1, of_elastic) {
         (false, _) => "",
         (true, false) => " data-k=\"a-det\"",
@@ -176,14 +173,9 @@ fn deterministic_row(
     format!("<tr class=\"ref\">{head}{cells}{applies}{source}</tr>\n")
 }
 
-fn model_row(
-    page: &mut ReportPage<'_>,
-    surface: &SurfaceComparison,
-    model: &ModelComparison,
-    place: usize,
-) -> String {
-    let card = &model.card;
-    let source = cited(&mut page.numbers, card.citation.clone());
+fn model_row(part: &mut SurfacePart<'_>, model: &ModelComparison, place: usize) -> String {
+    let (surface, card) = (part.surface, &model.card);
+    let source = cited(part.numbers, card.citation.clone());
     let several = surface.deterministic.len() > 1;
     let (series, name) = (escape(&card.name), model_head(card, place));
     let applies = applies(model.verdict.answer, &reason_of(card, &model.verdict));
