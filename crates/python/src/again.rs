@@ -3,28 +3,13 @@
 use crate::failure::{bug, raise};
 use crate::reading::FileReading;
 use crate::watched::quietly;
-use contact_compare::{Method, Origin, RunFile, Settings};
+use contact_compare::{Method, Origin, RunFile};
 use contact_front_end::Failure;
 use fft_bem_solver::validation::{self, Options};
 use pyo3::prelude::*;
-use serde::Serialize;
+use serde_json::{Value, json};
 use std::path::Path;
 use surface_io::Cut;
-
-/// What Python has to read or make again.
-#[derive(Serialize)]
-struct RepeatedRun {
-    settings: Settings,
-    surfaces: Vec<Again>,
-}
-
-#[derive(Serialize)]
-struct Again {
-    name: String,
-    /// Of a file: its path, its SHA-256, what is said of it.
-    file: Option<(String, String, FileReading)>,
-    recipe: Option<contact_compare::Recipe>,
-}
 
 /// A run file as it stands in a folder.
 #[pyfunction]
@@ -34,7 +19,7 @@ pub(crate) fn run_file_in(text: &str, folder: &str) -> PyResult<String> {
     contact_front_end::run_file_in(run, Path::new(folder)).to_toml().map_err(|e| bug(&e))
 }
 
-/// A run file as JSON.
+/// A run file as JSON: settings, and surfaces that Python has to read or make again.
 #[pyfunction]
 pub(crate) fn run_file(text: &str) -> PyResult<String> {
     let run = RunFile::parse(text).map_err(|e| raise(&Failure::from(&e)))?;
@@ -43,9 +28,9 @@ pub(crate) fn run_file(text: &str) -> PyResult<String> {
             let (path, hash) = (file.path.clone(), std::mem::take(&mut file.sha256));
             let crop = file.crop.map(|part| Cut::Rectangle(part).to_string());
             let reading = FileReading { file, crop, ..FileReading::default() };
-            Ok(Again { name, file: Some((path, hash, reading)), recipe: None })
+            Ok(json!({ "name": name, "file": (path, hash, reading), "recipe": null }))
         }
-        Origin::Recipe(recipe) => Ok(Again { name, file: None, recipe: Some(recipe) }),
+        Origin::Recipe(recipe) => Ok(json!({ "name": name, "file": null, "recipe": recipe })),
         _ => {
             let message = format!(
                 "{name} is of two bodies; give them to rc.compare with against=, or use `rough-contact compare --from`"
@@ -54,8 +39,8 @@ pub(crate) fn run_file(text: &str) -> PyResult<String> {
         }
     };
     let surfaces = run.surfaces.into_iter().map(|s| again(s.name, s.origin));
-    let run = RepeatedRun { settings: run.settings, surfaces: surfaces.collect::<PyResult<_>>()? };
-    serde_json::to_string(&run).map_err(|e| bug(&e))
+    let surfaces = surfaces.collect::<PyResult<Vec<Value>>>()?;
+    Ok(json!({ "settings": run.settings, "surfaces": surfaces }).to_string())
 }
 
 /// What `rough-contact validate` answers, as JSON.
@@ -65,5 +50,5 @@ pub(crate) fn validate(py: Python<'_>, method: &str, finest: usize) -> PyResult<
     let options = Options { method, finest };
     let rows = quietly(py, 1, move || validation::run(&options, |_| {}))?;
     let rows = rows.map_err(|e| raise(&Failure::from(&e)))?;
-    Ok(serde_json::json!({ "rows": rows }).to_string())
+    Ok(json!({ "rows": rows }).to_string())
 }

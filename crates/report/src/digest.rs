@@ -84,7 +84,6 @@ fn kind(finding: &Value) -> String {
 
 /// How numbers are spread: their order and what is read off it.
 pub(crate) struct Quantiles {
-    /// The numbers, rising.
     pub sorted: Vec<f64>,
 }
 

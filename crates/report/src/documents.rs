@@ -2,11 +2,10 @@
 
 use crate::figures::{curves, profiles};
 use crate::provenance::Provenance;
-use crate::{csv, json, page, profile_json};
+use crate::{csv, json, page};
 use contact_compare::{Comparison, ProfileComparison};
 use grid_fft::parallel;
 
-/// Names of the files of a study.
 const NAMES: [&str; 5] = ["report.html", "results.json", "curves.csv", "area.svg", "pressure.svg"];
 
 /// The files of a study, each with its name: the page, which needs no other file and no network; all results; the numbers
@@ -17,8 +16,8 @@ pub fn documents(comparison: &Comparison, provenance: &Provenance) -> Vec<(&'sta
             "report.html" => page::html::report(comparison, provenance),
             "results.json" => format!("{:#}\n", json::comparison(comparison, provenance)),
             "curves.csv" => csv::of_surfaces(comparison),
-            "area.svg" => curves::panels(comparison, "area", curves::area).standalone(),
-            _ => curves::panels(comparison, "pressure", curves::pressure).standalone(),
+            "area.svg" => curves::panels(comparison, "area", curves::area),
+            _ => curves::panels(comparison, "pressure", curves::pressure),
         };
         (*name, text)
     })
@@ -30,10 +29,10 @@ pub fn profile_documents(
     studies: &[ProfileComparison],
     provenance: &Provenance,
 ) -> [(&'static str, Vec<String>); 5] {
-    let results = profile_json::profile_comparison(studies, provenance);
-    let area = |study| profiles::area(study, "area").standalone();
+    let results = json::profile_comparison(studies, provenance);
+    let area = |study| profiles::area(study).standalone("area");
     let trace = |study| {
-        profiles::first_trace(study, "trace").map_or_else(String::new, |trace| trace.standalone())
+        profiles::first_trace(study).map_or_else(String::new, |trace| trace.standalone("trace"))
     };
     [
         ("report.html", vec![page::profile::report(studies, provenance)]),

@@ -7,11 +7,12 @@ use crate::provenance::Provenance;
 use contact_accuracy::{AccuracyRequest, Reached};
 use contact_compare::{
     ChoiceKind, Comparison, DeterministicPoint, Finding, ModelComparison, ModelCurve,
-    SurfaceComparison,
+    ProfileComparison, SurfaceComparison, Unevenness,
 };
 use contact_types::{ContactState, ModelError, Named};
 use serde_json::{Value, json};
 use surface_stats::clean::Record;
+use surface_stats::profile::{ParameterMean, ProfileStatistics, Setting, SettingSource};
 use surface_stats::{SurfaceStatistics, Warning};
 
 /// The results as one object.
@@ -120,7 +121,6 @@ fn choice(kind: ChoiceKind) -> &'static str {
     }
 }
 
-/// The headline load on twice the points, if it was solved there.
 fn finer(s: &SurfaceComparison) -> Value {
     let finer = s.headline_answer().and_then(|a| a.finer);
     finer.map_or(Value::Null, |f| {
@@ -165,12 +165,19 @@ fn model(m: &ModelComparison, surface: &SurfaceComparison) -> Value {
     let mut model = answers(m, &pressures);
     model["preparation_seconds"] = json!(curve.map(|c| c.preparation));
     model["seconds"] = json!(curve.map(|c| c.seconds));
-    model["area_error"] = json!(curve.map(|c| area_error(c, m, surface)));
+    let of_elastic = !m.card.yields && !surface.elastic.is_empty();
+    model["area_error"] = json!(curve.map(|c| json!({
+        "against": if of_elastic { "elastic" } else { "deterministic" },
+        "signed": c.errors,
+        "headline": c.errors.get(surface.headline),
+        "worst": c.worst_and_mean().map(|(worst, _)| worst),
+        "mean_absolute": c.worst_and_mean().map(|(_, mean)| mean),
+    })));
     model
 }
 
 /// A model, whether it covers the surface, and what it says at these pressures (Pa).
-pub(crate) fn answers(m: &ModelComparison, pressures: &[f64]) -> Value {
+fn answers(m: &ModelComparison, pressures: &[f64]) -> Value {
     let of_curve = |curve: &ModelCurve| -> Vec<Value> {
         let points = curve.points.iter().zip(&curve.intervals).zip(pressures);
         points.map(|((point, interval), pressure)| answer(*pressure, point, *interval)).collect()
@@ -185,19 +192,6 @@ pub(crate) fn answers(m: &ModelComparison, pressures: &[f64]) -> Value {
     })
 }
 
-fn area_error(curve: &ModelCurve, m: &ModelComparison, surface: &SurfaceComparison) -> Value {
-    let summary = curve.worst_and_mean();
-    let of_elastic = !m.card.yields && !surface.elastic.is_empty();
-    json!({
-        "against": if of_elastic { "elastic" } else { "deterministic" },
-        "signed": curve.errors,
-        "headline": curve.errors.get(surface.headline),
-        "worst": summary.map(|(worst, _)| worst),
-        "mean_absolute": summary.map(|(_, mean)| mean),
-    })
-}
-
-/// What a model says at a load.
 fn answer(
     mean_pressure: f64,
     result: &Result<ContactState, ModelError>,
@@ -259,7 +253,7 @@ pub fn cleaning(records: &[Record]) -> Value {
 }
 
 /// A warning of the statistics, in the words of the page.
-pub(crate) fn warned(warning: &Warning) -> Value {
+fn warned(warning: &Warning) -> Value {
     json!({ "kind": warning.kind(), "message": warning.to_string() })
 }
 
@@ -268,4 +262,109 @@ pub fn statistics(s: &SurfaceStatistics) -> Value {
     let mut value = json!(s);
     value["warnings"] = s.warnings.iter().map(warned).collect();
     value
+}
+
+fn parameters(all: &[ParameterMean]) -> Value {
+    let one = |p: &ParameterMean| {
+        (p.symbol.clone(), json!({ "mean": p.mean, "standard_deviation": p.deviation }))
+    };
+    Value::Object(all.iter().map(one).collect())
+}
+
+fn setting(s: &Setting) -> Value {
+    let source = match s.source {
+        SettingSource::Asked => "asked".to_owned(),
+        SettingSource::Class(number) => format!("Sc{number}"),
+        SettingSource::Longest(number) => format!("Sc{number}, the coarsest that fits"),
+    };
+    json!({
+        "cutoff": s.cutoff, "short": s.short, "short_unresolved": s.short_unresolved,
+        "source": source,
+    })
+}
+
+/// How uneven the points were.
+pub fn unevenness(uneven: Option<Unevenness>) -> Value {
+    uneven.map_or(Value::Null, |u| {
+        json!({ "shortest_step": u.steps[0], "longest_step": u.steps[1], "spacing": u.spacing })
+    })
+}
+
+/// Statistics of profiles, with the keys of `stats --json` for a profile.
+pub fn profile_statistics(s: &ProfileStatistics) -> Value {
+    let warnings: Vec<Value> = s.warnings.iter().map(warned).collect();
+    let roughness = s.roughness.as_ref().map_or(Value::Null, |found| {
+        json!({
+            "setting": setting(&found.setting),
+            "sections": found.sections,
+            "evaluated": found.evaluated,
+            "parameters": parameters(&found.parameters),
+        })
+    });
+    json!({
+        "profile": true,
+        "traces": s.traces,
+        "points": s.points,
+        "spacing": s.spacing,
+        "length": s.length,
+        "polynomial_degree": s.options.degree,
+        "s_filter": s.options.short,
+        "l_filter": s.options.cutoff,
+        "roughness": roughness,
+        "no_roughness_because": s.roughness.as_ref().err().map(ToString::to_string),
+        "primary": parameters(&s.primary),
+        "m0": s.moments.m0,
+        "m2": s.moments.m2,
+        "m4": s.moments.m4,
+        "m0_interval": s.intervals[0],
+        "m2_interval": s.intervals[1],
+        "m4_interval": s.intervals[2],
+        "each": s.each,
+        "between_traces": s.between,
+        "spectral": s.spectral,
+        "seen": s.seen,
+        "by_spacing": s.by_spacing.iter().map(|(distance, m)| json!({
+            "spacing": distance, "m2": m.m2, "m4": m.m4,
+        })).collect::<Vec<_>>(),
+        "skewness": s.skewness,
+        "kurtosis": s.kurtosis,
+        "rms_gradient": s.moments.rms_gradient(),
+        "bandwidth": s.bandwidth,
+        "asperities": s.asperities,
+        "hurst": s.hurst,
+        "dimension": s.hurst.map(|h| 2.0 - h),
+        "fractal_roughness": s.fractal.map(|f| f.roughness),
+        "fractal_range": s.fractal_range,
+        "rolloff": s.rolloff,
+        "cutoff": s.cutoff,
+        "height_step": s.height_step,
+        "noise_rms": s.noise_rms,
+        "reliable_wavelength": s.reliable_wavelength,
+        "warnings": warnings,
+    })
+}
+
+/// A study of profiles as one object.
+pub fn profile_comparison(studies: &[ProfileComparison], provenance: &Provenance) -> Value {
+    let one = |s: &ProfileComparison| {
+        json!({
+            "name": s.surface.name,
+            "origin": s.surface.origin.without_folders(),
+            "uneven": unevenness(s.surface.uneven),
+            "cleaning": cleaning(s.surface.origin.cleaned()),
+            "findings": findings(&s.findings()),
+            "statistics": profile_statistics(&s.statistics),
+            "headline_pressure": s.pressures[s.headline],
+            "span": s.span(s.headline).map(|(span, models)| {
+                json!({ "area_fraction": span, "models": models })
+            }),
+            "models": s.models.iter().map(|m| answers(m, &s.pressures)).collect::<Vec<_>>(),
+        })
+    };
+    json!({
+        "profiles": studies.iter().map(one).collect::<Vec<_>>(),
+        "settings": studies.first().map(|s| &s.settings),
+        "versions": { "rough-contact": provenance.version, "platform": provenance.platform },
+        "seconds": studies.iter().map(|s| s.seconds).sum::<f64>(),
+    })
 }

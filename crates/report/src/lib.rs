@@ -17,7 +17,6 @@ pub mod numbers;
 mod page;
 mod parts_json;
 mod plot_styles;
-mod profile_json;
 mod provenance;
 mod table_csv;
 
@@ -31,7 +30,9 @@ pub use figures::heights::{height_map, thumbnail};
 pub use figures::maps::pressures as pressure_picture;
 pub use json::{
     accuracy as accuracy_json, cleaning as cleaning_json, comparison as comparison_json,
-    findings as findings_json, statistics as statistics_json,
+    findings as findings_json, profile_comparison as profile_comparison_json,
+    profile_statistics as profile_statistics_json, statistics as statistics_json,
+    unevenness as unevenness_json,
 };
 pub use lines::{Reference, references};
 pub use messages::conduction::{joint_words, resistances};
@@ -48,10 +49,6 @@ pub use page::profile_tables::setting_words;
 pub use page::summary::{Summary, summary_html};
 pub use parts_json::{
     bodies_json, conducted_keys, gas_json, leak_json, leak_point_json, pair_json, solution_keys,
-};
-pub use profile_json::{
-    profile_comparison as profile_comparison_json, profile_statistics as profile_statistics_json,
-    unevenness as unevenness_json,
 };
 pub use provenance::Provenance;
 pub use table_csv::write as write_table_csv;

@@ -12,7 +12,6 @@ pub(crate) const WANTED: f64 = 0.10;
 pub(crate) struct LoadLine {
     /// The series of the study it is, see [`Canvas::series`](crate::draw::svg::Canvas::series); may be empty.
     pub name: String,
-    /// Short label, unique.
     pub label: String,
     pub look: Style,
     /// Number at each load, of a model its area fraction; `None` where there is none.
@@ -69,12 +68,16 @@ pub fn references(surface: &SurfaceComparison) -> Vec<Reference<'_>> {
 }
 
 impl LoadLine {
+    pub(crate) fn new(name: &str, label: &str, look: Style, values: Vec<Option<f64>>) -> Self {
+        Self { name: name.into(), label: label.into(), look, values }
+    }
+
     /// Of a model that answers; its `place` in the study.
     pub(crate) fn of(card: &Card, place: usize, curve: &ModelCurve) -> Self {
         let look = plot_style(&card.name, place);
         let points = curve.points.iter();
         let values = points.map(|p| p.as_ref().ok().map(|s| s.area_fraction)).collect();
-        Self { name: card.name.to_string(), label: card.label.to_string(), look, values }
+        Self::new(&card.name, &card.label, look, values)
     }
 }
 
@@ -91,15 +94,9 @@ impl LoadLines {
         let models = models
             .into_iter()
             .filter_map(|(place, m)| Some(LoadLine::of(&m.card, place, m.outcome.as_ref().ok()?)));
-        let elastic = (of == YIELDING).then(|| LoadLine {
-            name: "elastic".into(),
-            label: "Elastic".into(),
-            look: ELASTIC_LOOK,
-            values: surface
-                .elastic
-                .iter()
-                .map(|p| Some(p.answer.as_ref()?.area_fraction))
-                .collect(),
+        let elastic = (of == YIELDING).then(|| {
+            let areas = surface.elastic.iter().map(|p| Some(p.answer.as_ref()?.area_fraction));
+            LoadLine::new("elastic", "Elastic", ELASTIC_LOOK, areas.collect())
         });
         Self {
             pressures: points.iter().map(|p| p.mean_pressure).collect(),
@@ -120,12 +117,6 @@ impl LoadLines {
         format!("{}, {}", surface.name, self.of)
     }
 
-    /// Unit in which this surface's loads are read, as a scale of the pressure, and the title of their axis.
-    pub(crate) fn load_axis(&self) -> (Unit, String) {
-        load_axis(&self.pressures, self.load_area)
-    }
-
-    /// Signed relative error of a model at each load.
     pub(crate) fn errors(&self, model: &LoadLine) -> Vec<Option<f64>> {
         let error =
             |(m, d): (&Option<f64>, &Option<f64>)| Some((*m)? / d.filter(|d| *d > 0.0)? - 1.0);
@@ -150,15 +141,12 @@ pub(crate) fn load_ends(first: f64, last: f64) -> [f64; 2] {
     if last > first { [first, last] } else { [first / 3.0, last * 3.0] }
 }
 
-pub(crate) fn min_max(values: &[f64]) -> Option<(f64, f64)> {
-    let lo = values.iter().copied().min_by(f64::total_cmp)?;
-    let hi = values.iter().copied().max_by(f64::total_cmp)?;
-    Some((lo, hi))
+pub(crate) fn min_max(values: impl Iterator<Item = f64>) -> Option<(f64, f64)> {
+    values.map(|v| (v, v)).reduce(|(lo, hi), (v, _)| (lo.min(v), hi.max(v)))
 }
 
 pub(crate) fn range_words(values: &[Option<f64>], unit: &str) -> String {
-    let present: Vec<f64> = values.iter().flatten().copied().collect();
-    min_max(&present).map_or("none".into(), |(lo, hi)| {
+    min_max(values.iter().flatten().copied()).map_or("none".into(), |(lo, hi)| {
         format!("{} to {}{unit}", significant(lo, 3), significant(hi, 3))
     })
 }
@@ -166,8 +154,7 @@ pub(crate) fn range_words(values: &[Option<f64>], unit: &str) -> String {
 /// "GW −38 to −4.3 %; Persson …": the finding, for the text alternative of a figure.
 pub(crate) fn compared(lines: &LoadLines) -> String {
     let errors = |m: &LoadLine| {
-        let errors: Vec<f64> = lines.errors(m).into_iter().flatten().collect();
-        let (lo, hi) = min_max(&errors)?;
+        let (lo, hi) = min_max(lines.errors(m).into_iter().flatten())?;
         Some(format!("{} {}", m.label, signed_range(lo, hi)))
     };
     let parts: Vec<String> = lines.models.iter().filter_map(errors).collect();

@@ -135,48 +135,40 @@ pub(crate) fn times(ratio: f64) -> String {
     fixed_significant(ratio, if ratio < 99.5 { 2 } else { 1 })
 }
 
+const fn unit(scale: f64, name: &'static str) -> Unit {
+    Unit { scale, name }
+}
+
 /// Multiples of the pascal.
 pub const PASCALS: &[Unit] = &[
-    Unit { scale: 1e-3, name: "mPa" },
-    Unit { scale: 1.0, name: "Pa" },
-    Unit { scale: 1e3, name: "kPa" },
-    Unit { scale: 1e6, name: "MPa" },
-    Unit { scale: 1e9, name: "GPa" },
-    Unit { scale: 1e12, name: "TPa" },
+    unit(1e-3, "mPa"),
+    unit(1.0, "Pa"),
+    unit(1e3, "kPa"),
+    unit(1e6, "MPa"),
+    unit(1e9, "GPa"),
+    unit(1e12, "TPa"),
 ];
 
 /// Multiples of the square metre.
-pub const AREAS: &[Unit] = &[
-    Unit { scale: 1e-18, name: "nm²" },
-    Unit { scale: 1e-12, name: "µm²" },
-    Unit { scale: 1e-6, name: "mm²" },
-    Unit { scale: 1.0, name: "m²" },
-];
+pub const AREAS: &[Unit] =
+    &[unit(1e-18, "nm²"), unit(1e-12, "µm²"), unit(1e-6, "mm²"), unit(1.0, "m²")];
 
 /// Multiples of the ohm.
-pub(crate) const OHMS: &[Unit] = &[
-    Unit { scale: 1e-9, name: "nΩ" },
-    Unit { scale: 1e-6, name: "µΩ" },
-    Unit { scale: 1e-3, name: "mΩ" },
-    Unit { scale: 1.0, name: "Ω" },
-    Unit { scale: 1e3, name: "kΩ" },
-];
+pub(crate) const OHMS: &[Unit] =
+    &[unit(1e-9, "nΩ"), unit(1e-6, "µΩ"), unit(1e-3, "mΩ"), unit(1.0, "Ω"), unit(1e3, "kΩ")];
 
 /// Multiples of the unit of thermal resistance.
-pub(crate) const KELVINS_PER_WATT: &[Unit] = &[
-    Unit { scale: 1e-6, name: "µK/W" },
-    Unit { scale: 1e-3, name: "mK/W" },
-    Unit { scale: 1.0, name: "K/W" },
-];
+pub(crate) const KELVINS_PER_WATT: &[Unit] =
+    &[unit(1e-6, "µK/W"), unit(1e-3, "mK/W"), unit(1.0, "K/W")];
 
 /// Multiples of the newton.
 pub const NEWTONS: &[Unit] = &[
-    Unit { scale: 1e-9, name: "nN" },
-    Unit { scale: 1e-6, name: "µN" },
-    Unit { scale: 1e-3, name: "mN" },
-    Unit { scale: 1.0, name: "N" },
-    Unit { scale: 1e3, name: "kN" },
-    Unit { scale: 1e6, name: "MN" },
+    unit(1e-9, "nN"),
+    unit(1e-6, "µN"),
+    unit(1e-3, "mN"),
+    unit(1.0, "N"),
+    unit(1e3, "kN"),
+    unit(1e6, "MN"),
 ];
 
 /// "10 MPa", "2.5 kPa": a value that was chosen, with as many digits as it needs up to four.

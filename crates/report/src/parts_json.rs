@@ -69,7 +69,6 @@ pub fn solution_keys(found: Option<([f64; 2], &Diagnostics, &Budget)>) -> Map<St
     keys
 }
 
-/// The keys of an object.
 pub(crate) fn keys_of(object: Value) -> Map<String, Value> {
     if let Value::Object(keys) = object { keys } else { Map::new() }
 }

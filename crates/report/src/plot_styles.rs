@@ -13,40 +13,25 @@ const STYLES: [(&str, Style, &str); 14] = [
     ("gw", Style::model(GW, "6 2.5", Marker::Square, 1), MOMENTS),
     ("bgt", Style::model(BGT, "2 2", Marker::TriangleUp, 2), MOMENTS),
     ("greenwood-elliptical", Style::model(ELLIPTICAL, "", Marker::Diamond, 3), MOMENTS),
-    (
-        "persson",
-        Style::model(PERSSON, "8 2 1.5 2", Marker::TriangleDown, 0),
-        "<i>m</i><sub>2</sub>",
-    ),
+    ("persson", Style::model(PERSSON, "8 2 1.5 2", Marker::TriangleDown, 0), M2),
     ("stacked", Style::model(STACKED, "4 2 1 2 1 2", Marker::Cross, 2), "<i>B</i><sub>max</sub>"),
     ("multiscale", Style::model(MULTISCALE, "10 2 2 2", Marker::Hexagon, 3), "<i>Δ</i>(<i>f</i>)"),
     ("archard", Style::model(STACKED, "1 3", Marker::Diamond, 0), "<i>R</i>, <i>m</i>"),
-    (
-        "majumdar-bhushan",
-        Style::model(MAJUMDAR_BHUSHAN, "1 2.5", Marker::Plus, 1),
-        "<i>D</i>, <i>G</i>",
-    ),
-    (
-        "yan-komvopoulos",
-        Style::model(MAJUMDAR_BHUSHAN, "6 1 1 1", Marker::Square, 2),
-        "<i>D</i>, <i>G</i>",
-    ),
+    ("majumdar-bhushan", Style::model(MAJUMDAR_BHUSHAN, "1 2.5", Marker::Plus, 1), FRACTAL),
+    ("yan-komvopoulos", Style::model(MAJUMDAR_BHUSHAN, "6 1 1 1", Marker::Square, 2), FRACTAL),
     ("equation", Style::model(EQUATION, "", Marker::Hexagon, 1), MOMENTS),
-    (
-        "ceb",
-        Style::model(GW, "3 1.5", Marker::Plus, 3),
-        "<i>m</i><sub>0</sub>, <i>m</i><sub>2</sub>, <i>m</i><sub>4</sub>, <i>H</i>, <i>ν</i>",
-    ),
-    (
-        "persson-yield",
-        Style::model(PERSSON, "3 1.5 1 1.5", Marker::Hexagon, 2),
-        "<i>m</i><sub>2</sub>, <i>H</i>",
-    ),
+    ("ceb", Style::model(GW, "3 1.5", Marker::Plus, 3), CEB),
+    ("persson-yield", Style::model(PERSSON, "3 1.5 1 1.5", Marker::Hexagon, 2), M2_H),
     ("cmy", Style::model(BGT, "6 1 1 1", Marker::Diamond, 1), "<i>σ</i>, <i>m</i>, <i>H</i>"),
     ("mikic", Style::model(BGT, "9 3", Marker::Cross, 3), "<i>σ</i>, <i>m</i>, <i>E</i>*"),
 ];
 
 const MOMENTS: &str = "<i>m</i><sub>0</sub>, <i>m</i><sub>2</sub>, <i>m</i><sub>4</sub>";
+const CEB: &str =
+    "<i>m</i><sub>0</sub>, <i>m</i><sub>2</sub>, <i>m</i><sub>4</sub>, <i>H</i>, <i>ν</i>";
+const M2: &str = "<i>m</i><sub>2</sub>";
+const M2_H: &str = "<i>m</i><sub>2</sub>, <i>H</i>";
+const FRACTAL: &str = "<i>D</i>, <i>G</i>";
 
 /// Methods of the solver by precision, and the area as its pixels are counted.
 const SOLVER: [(&str, Style); 7] = [
@@ -96,11 +81,8 @@ mod tests {
             assert!(!is_known || !styles[..i].contains(&styles[i]), "{}", card.name);
         }
         for place in 0..RESERVE.len() {
-            assert!(!styles.contains(&plot_style("another", place)));
-            assert!(
-                (0..place)
-                    .all(|other| plot_style("another", other) != plot_style("another", place))
-            );
+            let reserve = plot_style("another", place);
+            assert!(!styles.contains(&reserve) && !RESERVE[..place].contains(&reserve));
         }
     }
 }

@@ -73,12 +73,9 @@ fn with_unit(head: &str) -> String {
     let unit = of_result.map(|(unit, _)| *unit).or_else(|| {
         STATISTICS.iter().find(|field| field.key == name && !field.unit.is_empty()).map(|f| f.unit)
     });
+    // `m^-2` of `m⁻²`: a header of CSV is read by programs.
+    let ascii = |unit: &str| unit.replace('²', "^2").replace("⁻^2", "^-2").replace("⁻¹", "^-1");
     unit.map_or_else(|| head.to_owned(), |unit| format!("{head} ({})", ascii(unit)))
-}
-
-/// `m^-2` of `m⁻²`: a header of CSV is read by programs.
-fn ascii(unit: &str) -> String {
-    unit.replace('²', "^2").replace("⁻^2", "^-2").replace("⁻¹", "^-1")
 }
 
 /// The numbers, words and truths of an object, with the way to them as their name.
@@ -104,7 +101,9 @@ fn push(name: String, value: &Value, cells: &mut Vec<(String, String)>) {
                 .extend(flat(value).into_iter().map(|(key, cell)| (format!("{name}.{key}"), cell)));
         }
         Value::Array(items) if name == "findings" || name == "warnings" => {
-            cells.push((name, items.iter().filter(|f| is_open(f)).count().to_string()));
+            // Not what was only looked at and found well.
+            let is_open = |finding: &&Value| finding["weight"] != "passed";
+            cells.push((name, items.iter().filter(is_open).count().to_string()));
         }
         // The loads of a solution, numbered where there are several.
         Value::Array(items) if name == "points" => {
@@ -122,11 +121,6 @@ fn push(name: String, value: &Value, cells: &mut Vec<(String, String)>) {
             }
         }
     }
-}
-
-/// A finding that is not only something that was looked at and found well.
-fn is_open(finding: &Value) -> bool {
-    finding.get("weight").is_none_or(|weight| weight != "passed")
 }
 
 #[cfg(test)]

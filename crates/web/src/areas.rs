@@ -2,7 +2,7 @@
 
 use crate::message::Messages;
 use crate::request::{Remedies, Request};
-use crate::surface::{RoughnessNumbers, measurement, prepared};
+use crate::surface::{measurement, prepared, roughness};
 use crate::trouble::Trouble;
 use contact_compare::{Iteration, Load, Solver};
 use contact_front_end::{Failure, shown};
@@ -28,7 +28,7 @@ pub(crate) fn answer(
     out: &mut Messages<'_>,
 ) -> Result<Option<Value>, Trouble> {
     let (measured, is_cut) = middle(measurement(request, file)?)?;
-    let pressure = LOAD * RoughnessNumbers::of(&prepared(&measured, request)?)?.gradient;
+    let pressure = LOAD * roughness(&prepared(&measured, request)?)?.rms_gradient();
     let mut known: Vec<(Remedies, f64)> = Vec::new();
     let mut area = |asked: &Request, out: &mut Messages<'_>| -> Result<Option<f64>, Trouble> {
         if let Some((_, area)) = known.iter().find(|(with, _)| *with == asked.remedies) {
@@ -62,7 +62,6 @@ pub(crate) fn answer(
     Ok(Some(json!({ "cut": is_cut.then_some(MOST) })))
 }
 
-/// The middle of a large map, and whether it was cut.
 fn middle(measured: Measurement) -> Result<(Measurement, bool), Trouble> {
     let [ny, nx] = measured.grid().shape();
     if ny.max(nx) <= MOST {

@@ -2,11 +2,12 @@
 
 use crate::numbers::{count, length};
 use crate::request::{Remedies, Request};
-use crate::surface::{RoughnessNumbers, prepared};
+use crate::surface::{prepared, roughness};
 use crate::trouble::Trouble;
 use contact_compare::{Fact, SPIKE_THRESHOLD, Spikes};
 use contact_front_end::{Failure, shown};
 use contact_report::numbers::significant;
+use contact_types::SpectralMoments;
 use serde_json::{Value, json};
 use surface_io::Measurement;
 use surface_stats::clean::{Outliers, find_outliers, row_offsets};
@@ -56,7 +57,7 @@ pub(crate) fn of(
         add("check", claim, &text, "spikes", "Remove and fill", Some(numbers));
     }
     let mut rms = |plane, dome| -> Result<f64, Trouble> {
-        Ok(remedied.but(|r| (r.plane, r.dome) = (plane, dome))?.height)
+        Ok(remedied.but(|r| (r.plane, r.dome) = (plane, dome))?.rms_height())
     };
     let [flat, domed, tilted] = [rms(true, false)?, rms(true, true)?, rms(false, false)?];
     if tilted > (1.0 + TILTED) * flat {
@@ -103,27 +104,27 @@ pub(crate) fn of(
 struct Remedied<'a> {
     measured: &'a Measurement,
     request: &'a Request,
-    known: Vec<(Remedies, RoughnessNumbers)>,
+    known: Vec<(Remedies, SpectralMoments)>,
 }
 
 impl Remedied<'_> {
     /// With the remedies as ticked but for this change.
-    fn but(&mut self, change: impl FnOnce(&mut Remedies)) -> Result<RoughnessNumbers, Trouble> {
+    fn but(&mut self, change: impl FnOnce(&mut Remedies)) -> Result<SpectralMoments, Trouble> {
         let mut asked = self.request.clone();
         change(&mut asked.remedies);
         if let Some((_, known)) = self.known.iter().find(|(with, _)| *with == asked.remedies) {
             return Ok(*known);
         }
-        let found = RoughnessNumbers::of(&prepared(self.measured, &asked)?)?;
+        let found = roughness(&prepared(self.measured, &asked)?)?;
         self.known.push((asked.remedies, found));
         Ok(found)
     }
 
     /// Without this remedy, and with it.
     fn both(&mut self, key: &str) -> Result<[Value; 2], Trouble> {
-        let shown = |found: RoughnessNumbers| {
-            let gradient = significant(found.gradient, 3);
-            json!([format!("Sq {}", length(found.height)), format!("Sdq {gradient}")])
+        let shown = |found: SpectralMoments| {
+            let gradient = significant(found.rms_gradient(), 3);
+            json!([format!("Sq {}", length(found.rms_height())), format!("Sdq {gradient}")])
         };
         Ok([shown(self.but(|r| r.set(key, false))?), shown(self.but(|r| r.set(key, true))?)])
     }

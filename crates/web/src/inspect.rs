@@ -4,7 +4,7 @@
 use crate::defects;
 use crate::numbers::{count, length};
 use crate::request::{Request, parse, unit};
-use crate::surface::{RoughnessNumbers, levelled, measurement};
+use crate::surface::{levelled, measurement, roughness};
 use crate::trouble::Trouble;
 use contact_compare::{Level, Surface};
 use contact_front_end::units::Dimension;
@@ -35,7 +35,6 @@ pub(crate) fn answer(request: &Request, file: &[u8]) -> Result<Value, Trouble> {
     }
 }
 
-/// The state `read`.
 fn read(request: &Request, file: &[u8], measured: Measurement) -> Result<Value, Trouble> {
     let facts = facts(&measured);
     let channel = |c: &ChannelInfo| {
@@ -102,7 +101,6 @@ fn parts(measured: &Measurement, chosen: Option<Cut>) -> Vec<Value> {
     all.into_iter().filter(is_offered).map(part).collect()
 }
 
-/// The statistics that the study will find.
 fn statistics(surface: &Surface, level: Level) -> Result<SurfaceStatistics, Trouble> {
     let options = surface.origin.options(&surface.heights, level);
     options
@@ -110,7 +108,6 @@ fn statistics(surface: &Surface, level: Level) -> Result<SurfaceStatistics, Trou
         .map_err(|e| Failure::from(&e).into())
 }
 
-/// What a plan has to know.
 fn known(statistics: &SurfaceStatistics, map: &HeightMap) -> Value {
     json!({
         "gradient": statistics.moments().rms_gradient(), "points": map.grid().len() as f64,
@@ -212,12 +209,11 @@ fn ask(request: &Request, file: &[u8]) -> Result<Value, Trouble> {
         // The page scales these by what is filled in and asks `meaning` for the words.
         "raw": {
             "shape": [ny, nx], "pixel": raw.grid().pixel(), "range": high - low,
-            "gradient": RoughnessNumbers::of(&filled(&raw)?)?.gradient,
+            "gradient": roughness(&filled(&raw)?)?.rms_gradient(),
         },
     }))
 }
 
-/// Holes filled by their neighbours.
 fn filled(measured: &Measurement) -> Result<HeightMap, Trouble> {
     measured.clone().fill(Fill::Nearest).map_err(|e| Trouble::Incomplete(e.into()))
 }

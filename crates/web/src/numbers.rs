@@ -2,7 +2,6 @@
 
 use contact_report::numbers::{METRES, PASCALS, chosen, fixed, quantity};
 
-/// A length (m), to three digits.
 pub(crate) fn length(metres: f64) -> String {
     quantity(metres, METRES, 3)
 }
@@ -12,7 +11,6 @@ pub(crate) fn pressure(pascals: f64) -> String {
     chosen(pascals, PASCALS)
 }
 
-/// How many, in groups of three digits.
 pub(crate) fn count(number: usize) -> String {
     fixed(number as f64, 0)
 }

@@ -7,7 +7,6 @@ use surface_io::Limits;
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub struct Host {
     is_browser: bool,
-    /// Threads of the solver.
     pub(crate) threads: usize,
 }
 

@@ -83,7 +83,6 @@ fn cost(facts: Facts, edges: EdgesName, loads: f64, (place, pace): (Host, Pace))
     )
 }
 
-/// To two digits.
 fn two(value: f64) -> f64 {
     let unit = 10f64.powf(value.log10().floor() - 1.0);
     (value / unit).round() * unit

@@ -5,7 +5,9 @@ use crate::numbers::pressure as shown_pressure;
 use crate::request::Request;
 use crate::surface;
 use crate::trouble::Trouble;
-use contact_compare::{Comparison, PressureMaps, Progress, RunFile, RunSurface, built_in};
+use contact_compare::{
+    Comparison, Iteration, PressureMaps, Progress, RunFile, RunSurface, built_in,
+};
 use contact_front_end::{Failure, shown};
 use contact_report::Provenance;
 use serde_json::{Value, json};
@@ -40,10 +42,7 @@ pub(crate) fn answer(
                     loads = of;
                     out.tell("progress", json!({ "stage": "loads", "count": of }));
                 }
-                Progress::Iterated { index, now } if told.elapsed() >= EVERY => {
-                    told = Instant::now();
-                    out.tell("progress", iterated(index, now.number, now.residual, now.tolerance));
-                }
+                Progress::Iterated { index, now } => iterated(index, &now, &mut told, out),
                 Progress::Solved { index, mean_pressure, area_fraction, maps } => {
                     let mut news = solved(index, loads, mean_pressure, area_fraction);
                     news["map"] = json!(maps.and_then(|maps| shown_map(maps, index)));
@@ -58,11 +57,8 @@ pub(crate) fn answer(
     };
     out.tell("progress", json!({ "stage": "accuracy" }));
     contact_front_end::look_around(&mut found, &mut |news| {
-        if let Progress::Iterated { now, .. } = news
-            && told.elapsed() >= EVERY
-        {
-            told = Instant::now();
-            out.tell("progress", iterated(loads, now.number, now.residual, now.tolerance));
+        if let Progress::Iterated { now, .. } = news {
+            iterated(loads, &now, &mut told, out);
         }
         if out.is_cut() { ControlFlow::Break(()) } else { ControlFlow::Continue(()) }
     })?;
@@ -86,11 +82,17 @@ fn shown_map(maps: &PressureMaps, load: usize) -> Option<Value> {
     Some(json!({ "picture": picture, "top": format!("{}{more}", shown_pressure(map.top)) }))
 }
 
-fn iterated(index: usize, number: usize, residual: f64, tolerance: f64) -> Value {
+fn iterated(index: usize, now: &Iteration<'_>, told: &mut Instant, out: &mut Messages<'_>) {
+    if told.elapsed() < EVERY {
+        return;
+    }
+    *told = Instant::now();
     // The residual falls exponentially: how far it has come is its logarithm.
-    let share = (residual.ln() / tolerance.ln()).clamp(0.0, 1.0);
-    let share = if residual.is_finite() { share } else { 0.0 };
-    json!({ "stage": "iteration", "index": index, "number": number, "share": share })
+    let share = (now.residual.ln() / now.tolerance.ln()).clamp(0.0, 1.0);
+    let share = if now.residual.is_finite() { share } else { 0.0 };
+    let news =
+        json!({ "stage": "iteration", "index": index, "number": now.number, "share": share });
+    out.tell("progress", news);
 }
 
 fn solved(index: usize, count: usize, pressure: f64, area: Option<f64>) -> Value {

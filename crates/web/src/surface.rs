@@ -1,14 +1,13 @@
-//! From the bytes of a file, or the name of a built-in surface, to a map, and the two numbers that say most of it.
+//! From the bytes of a file, or the name of a built-in surface, to a map, and what says most of it.
 
 use crate::request::Request;
 use crate::trouble::Trouble;
 use contact_compare::{FileOrigin, Level, Surface, built_in_recipes, sha256_hex};
 use contact_front_end::{Failure, complete, reading};
-use contact_types::HeightMap;
+use contact_types::{HeightMap, SpectralMoments};
 use surface_io::Measurement;
-use surface_stats::{Edges, StatsError, moments};
+use surface_stats::Edges;
 
-/// The measurement in a file.
 pub(crate) fn measurement(request: &Request, file: &[u8]) -> Result<Measurement, Trouble> {
     let found = surface_io::read_bytes(file, &request.options()?).map_err(Trouble::Unread)?;
     if found.is_profile() {
@@ -30,7 +29,6 @@ pub(crate) fn of(request: &Request, file: &[u8]) -> Result<Surface, Trouble> {
     recipe.make().map_err(|e| Failure::from(&e).into())
 }
 
-/// The surface of the study from what was read.
 pub(crate) fn of_measurement(
     request: &Request,
     file: &[u8],
@@ -40,7 +38,6 @@ pub(crate) fn of_measurement(
     Ok(Surface { name: request.name.clone(), ..surface })
 }
 
-/// With the remedies that are ticked.
 fn completed(measured: Measurement, request: &Request, sha256: String) -> Result<Surface, Trouble> {
     let origin = FileOrigin { sha256, ..request.origin()? };
     let (_, fill) = reading(&origin)?;
@@ -57,19 +54,7 @@ pub(crate) fn levelled(map: &HeightMap, level: Level) -> Result<HeightMap, Troub
     surface_stats::level(map, level).map_err(|e| Failure::from(&e).into())
 }
 
-/// The two numbers that say most.
-#[derive(Debug, Clone, Copy)]
-pub(crate) struct RoughnessNumbers {
-    /// Sq (m).
-    pub(crate) height: f64,
-    /// Sdq (-), as the statistics of the report.
-    pub(crate) gradient: f64,
-}
-
-impl RoughnessNumbers {
-    pub(crate) fn of(map: &HeightMap) -> Result<Self, Trouble> {
-        let refused = |e: StatsError| Trouble::Refused(Failure::from(&e));
-        let moments = moments(map, Edges::Open).map_err(refused)?;
-        Ok(Self { height: moments.rms_height(), gradient: moments.rms_gradient() })
-    }
+/// Of these Sq and Sdq are said, as in the statistics of the report.
+pub(crate) fn roughness(map: &HeightMap) -> Result<SpectralMoments, Trouble> {
+    surface_stats::moments(map, Edges::Open).map_err(|e| Failure::from(&e).into())
 }

@@ -116,7 +116,6 @@ impl Trouble {
         }
     }
 
-    /// Tells it.
     pub(crate) fn tell(&self, place: Host, out: &mut Messages<'_>) {
         let (failure, (heading, text, ways)) = (self.failure(), self.words(place));
         let text = if text.is_empty() { capital(&failure.message) } else { text };
@@ -127,7 +126,6 @@ impl Trouble {
     }
 }
 
-/// As a sentence begins.
 fn capital(text: &str) -> String {
     let mut rest = text.chars();
     rest.next().map_or_else(String::new, |first| first.to_uppercase().chain(rest).collect())

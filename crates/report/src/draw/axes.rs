@@ -6,9 +6,7 @@ use crate::numbers::{fixed, power_of_ten};
 
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(crate) enum AxisScale {
-    /// Equal differences are equally far apart.
     Linear,
-    /// Equal ratios are equally far apart.
     Log,
 }
 
@@ -156,7 +154,6 @@ pub(crate) fn round_step(about: f64) -> f64 {
     steps.find(|s| *s >= about * (1.0 - 1e-9)).unwrap_or(10.0 * decade)
 }
 
-/// A plot box with its two axes.
 pub(crate) struct PlotFrame {
     pub(crate) x: PlotAxis,
     /// Vertical axis; `units` run from bottom to top.

@@ -38,25 +38,10 @@ pub(crate) const MAJUMDAR_BHUSHAN: Colour = colour("mb", "#5A2D69", "#B46987");
 pub(crate) const MULTISCALE: Colour = colour("js", "#780FFF", "#6978F0");
 pub(crate) const EQUATION: Colour = colour("eq", "#00665C", "#B4F0C8");
 
-/// Every colour, in the order of the stylesheet.
-pub(crate) const COLOURS: [Colour; 16] = [
-    PAPER,
-    INK,
-    INK2,
-    LINE,
-    GRID,
-    BAND,
-    WARN,
-    DETERMINISTIC,
-    GW,
-    BGT,
-    ELLIPTICAL,
-    PERSSON,
-    STACKED,
-    MAJUMDAR_BHUSHAN,
-    MULTISCALE,
-    EQUATION,
-];
+/// Every colour, in the order of the stylesheet: what is no series, and the solution with the models.
+pub(crate) const ROLES: [Colour; 7] = [PAPER, INK, INK2, LINE, GRID, BAND, WARN];
+pub(crate) const SERIES: [Colour; 9] =
+    [DETERMINISTIC, GW, BGT, ELLIPTICAL, PERSSON, STACKED, MAJUMDAR_BHUSHAN, MULTISCALE, EQUATION];
 
 /// Shape that marks a series where colour is not seen.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -76,7 +61,6 @@ pub(crate) enum Marker {
 pub(crate) struct Stroke {
     pub(crate) colour: Colour,
     pub(crate) width: f64,
-    /// Dash pattern; empty for solid.
     pub(crate) dash: &'static str,
 }
 
@@ -266,11 +250,10 @@ mod tests {
     /// Persson and the equation, which are often the two nearest to the solution, are farther apart than others.
     #[test]
     fn models_are_told_apart_without_red_green_or_blue_cones() {
-        let models = &COLOURS[7..]; // with the solution
         for of in [|c: Colour| c.light, |c: Colour| c.dark] {
-            for (i, one) in models.iter().enumerate() {
+            for (i, one) in SERIES.iter().enumerate() {
                 assert!(contrast(of(*one), of(PAPER)) >= 4.5, "{}", one.class);
-                for other in &models[..i] {
+                for other in &SERIES[..i] {
                     let found = apart(of(*one), of(*other));
                     assert!(found >= 8.0, "{} and {}: {found:.1}", one.class, other.class);
                 }

@@ -8,14 +8,11 @@ use png::{ColorType, Filter};
 /// bytes.
 const EFFORT: png::DeflateCompression = png::DeflateCompression::Level(3);
 
-/// Of red, green and blue, three bytes per pixel.
-pub(crate) fn rgb(shape: [usize; 2], bytes: &[u8]) -> String {
-    address(shape, ColorType::Rgb, Filter::Adaptive, bytes)
-}
-
-/// Of grey, one byte per pixel.
-pub(crate) fn grey(shape: [usize; 2], bytes: &[u8]) -> String {
-    address(shape, ColorType::Grayscale, Filter::Adaptive, bytes)
+/// Of red, green and blue, three bytes per pixel, or of grey, one.
+pub(crate) fn shades(shape: [usize; 2], bytes: &[u8]) -> String {
+    let is_grey = bytes.len() == shape[0] * shape[1];
+    let colour = if is_grey { ColorType::Grayscale } else { ColorType::Rgb };
+    address(shape, colour, Filter::Adaptive, bytes)
 }
 
 /// Of classes, whose neighbours are alike or not: no difference of theirs is shorter.

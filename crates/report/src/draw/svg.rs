@@ -11,6 +11,9 @@ const MM: f64 = 0.25;
 /// The type of every figure.
 const FONT: &str = "'Helvetica Neue',Helvetica,Arial,'Liberation Sans',sans-serif";
 
+/// Stands in ids where the page that shows a figure puts its key; no text has it, see [`escape`].
+pub(crate) const KEY: &str = "\u{1}";
+
 /// A rectangle `[left, top, right, bottom]` in figure units.
 pub(crate) type Rect = [f64; 4];
 
@@ -136,7 +139,6 @@ fn attributes(Stroke { colour, width, dash }: Stroke) -> String {
 /// Marks and texts of a figure, in drawing order.
 #[derive(Debug, Clone, Default)]
 pub(crate) struct Canvas {
-    /// The elements written so far.
     pub(crate) body: String,
 }
 
@@ -149,12 +151,11 @@ impl Canvas {
     /// The finished figure: `title` says what it shows, `description` what it finds, with numbers.
     pub(crate) fn figure(
         self,
-        key: &str,
         title: impl Into<String>,
         description: String,
         size: [f64; 2],
     ) -> Figure {
-        Figure { key: key.into(), title: title.into(), description, size, body: self.body }
+        Figure { title: title.into(), description, size, body: self.body }
     }
 
     /// What belongs together, in an element `g` with these attributes.
@@ -174,11 +175,11 @@ impl Canvas {
         self.group(&format!(r#"data-m="{}""#, escape(name)), draw)
     }
 
-    /// What is drawn only inside a rectangle; `id` is unique in the page.
+    /// What is drawn only inside a rectangle; `id` is unique in the figure.
     pub(crate) fn clipped(&mut self, id: &str, inside: Rect, draw: impl FnOnce(&mut Self)) {
         let rect = rectangle(inside);
-        self.raw(&format!(r#"<clipPath id="{id}"><rect {rect}/></clipPath>"#));
-        self.group(&format!(r#"clip-path="url(#{id})""#), draw);
+        self.raw(&format!(r#"<clipPath id="{KEY}-{id}"><rect {rect}/></clipPath>"#));
+        self.group(&format!(r#"clip-path="url(#{KEY}-{id})""#), draw);
     }
 
     pub(crate) fn line(&mut self, from: [f64; 2], to: [f64; 2], stroke: Stroke) {
@@ -200,7 +201,6 @@ impl Canvas {
         }
     }
 
-    /// An unfilled path from path data.
     pub(crate) fn path(&mut self, data: &str, stroke: Stroke) {
         let (class, look) = (stroke.colour.class, attributes(stroke));
         self.raw(&format!(
@@ -258,7 +258,6 @@ impl Canvas {
         self.write_text(text, " label", "");
     }
 
-    /// A text reading upwards.
     pub(crate) fn upright(&mut self, text: &Text<'_>) {
         let [x, y] = text.at.map(num);
         self.write_text(text, "", &format!(r#" transform="rotate(-90 {x} {y})""#));
@@ -345,40 +344,36 @@ fn path_data(points: &[[f64; 2]]) -> String {
     points.iter().enumerate().map(point).collect()
 }
 
-/// A finished figure.
 pub(crate) struct Figure {
-    /// Unique key: prefix of every id inside.
-    pub(crate) key: String,
     pub(crate) title: String,
     /// What it finds, with numbers.
     pub(crate) description: String,
-    /// Width and height in units.
     pub(crate) size: [f64; 2],
     pub(crate) body: String,
 }
 
 impl Figure {
-    fn element(&self, extra: &str, ground: &str) -> String {
-        let Self { key, title, description, size, body } = self;
-        let ([width, height], title, description) =
-            (size.map(num), escape(title), escape(description));
+    /// With ids that begin with `key`, unique in the page.
+    fn element(&self, key: &str, extra: &str, ground: &str) -> String {
+        let ([width, height], body) = (self.size.map(num), self.body.replace(KEY, key));
+        let [title, description] = [&self.title, &self.description].map(|text| escape(text));
         format!(
             r#"<svg xmlns="http://www.w3.org/2000/svg" viewBox="0 0 {width} {height}"{extra} role="img" aria-labelledby="{key}-t {key}-d" font-family="{FONT}" font-size="10"><title id="{key}-t">{title}</title><desc id="{key}-d">{description}</desc>{ground}{body}</svg>"#
         )
     }
 
     /// The element for a page whose stylesheet knows the classes.
-    pub(crate) fn inline(&self) -> String {
-        self.element("", "")
+    pub(crate) fn inline(&self, key: &str) -> String {
+        self.element(key, "", "")
     }
 
     /// The text of a file of its own: size in millimetres, white ground.
-    pub(crate) fn standalone(&self) -> String {
+    pub(crate) fn standalone(&self, key: &str) -> String {
         let [width, height] = self.size.map(|units| num(MM * units));
         let size = format!(r#" width="{width}mm" height="{height}mm""#);
         let ([width, height], paper) = (self.size.map(num), PAPER.light);
         let ground = format!(r#"<rect width="{width}" height="{height}" fill="{paper}"/>"#);
-        self.element(&size, &ground) + "\n"
+        self.element(key, &size, &ground) + "\n"
     }
 }
 

@@ -18,7 +18,6 @@ pub(crate) fn over_load(
     deterministic: &[Option<f64>],
     lines: &[LoadLine],
     (title, unit_name): (&str, &str),
-    key: &str,
 ) -> Figure {
     let pressures: Vec<f64> = surface.deterministic.iter().map(|p| p.mean_pressure).collect();
     let (unit, x_title) = load_axis(&pressures, surface.load_area);
@@ -46,11 +45,11 @@ pub(crate) fn over_load(
     draw_end_labels(&mut canvas, &frame, 2.0, &labels);
     let range = range_words(&reference, &format!(" {unit_name}"));
     let description = format!("Log-log plot. Deterministic: {range}.");
-    canvas.figure(key, format!("{title} over the load"), description, SIZE)
+    canvas.figure(format!("{title} over the load"), description, SIZE)
 }
 
 /// Area and conductance over those of the whole map, by the shortest wave left.
-pub(crate) fn octaves(octaves: &[Octave], key: &str) -> Figure {
+pub(crate) fn octaves(octaves: &[Octave]) -> Figure {
     let (first, last) = (octaves[0], octaves[octaves.len() - 1]);
     let (longest, shortest) = (last.shortest, first.shortest);
     let unit = unit_for((longest * shortest).sqrt(), METRES);
@@ -84,7 +83,7 @@ pub(crate) fn octaves(octaves: &[Octave], key: &str) -> Figure {
         significant(last.stiffness / first.stiffness, 3)
     );
     let title = "Area and conductance without the shortest waves";
-    canvas.figure(key, title, description, SIZE)
+    canvas.figure(title, description, SIZE)
 }
 
 /// A line with a marker at every value; answers with the height of its end.

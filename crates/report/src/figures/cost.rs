@@ -26,7 +26,6 @@ pub(crate) fn figure(
     floor: Option<f64>,
     (of, at): (&str, &str),
     time: &str,
-    key: &str,
 ) -> Figure {
     const FRAME: Rect = [44.0, 12.0, COLUMN - 14.0, 226.0];
     let seconds = || routes.iter().flat_map(|r| [r.typed.unwrap_or(r.seconds), r.seconds]);
@@ -82,7 +81,7 @@ pub(crate) fn figure(
         listed.join("; ")
     );
     let title = format!("Error against {}", time.to_lowercase());
-    canvas.figure(key, title, description, [COLUMN, 262.0])
+    canvas.figure(title, description, [COLUMN, 262.0])
 }
 
 impl CostRoute {

@@ -82,7 +82,7 @@ impl CostFigure<'_> {
         if floor.is_some() {
             plot.name_front();
         }
-        plot.canvas.figure(key, title, description, [COLUMN, 288.0]).standalone()
+        plot.canvas.figure(title, description, [COLUMN, 288.0]).standalone(key)
     }
 }
 
@@ -90,7 +90,6 @@ impl CostFigure<'_> {
 pub(super) struct CostPlot {
     pub(super) frame: PlotFrame,
     pub(super) canvas: Canvas,
-    /// What labels keep clear of.
     pub(super) taken: Vec<Rect>,
     /// The longest level part of the front.
     level: Option<[[f64; 2]; 2]>,
@@ -158,7 +157,6 @@ impl CostPlot {
         self.level = pairs.max_by(|a, b| length(a).total_cmp(&length(b)));
     }
 
-    /// Names the front where it runs level for longest.
     fn name_front(&mut self) {
         let Some([a, b]) = self.level else { return };
         self.keep_clear_of(&[[a[0], a[1] - 2.0], [b[0], b[1] - 2.0]]);
@@ -184,7 +182,6 @@ impl CostPlot {
         }
     }
 
-    /// The name of a series at the last of its places.
     fn label(&mut self, series: &CostSeries, [x, y]: [f64; 2]) {
         let colour = plot_style(&series.style, 0).colour;
         let text = Text { bold: series.bold, ..Text::start([x, y], &series.label, colour) };

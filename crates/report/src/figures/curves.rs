@@ -3,13 +3,12 @@
 use crate::draw::axes::{AxisScale, PlotAxis, PlotFrame};
 use crate::draw::labels::{EndLabel, ROOM, draw_end_labels};
 use crate::draw::palette::{BAND, DETERMINISTIC, DETERMINISTIC_STYLE, INK, INK2, Stroke};
-use crate::draw::svg::{COLUMN, Canvas, Figure, Text, num};
-use crate::lines::{LoadLine, LoadLines, compared, load_ends, min_max, range_words};
+use crate::draw::svg::{COLUMN, Canvas, Figure, KEY, Text, num};
+use crate::lines::{LoadLine, LoadLines, compared, load_axis, load_ends, min_max, range_words};
 use crate::messages::load;
 use crate::numbers::{PASCALS, counted, signed_range, unit_for};
 use contact_compare::Comparison;
 
-/// Plot box: left and right edge in units.
 const LEFT: f64 = 44.0;
 const RIGHT: f64 = COLUMN - ROOM;
 const TOP: f64 = 12.0;
@@ -21,7 +20,7 @@ const NOTE: f64 = 12.0;
 
 /// Fig. 1 of the source paper: real contact area over nominal pressure, both logarithmic. `on_page` it has the movable
 /// load line of the report.
-pub(crate) fn area(lines: &LoadLines, key: &str, on_page: bool) -> Figure {
+pub(crate) fn area(lines: &LoadLines, on_page: bool) -> Figure {
     let describe = |reference: &[Option<f64>]| {
         let loads = counted(lines.pressures.len(), "load");
         let (range, compared) = (range_words(reference, " %"), compared(lines));
@@ -29,11 +28,11 @@ pub(crate) fn area(lines: &LoadLines, key: &str, on_page: bool) -> Figure {
     };
     let of = |_: f64, area: f64| Some(100.0 * area);
     let titles = ["Real contact area over the load", "Real contact area (% of nominal)"];
-    Plot::logarithmic(lines, of, 100.0, 'a', titles, describe).draw(key, on_page)
+    Plot::logarithmic(lines, of, 100.0, 'a', titles, describe).draw(on_page)
 }
 
 /// Fig. 2 of the source paper: mean real pressure over nominal pressure, both logarithmic.
-pub(crate) fn pressure(lines: &LoadLines, key: &str, on_page: bool) -> Figure {
+pub(crate) fn pressure(lines: &LoadLines, on_page: bool) -> Figure {
     let real = |p: f64, area: f64| (area > 0.0).then(|| p / area);
     let known = lines.pressures.iter().zip(&lines.area);
     let mut known: Vec<f64> = known.filter_map(|(&p, a)| real(p, (*a)?)).collect();
@@ -49,7 +48,7 @@ pub(crate) fn pressure(lines: &LoadLines, key: &str, on_page: bool) -> Figure {
     let of = |p: f64, area: f64| Some(real(p, area)? / unit.scale);
     let titles =
         ["Mean real pressure over the load", &format!("Mean real pressure ({})", unit.name)];
-    Plot::logarithmic(lines, of, f64::INFINITY, 'p', titles, describe).draw(key, on_page)
+    Plot::logarithmic(lines, of, f64::INFINITY, 'p', titles, describe).draw(on_page)
 }
 
 /// A plot over the loads of one quantity of the reference and of every model; of errors, on a linear axis, the
@@ -60,7 +59,6 @@ struct Plot<'a> {
     reference: Vec<Option<f64>>,
     band: Vec<Option<[f64; 2]>>,
     models: Vec<Vec<Option<f64>>>,
-    /// Its data alone.
     y: PlotAxis,
     /// Models that leave the axis, with what is said of them above the frame.
     notes: Vec<(&'a LoadLine, String)>,
@@ -99,10 +97,10 @@ impl<'a> Plot<'a> {
         Self { lines, reference, band, models, y, notes, cells, title, y_title, description }
     }
 
-    fn draw(self, key: &str, on_page: bool) -> Figure {
+    fn draw(self, on_page: bool) -> Figure {
         let lines = self.lines;
         let is_error = self.y.spacing == AxisScale::Linear;
-        let (unit, x_title) = lines.load_axis();
+        let (unit, x_title) = load_axis(&lines.pressures, lines.load_area);
         let x: Vec<f64> = lines.pressures.iter().map(|p| p / unit.scale).collect();
         let [lo, hi] = self.y.data;
         let notes = NOTE * self.notes.len() as f64;
@@ -133,7 +131,7 @@ impl<'a> Plot<'a> {
         let mut ends = Vec::new();
         // A little wider than the frame, for markers on its edge.
         let clip = [LEFT - 4.0, top - 4.0, RIGHT + 4.0, bottom];
-        canvas.clipped(&format!("{key}-c"), clip, |canvas| {
+        canvas.clipped("c", clip, |canvas| {
             let [low, high] = [0, 1]
                 .map(|k| self.band.iter().map(|b| b.map(|b| b[k].clamp(lo, hi))).collect())
                 .map(|side: Vec<Option<f64>>| runs(&placed(&side)));
@@ -170,7 +168,7 @@ impl<'a> Plot<'a> {
             canvas.text(&Text::start(at, "within 10\u{202F}%", INK2).small().halo());
         }
         draw_end_labels(&mut canvas, &frame, 2.0, &ends);
-        canvas.figure(key, self.title, self.description, [COLUMN, HEIGHT])
+        canvas.figure(self.title, self.description, [COLUMN, HEIGHT])
     }
 }
 
@@ -212,8 +210,8 @@ pub(crate) fn log_limits<'a>(
         (None, _) => None,
     };
     let all = reference.copied().chain(models.filter_map(near));
-    let drawn: Vec<f64> = all.filter(|v| *v > 0.0 && v.is_finite()).collect();
-    let Some((lo, hi)) = min_max(&drawn) else { return [0.1, 1.0] };
+    let drawn = all.filter(|v| *v > 0.0 && v.is_finite());
+    let Some((lo, hi)) = min_max(drawn) else { return [0.1, 1.0] };
     let room = (hi / lo).powf(0.04).max(1.1);
     [lo / room, (hi * room).min(ceiling).max(1.01 * lo)]
 }
@@ -222,7 +220,7 @@ pub(crate) fn log_limits<'a>(
 const MOST_ERROR: f64 = 150.0;
 
 /// Fig. 3: signed error of the area of each closed form against the deterministic solution.
-pub(crate) fn error(lines: &LoadLines, key: &str) -> Figure {
+pub(crate) fn error(lines: &LoadLines) -> Figure {
     let percent = |e: &f64| 100.0 * e;
     let in_percent =
         |m: &LoadLine| lines.errors(m).iter().map(|e| e.as_ref().map(percent)).collect();
@@ -242,8 +240,7 @@ pub(crate) fn error(lines: &LoadLines, key: &str) -> Figure {
     // "▲ Stacked off scale: +141 to +434 %".
     let note = |(model, errors): (&'_ LoadLine, &Vec<Option<f64>>)| {
         errors.iter().flatten().find(|e| **e < lo || **e > hi)?;
-        let errors: Vec<f64> = lines.errors(model).into_iter().flatten().collect();
-        let (low, high) = min_max(&errors)?;
+        let (low, high) = min_max(lines.errors(model).into_iter().flatten())?;
         let sign = if high + low > 0.0 { '▲' } else { '▼' };
         Some(format!("{sign} {} off scale: {}", model.label, signed_range(low, high)))
     };
@@ -268,7 +265,7 @@ pub(crate) fn error(lines: &LoadLines, key: &str) -> Figure {
             compared(lines)
         ),
     };
-    plot.draw(key, true)
+    plot.draw(true)
 }
 
 /// The dotted line at the load read off; the report's script moves it, and lists beside it what `cells` of
@@ -284,7 +281,6 @@ fn cursor(canvas: &mut Canvas, lines: &LoadLines, frame: &PlotFrame, x: &[f64], 
     canvas.group(&moved, |canvas| canvas.line([0.0, top], [0.0, bottom], stroke));
 }
 
-/// Draws a model's line, and its markers where the axis has them.
 fn draw_model(
     canvas: &mut Canvas,
     frame: &PlotFrame,
@@ -307,7 +303,6 @@ fn draw_model(
     });
 }
 
-/// Maximal runs of present points.
 fn runs(points: &[Option<[f64; 2]>]) -> Vec<Vec<[f64; 2]>> {
     let all = points.split(Option::is_none).filter(|run| !run.is_empty());
     all.map(|run| run.iter().copied().flatten().collect()).collect()
@@ -318,16 +313,16 @@ fn runs(points: &[Option<[f64; 2]>]) -> Vec<Vec<[f64; 2]>> {
 pub(crate) fn panels(
     comparison: &Comparison,
     key: &str,
-    draw: fn(&LoadLines, &str, bool) -> Figure,
-) -> Figure {
+    draw: fn(&LoadLines, bool) -> Figure,
+) -> String {
     const NAME: f64 = 18.0;
     let panels = comparison.surfaces.iter().flat_map(|surface| {
         LoadLines::panels(surface).into_iter().map(|lines| (lines.named(surface), lines))
     });
-    let drawn = |(i, (name, lines))| (name, draw(&lines, &format!("{key}{i}"), false));
-    let mut figures: Vec<(String, Figure)> = panels.enumerate().map(drawn).collect();
-    if figures.len() == 1 {
-        return figures.remove(0).1;
+    let figures: Vec<(String, Figure)> =
+        panels.map(|(name, lines)| (name, draw(&lines, false))).collect();
+    if let [(_, one)] = &figures[..] {
+        return one.standalone(&format!("{key}0"));
     }
     let columns = if figures.len() > 3 { 2 } else { 1 };
     let height = figures.iter().map(|(_, f)| f.size[1]).fold(0.0, f64::max) + NAME;
@@ -338,12 +333,12 @@ pub(crate) fn panels(
         let name = format!("({letter}) {name}");
         canvas.text(&Text::start([x + 10.0, y + 12.0], &name, INK).bold());
         let moved = format!(r#"transform="translate({x} {})""#, y + NAME);
-        canvas.group(&moved, |canvas| canvas.raw(&figure.body));
+        canvas.group(&moved, |canvas| canvas.raw(&figure.body.replace(KEY, &format!("{KEY}{i}"))));
     }
     let rows = figures.len().div_ceil(columns).max(1);
     let described: Vec<String> =
         figures.iter().map(|(name, f)| format!("{name}: {}", f.description)).collect();
     let title = figures.first().map_or("", |(_, f)| &f.title);
     let size = [columns as f64 * COLUMN, rows as f64 * height];
-    canvas.figure(key, title, described.join(" "), size)
+    canvas.figure(title, described.join(" "), size).standalone(key)
 }

@@ -7,7 +7,6 @@ use crate::draw::palette::{
 use crate::draw::svg::{Canvas, Figure, Rect, Text, num};
 use crate::numbers::{METRES, Unit, unit_for};
 
-/// Width and height of the figure, and its plot box.
 const SIZE: [f64; 2] = [704.0, 200.0];
 const FRAME: Rect = [44.0, 8.0, 692.0, 164.0];
 
@@ -30,7 +29,6 @@ pub(crate) struct PressedRow {
 }
 
 impl SectionCut {
-    /// Lowest and highest of all heights and flats (m).
     fn range(&self) -> [f64; 2] {
         let all = self.heights.iter().copied().chain(self.loads.iter().map(|l| l.flat));
         all.fold([f64::INFINITY, f64::NEG_INFINITY], |[a, b], z| [a.min(z), b.max(z)])
@@ -45,7 +43,6 @@ impl SectionCut {
         tall / wide
     }
 
-    /// Units of length and height.
     fn units(&self) -> [Unit; 2] {
         let [low, high] = self.range();
         [self.length, high.abs().max(low.abs())].map(|metres| unit_for(metres, METRES))
@@ -74,7 +71,7 @@ impl SectionCut {
 }
 
 /// The section at the load of index `load`. What the script moves stands in groups that have a class.
-pub(crate) fn section(cut: &SectionCut, load: usize, description: String, key: &str) -> Figure {
+pub(crate) fn section(cut: &SectionCut, load: usize, description: String) -> Figure {
     let (frame, [_, y_unit]) = (cut.frame(), cut.units());
     let pressed = &cut.loads[load];
     let n = cut.heights.len();
@@ -91,7 +88,7 @@ pub(crate) fn section(cut: &SectionCut, load: usize, description: String, key: &
     let mut canvas = Canvas::default();
     canvas.group(r#"class="across""#, |canvas| across(canvas, &frame));
     frame.draw_with(&mut canvas, &[], &frame.y.ticks());
-    canvas.clipped(&format!("{key}-c"), FRAME, |canvas| {
+    canvas.clipped("c", FRAME, |canvas| {
         let above = [left, top, right, flat];
         canvas.group(r#"class="above""#, |canvas| canvas.rect(above, GRID, 1.0));
         canvas.group(r#"class="body""#, |canvas| canvas.area(&filled, BAND, 1.0));
@@ -114,7 +111,7 @@ pub(crate) fn section(cut: &SectionCut, load: usize, description: String, key: &
         canvas.text(&Text::end([right - 4.0, (flat - 6.0).max(top + 9.0)], "flat", INK));
     });
     canvas.text(&Text::start([left + 5.0, bottom - 5.0], "rough body", INK).halo());
-    canvas.figure(key, "Section through the contact", description, SIZE)
+    canvas.figure("Section through the contact", description, SIZE)
 }
 
 /// Grid, ticks and numbers of the horizontal axis, which the script draws anew for a part of the length.

@@ -20,11 +20,9 @@ pub(crate) struct DistributionFigure {
     marks: fn(&mut Canvas, &Axes, &Distributions),
     /// What is the same at every load, above the marks.
     over: fn(&mut Canvas, &Axes),
-    /// What it finds; `None` where it is not.
     description: fn(&Distributions) -> Option<String>,
 }
 
-/// Density of the pressure over the contact.
 pub(crate) const PRESSURE: DistributionFigure = DistributionFigure {
     title: "Distribution of the pressure",
     axes: pressure_axes,
@@ -56,13 +54,13 @@ impl DistributionFigure {
     }
 
     /// Of one load; `None` if it has no such distribution.
-    pub(crate) fn figure(&self, found: &Distributions, key: &str) -> Option<Figure> {
+    pub(crate) fn figure(&self, found: &Distributions) -> Option<Figure> {
         let axes = (self.axes)(&[found])?;
         let mut canvas = axes.frame.canvas();
         (self.marks)(&mut canvas, &axes, found);
         (self.over)(&mut canvas, &axes);
         let description = (self.description)(found)?;
-        Some(canvas.figure(key, self.title, description, [COLUMN, HEIGHT]))
+        Some(canvas.figure(self.title, description, [COLUMN, HEIGHT]))
     }
 
     /// What the script draws at each load, on axes wide enough for all of them; at a load without a distribution `why`.
@@ -134,7 +132,6 @@ fn pressure_axes(all: &[&Distributions]) -> Option<Axes> {
     Some(Axes { frame, unit: Unit { name: "", scale: 1.0 } })
 }
 
-/// Density of the pressure over the contact, in units of its mean.
 fn pressure(canvas: &mut Canvas, Axes { frame, .. }: &Axes, found: &Distributions) {
     let (edges, density) = over_the_mean(&found.pressure);
     let right = frame.x.data[1];
@@ -153,7 +150,6 @@ fn density(x: f64) -> f64 {
     FRAC_PI_2 * x * (-0.25 * PI * x * x).exp()
 }
 
-/// That, dashed.
 fn persson(canvas: &mut Canvas, Axes { frame, .. }: &Axes) {
     let right = frame.x.data[1];
     let line: Vec<[f64; 2]> = (0..=120)

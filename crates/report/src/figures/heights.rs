@@ -2,7 +2,7 @@
 
 use super::maps::{averaged, colour_bar, map_canvas, map_figure, map_size, picture, shading};
 use crate::draw::palette::{HEIGHT_RAMP, OkLab, ramp_table};
-use crate::draw::svg::{Canvas, Figure, num};
+use crate::draw::svg::{Canvas, Figure, KEY, num};
 use crate::numbers::{METRES, chosen, significant, unit_for};
 use contact_types::Grid;
 use std::collections::BTreeMap;
@@ -17,18 +17,14 @@ const SQUARE: f64 = 5.0;
 /// Widths of the light line of a ring and of the dark one outside it, in units of the figure.
 const LINES: [f64; 2] = [1.4, 1.0];
 
-/// The 0.1 and 99.9 percentiles, between which the height ramp runs.
-fn percentiles(values: &[f64]) -> [f64; 2] {
-    let mut left = values.to_vec();
-    let place = |q: f64| ((values.len() - 1) as f64 * q).round() as usize;
-    [0.001, 0.999].map(|q| *left.select_nth_unstable_by(place(q), f64::total_cmp).1)
-}
-
 /// A map as a picture of at most `limit` pixels along its longer side, and the heights (m) between which its colours run.
 pub(crate) fn height_picture(heights: &[f64], grid: Grid, limit: usize) -> (String, [f64; 2]) {
     let (heights, shape) = averaged(heights, grid.shape(), limit);
     let ramp = ramp_table::<256>(&HEIGHT_RAMP);
-    let [lo, hi] = percentiles(&heights);
+    // The ramp runs between these percentiles.
+    let mut left = heights.clone();
+    let place = |q: f64| ((heights.len() - 1) as f64 * q).round() as usize;
+    let [lo, hi] = [0.001, 0.999].map(|q| *left.select_nth_unstable_by(place(q), f64::total_cmp).1);
     let shade = shading(&heights, shape);
     let image = picture(shape, |i| {
         let t = if hi > lo { ((heights[i] - lo) / (hi - lo)).clamp(0.0, 1.0) } else { 0.5 };
@@ -56,14 +52,13 @@ pub fn height_map(
     limit: usize,
     key: &str,
 ) -> String {
-    figure(&height_picture(heights, grid, limit), grid, points, key).inline()
+    figure(&height_picture(heights, grid, limit), grid, points).inline(key)
 }
 
 pub(crate) fn figure(
     (address, [lo, hi]): &(String, [f64; 2]),
     grid: Grid,
     points: &[usize],
-    key: &str,
 ) -> Figure {
     let unit = unit_for(lo.abs().max(hi.abs()), METRES);
     let [low, high] = [lo, hi].map(|v| {
@@ -72,18 +67,18 @@ pub(crate) fn figure(
     });
     let title = format!("Height above mean ({})", unit.name);
     let mut canvas = map_canvas(address, grid.size(), "");
-    colour_bar(&mut canvas, grid.size(), [&low, &high, &title], &HEIGHT_RAMP, key);
+    colour_bar(&mut canvas, grid.size(), [&low, &high, &title], &HEIGHT_RAMP);
     let [height, width] = grid.size().map(|side| chosen(side, METRES));
     let description = format!(
         "Height map, {width} by {height}, heights from {low} to {high} {} between the 0.1 and 99.9 percentiles.",
         unit.name
     );
     if points.is_empty() {
-        return map_figure(canvas, grid.size(), key, "Shaded height map", description);
+        return map_figure(canvas, grid.size(), "Shaded height map", description);
     }
-    draw_rings(&mut canvas, points, grid, key);
+    draw_rings(&mut canvas, points, grid);
     let description = format!("{description} Ringed points: {}.", points.len());
-    map_figure(canvas, grid.size(), key, "Shaded height map with ringed points", description)
+    map_figure(canvas, grid.size(), "Shaded height map with ringed points", description)
 }
 
 /// Centre `[x, y]`, down from the upper left corner of the map, and radius of rings that hold all `points` (indices
@@ -108,7 +103,7 @@ fn rings(
     boxes.into_values().map(round).collect()
 }
 
-fn draw_rings(canvas: &mut Canvas, points: &[usize], grid: Grid, key: &str) {
+fn draw_rings(canvas: &mut Canvas, points: &[usize], grid: Grid) {
     let size = map_size(grid.size());
     let circle = |([x, y], r): ([f64; 2], f64)| {
         let [x, y, r] = [x, y, r].map(num);
@@ -122,7 +117,7 @@ fn draw_rings(canvas: &mut Canvas, points: &[usize], grid: Grid, key: &str) {
     let ([width, height], margin) = (size.map(|s| num(s + 2.0 * margin)), num(margin));
     let place = format!(r#"x="-{margin}" y="-{margin}" width="{width}" height="{height}""#);
     canvas.raw(&format!(
-        r##"<mask id="{key}-m" maskUnits="userSpaceOnUse" {place}><rect {place} fill="#fff"/><use href="#{key}-r" fill="#000"/></mask><g class="rings" mask="url(#{key}-m)" fill="none" stroke="#fff" stroke-width="{light}"><use href="#{key}-r" stroke="#111" stroke-width="{dark}"/><g id="{key}-r">{circles}</g></g>"##
+        r##"<mask id="{KEY}-m" maskUnits="userSpaceOnUse" {place}><rect {place} fill="#fff"/><use href="#{KEY}-r" fill="#000"/></mask><g class="rings" mask="url(#{KEY}-m)" fill="none" stroke="#fff" stroke-width="{light}"><use href="#{KEY}-r" stroke="#111" stroke-width="{dark}"/><g id="{KEY}-r">{circles}</g></g>"##
     ));
 }
 

@@ -1,10 +1,11 @@
-//! Pictures of fields on a map: contact pressure over grey relief, and the frame of every map.
+//! Pictures of fields on a map: contact pressure over grey relief, flow through the gap, and the frame of every map.
 
 use crate::draw::axes::round_step;
-use crate::draw::palette::{INK, INK2, LINE, OkLab, PRESSURE_RAMP, ramp_table};
+use crate::draw::palette::{FLOW_RAMP, INK, INK2, LINE, OkLab, PRESSURE_RAMP, ramp_table};
 use crate::draw::png;
-use crate::draw::svg::{COLUMN, Canvas, Figure, Text, num, text_width};
+use crate::draw::svg::{COLUMN, Canvas, Figure, KEY, Text, num, text_width};
 use crate::numbers::{METRES, PASCALS, Unit, chosen, significant, unit_for};
+use contact_accuracy::Flow;
 use contact_compare::{PressureMaps, pressure_top};
 use contact_types::Grid;
 use grid_fft::parallel::join;
@@ -15,13 +16,15 @@ const RELIEF: (f64, f64) = (0.965, 0.022);
 /// Height of the colour bar and its texts below a map.
 const LEGEND: f64 = 34.0;
 
+/// Lightness of the flow where the bodies touch.
+const CONTACT: f64 = 0.72;
+
 /// Steps of a scale of pressures that the eye takes for none.
 pub(crate) const FEWEST_STEPS: u8 = 31;
 
 /// A rectangular part `[y0, x0, ny, nx]` of a grid.
 pub(crate) type MapPart = [usize; 4];
 
-/// That part of a field.
 pub(super) fn cut(field: &[f64], grid: Grid, [y0, x0, ny, nx]: MapPart) -> Cow<'_, [f64]> {
     let all = grid.shape()[1];
     if nx == all {
@@ -108,7 +111,7 @@ pub(super) fn shading(heights: &[f64], [ny, nx]: [usize; 2]) -> Vec<f64> {
 /// The address of a picture whose pixels have these colours.
 pub(super) fn picture([ny, nx]: [usize; 2], colour: impl Fn(usize) -> OkLab) -> String {
     let bytes: Vec<u8> = (0..ny * nx).flat_map(|i| colour(i).to_rgb()).collect();
-    png::rgb([ny, nx], &bytes)
+    png::shades([ny, nx], &bytes)
 }
 
 /// Pressure by colour from 0 to `top`; where nothing touches, the relief in faint grey.
@@ -141,7 +144,7 @@ pub(crate) fn relief(heights: &[f64], grid: Grid, window: MapPart, limit: usize)
     let [_, _, ny, nx] = window;
     let (small, shape) = averaged(&cut(heights, grid, window), [ny, nx], limit);
     let shade = shading(&small, shape);
-    png::grey(shape, &shade.iter().map(|s| faint(*s).to_rgb()[0]).collect::<Vec<u8>>())
+    png::shades(shape, &shade.iter().map(|s| faint(*s).to_rgb()[0]).collect::<Vec<u8>>())
 }
 
 /// Width and height of a map in units: as wide as the column, no taller than wide.
@@ -158,7 +161,6 @@ pub(crate) fn contact(
     grid: Grid,
     (window, row): (Option<MapPart>, Option<usize>),
     limit: usize,
-    key: &str,
 ) -> Figure {
     let small = limited(grid.shape(), limit);
     let ((h, shape), p) = join(
@@ -170,7 +172,7 @@ pub(crate) fn contact(
     let mut canvas = map_canvas(&contact_picture(&p, &h, shape, top), grid.size(), "");
     mark(&mut canvas, grid.size(), grid.shape(), window, row);
     let (title, high) = (format!("Local pressure ({})", unit.name), upper_end(top, clipped, unit));
-    colour_bar(&mut canvas, grid.size(), ["0", &high, &title], &PRESSURE_RAMP, key);
+    colour_bar(&mut canvas, grid.size(), ["0", &high, &title], &PRESSURE_RAMP);
     let touching = pressure.iter().filter(|p| **p > 0.0).count();
     let description = format!(
         "{touching} of {} points of the map carry pressure; highest {} {}.",
@@ -178,10 +180,9 @@ pub(crate) fn contact(
         significant(pressure.iter().copied().fold(0.0, f64::max) / unit.scale, 2),
         unit.name
     );
-    map_figure(canvas, grid.size(), key, "Contact map", description)
+    map_figure(canvas, grid.size(), "Contact map", description)
 }
 
-/// The number at the upper end of a bar of pressures.
 pub(crate) fn upper_end(top: f64, clipped: bool, unit: Unit) -> String {
     let high = significant(top / unit.scale, 2);
     if clipped { format!("≥{high}") } else { high }
@@ -194,7 +195,6 @@ pub(crate) fn enlarged(
     grid: Grid,
     window: MapPart,
     row: Option<usize>,
-    key: &str,
 ) -> Figure {
     let [y0, _, ny, nx] = window;
     let [p, h] = [pressure, heights].map(|field| cut(field, grid, window));
@@ -207,7 +207,40 @@ pub(crate) fn enlarged(
     mark(&mut canvas, size, [ny, nx], None, inside);
     let [height, width] = size.map(|side| chosen(side, METRES));
     let description = format!("{width} by {height} of the contact map, one square per point.");
-    map_figure(canvas, size, key, "Enlargement of the boxed area", description)
+    map_figure(canvas, size, "Enlargement of the boxed area", description)
+}
+
+/// The flux over its mean, dark where the bodies touch, a ring around the bottleneck.
+pub(crate) fn flux(flow: &Flow, pressure: &[f64], grid: Grid, limit: usize) -> Figure {
+    let ([ny, nx], size) = (grid.shape(), grid.size());
+    let touching: Vec<f64> = pressure.iter().map(|p| f64::from(u8::from(*p > 0.0))).collect();
+    let (touching, shape) = averaged(&touching, grid.shape(), limit);
+    let flux = combined(&flow.flux, grid.shape(), shape, f64::max);
+    let (top, clipped) = pressure_top(&flow.flux);
+    let ramp = ramp_table::<256>(&FLOW_RAMP);
+    let address = picture(shape, |i| match flux[i] {
+        f if f <= 0.0 && touching[i] > 0.5 => OkLab(CONTACT, 0.0, 0.0),
+        f => ramp[((f / top).clamp(0.0, 1.0) * 255.0).round() as usize],
+    });
+    let high = upper_end(top, clipped, Unit { scale: 1.0, name: "" });
+    let mut canvas = map_canvas(&address, size, "");
+    colour_bar(&mut canvas, size, ["0", &high, "Flux over its mean"], &FLOW_RAMP);
+    let [width, height] = map_size(size);
+    let mut at = String::new();
+    if let Some(bottleneck) = flow.bottleneck {
+        let [row, column] = bottleneck.place;
+        let [y, x] = [(row, ny, height), (column, nx, width)]
+            .map(|(i, n, side)| num((i as f64 + 0.5) / n as f64 * side));
+        for (colour, wide) in [("#fff", 4.0), ("#C01818", 1.8)] {
+            canvas.raw(&format!(
+                r#"<circle cx="{x}" cy="{y}" r="8" fill="none" stroke="{colour}" stroke-width="{wide}"/>"#
+            ));
+        }
+        at = format!(" Bottleneck in row {row}, column {column}.");
+    }
+    let most = significant(flow.flux.iter().copied().fold(0.0, f64::max), 2);
+    let description = format!("Largest flux {most} times the mean.{at}");
+    map_figure(canvas, size, "Flow through the gap", description)
 }
 
 /// A map of this size (m) around the picture at this address.
@@ -224,15 +257,13 @@ pub(super) fn map_canvas(address: &str, size: [f64; 2], extra: &str) -> Canvas {
     canvas
 }
 
-/// A figure of a map with room for its colour bar.
 pub(super) fn map_figure(
     canvas: Canvas,
     size: [f64; 2],
-    key: &str,
     title: &str,
     description: String,
 ) -> Figure {
-    canvas.figure(key, title, description, [COLUMN, map_size(size)[1] + LEGEND])
+    canvas.figure(title, description, [COLUMN, map_size(size)[1] + LEGEND])
 }
 
 /// A dashed line along a row, and a box around a part of a map of this size (m) and shape.
@@ -285,7 +316,6 @@ pub(super) fn colour_bar(
     size: [f64; 2],
     [low, high, title]: [&str; 3],
     ramp: &[u32; 9],
-    key: &str,
 ) {
     const WIDTH: f64 = 130.0;
     let top = map_size(size)[1] + 9.0;
@@ -297,7 +327,7 @@ pub(super) fn colour_bar(
     let y = num(top);
     canvas.group(r#"class="legend""#, |canvas| {
         canvas.raw(&format!(
-            r#"<defs><linearGradient id="{key}-g">{stops}</linearGradient></defs><rect class="px" x="0" y="{y}" width="{WIDTH}" height="8" fill="url(#{key}-g)"/>"#
+            r#"<defs><linearGradient id="{KEY}-g">{stops}</linearGradient></defs><rect class="px" x="0" y="{y}" width="{WIDTH}" height="8" fill="url(#{KEY}-g)"/>"#
         ));
         canvas.text(&Text::start([0.0, top + 19.0], low, INK2));
         canvas.text(&Text::end([WIDTH, top + 19.0], high, INK2));

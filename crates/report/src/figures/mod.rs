@@ -6,7 +6,6 @@ pub(crate) mod cost_plot;
 pub(crate) mod curves;
 pub(crate) mod deformed;
 pub(crate) mod distributions;
-pub(crate) mod flow;
 pub(crate) mod heights;
 pub(crate) mod maps;
 pub(crate) mod multiples;

@@ -50,7 +50,7 @@ impl<'a> Panel<'a> {
         let note = |(model, values): &(&'a LoadLine, Vec<Option<f64>>)| {
             let present: Vec<f64> = values.iter().flatten().copied().collect();
             let sign = if *present.iter().find(|v| off(v))? > hi { '▲' } else { '▼' };
-            let (low, high) = min_max(&present)?;
+            let (low, high) = min_max(present.iter().copied())?;
             let part = if present.iter().all(off) { "" } else { "in part " };
             let said = if of_errors {
                 signed_range(low / 100.0, high / 100.0)
@@ -63,13 +63,11 @@ impl<'a> Panel<'a> {
     }
 }
 
-/// The panels of every surface: areas, or their errors.
 pub(crate) fn figure(
     surfaces: &[SurfaceComparison],
     of_errors: bool,
     title: &str,
     description: String,
-    key: &str,
 ) -> Figure {
     let with_lines = |s| LoadLines::panels(s).into_iter().map(move |l| (s, l));
     let lines: Vec<(&SurfaceComparison, LoadLines)> =
@@ -99,7 +97,7 @@ pub(crate) fn figure(
             let note = Text::start(at, text, model.look.colour).small();
             canvas.series(&model.name, |canvas| canvas.label(&note));
         }
-        let clip = format!("{key}-c{i}");
+        let clip = format!("c{i}");
         let ends = draw_panel(&mut canvas, panel, &frame, of_errors, &clip, is_first);
         if i % PER_ROW == PER_ROW - 1 || i + 1 == panels.len() {
             draw_end_labels(&mut canvas, &frame, 0.0, &ends);
@@ -109,7 +107,7 @@ pub(crate) fn figure(
     let across = panels.len().clamp(1, PER_ROW) as f64;
     let at = [LEFT + (across * (PANEL[0] + GAP) - GAP) / 2.0, height - 2.0];
     canvas.text(&Text::middle(at, "Nominal pressure / (E* · rms gradient)", INK));
-    canvas.figure(key, title, description, [WIDTH, height])
+    canvas.figure(title, description, [WIDTH, height])
 }
 
 /// Errors within ±80 % set the axis; the rest is named above its panel.
@@ -120,7 +118,6 @@ fn error_limits(panels: &[Panel<'_>]) -> [f64; 2] {
     [1.05 * lo, 1.05 * hi]
 }
 
-/// One logarithmic axis for all panels.
 fn shared_log_limits(panels: &[Panel<'_>]) -> [f64; 2] {
     let reference = panels.iter().flat_map(|p| p.reference.iter().flatten());
     let beside = |p| {

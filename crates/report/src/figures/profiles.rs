@@ -9,14 +9,13 @@ use crate::messages::profile::profile_headline;
 use crate::numbers::{METRES, chosen, quantity, unit_for};
 use contact_compare::ProfileComparison;
 
-/// Width and height of the figure of a trace, and its plot box.
 const SIZE: [f64; 2] = [704.0, 190.0];
 const FRAME: Rect = [44.0, 12.0, 692.0, 154.0];
 /// Most columns that are drawn: each as the line from its lowest to its highest point.
 const COLUMNS: usize = 648;
 
 /// Area over load by every model, and as a band what those made of moments span together.
-pub(crate) fn area(study: &ProfileComparison, key: &str) -> Figure {
+pub(crate) fn area(study: &ProfileComparison) -> Figure {
     let models = study.models.iter().enumerate();
     let answers = models.filter_map(|(place, m)| Some((place, &m.card, m.outcome.as_ref().ok()?)));
     let n = study.pressures.len();
@@ -29,12 +28,12 @@ pub(crate) fn area(study: &ProfileComparison, key: &str) -> Figure {
         headline: study.headline,
         of: "",
     };
-    let figure = curves::area(&lines, key, false);
+    let figure = curves::area(&lines, false);
     Figure { description: profile_headline(study), ..figure }
 }
 
 /// The first trace, height over position, with its evaluation length and section lengths shaded; `None` of a flat one.
-pub(crate) fn first_trace(study: &ProfileComparison, key: &str) -> Option<Figure> {
+pub(crate) fn first_trace(study: &ProfileComparison) -> Option<Figure> {
     let (trace, s) = (&study.surface.traces[0], &study.statistics);
     let heights = trace.heights();
     let (low, high) = trace.range();
@@ -91,5 +90,5 @@ pub(crate) fn first_trace(study: &ProfileComparison, key: &str) -> Option<Figure
         quantity(low, METRES, 3),
         quantity(high, METRES, 3)
     );
-    Some(canvas.figure(key, "Height along the trace", description, SIZE))
+    Some(canvas.figure("Height along the trace", description, SIZE))
 }

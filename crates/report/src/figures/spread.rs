@@ -4,6 +4,7 @@ use crate::digest::Quantiles;
 use crate::draw::axes::{PlotAxis, PlotFrame};
 use crate::draw::palette::{BAND, DETERMINISTIC, INK, INK2, LINE, Stroke, Style};
 use crate::draw::svg::{COLUMN, Canvas, Figure, Rect, Text};
+use crate::lines::min_max;
 use crate::numbers::{SPACE, Unit, signed_percent, significant, unit_for};
 
 /// Area over load of many maps, `[load, area fraction]` each.
@@ -18,10 +19,7 @@ impl Curves {
     /// `[load, 10 %, median, 90 %]`.
     pub(crate) fn bands(&self) -> Vec<[f64; 4]> {
         let loads = || self.each.iter().flatten().map(|p| p[0]).filter(|x| *x > 0.0);
-        let (low, high) = (loads().fold(f64::INFINITY, f64::min), loads().fold(0.0, f64::max));
-        if high <= 0.0 {
-            return Vec::new();
-        }
+        let Some((low, high)) = min_max(loads()) else { return Vec::new() };
         let mut grid: Vec<f64> = if self.shared.is_some() {
             self.each.first().map_or_else(Vec::new, |c| c.iter().map(|p| p[0]).collect())
         } else {
@@ -53,14 +51,11 @@ fn between(curve: &[[f64; 2]], load: f64) -> Option<f64> {
     (y0 > 0.0 && y1 > 0.0).then(|| y0 * (y1 / y0).powf(part))
 }
 
-/// Every curve thin, the median thick.
-pub(crate) fn curves(curves: &Curves, key: &str) -> Figure {
+pub(crate) fn curves(curves: &Curves) -> Figure {
     const FRAME: Rect = [44.0, 12.0, COLUMN - 14.0, 246.0];
     let points = || curves.each.iter().flatten().filter(|p| p[0] > 0.0 && p[1] > 0.0);
     let limits = |of: fn(&[f64; 2]) -> f64| {
-        let (low, high) = points()
-            .map(of)
-            .fold((f64::INFINITY, 0.0_f64), |(low, high), v| (low.min(v), high.max(v)));
+        let (low, high) = min_max(points().map(of)).unwrap_or((f64::INFINITY, 0.0));
         if low < high { [low, high] } else { [0.5 * low.min(high), 2.0 * high.max(low)] }
     };
     let [low, high] = limits(|p| p[0]);
@@ -102,10 +97,9 @@ pub(crate) fn curves(curves: &Curves, key: &str) -> Figure {
         )
     });
     let description = format!("Log-log plot: {}.", said.collect::<Vec<_>>().join("; "));
-    canvas.figure(key, "Real contact area of every map over the load", description, [COLUMN, 282.0])
+    canvas.figure("Real contact area of every map over the load", description, [COLUMN, 282.0])
 }
 
-/// The errors of one model over the maps.
 pub(crate) struct Strip {
     pub label: String,
     pub look: Style,
@@ -115,7 +109,7 @@ pub(crate) struct Strip {
 
 /// A strip for each model: a line over the 10th–90th percentile, a bar over the interquartile range, a mark at the
 /// median.
-pub(crate) fn strips(strips: &[Strip], key: &str) -> Figure {
+pub(crate) fn strips(strips: &[Strip]) -> Figure {
     const LEFT: f64 = 84.0;
     const TOP: f64 = 14.0;
     const PITCH: f64 = 26.0;
@@ -153,11 +147,11 @@ pub(crate) fn strips(strips: &[Strip], key: &str) -> Figure {
         said.push(format!("{} {}", strip.label, strip.errors.words(signed_percent)));
     }
     let (title, size) = ("Error of each closed form over the maps", [COLUMN, bottom + 34.0]);
-    canvas.figure(key, title, format!("{}.", said.join("; ")), size)
+    canvas.figure(title, format!("{}.", said.join("; ")), size)
 }
 
 /// Distributions side by side, three in a row: of each "Quantity (unit)" its numbers, in that unit.
-pub(crate) fn histograms(all: &[(String, Quantiles)], key: &str) -> Figure {
+pub(crate) fn histograms(all: &[(String, Quantiles)]) -> Figure {
     const PER_ROW: usize = 3;
     const PANEL: [f64; 2] = [196.0, 92.0];
     const PITCH: [f64; 2] = [234.0, 140.0];
@@ -172,7 +166,7 @@ pub(crate) fn histograms(all: &[(String, Quantiles)], key: &str) -> Figure {
         said.push(format!("{title}: {}", values.words(|v| significant(v, 3))));
     }
     let size = [LEFT + PITCH[0] * 3.0 - 24.0, PITCH[1] * rows as f64 + 4.0];
-    canvas.figure(key, "Distributions over the maps", format!("{}.", said.join("; ")), size)
+    canvas.figure("Distributions over the maps", format!("{}.", said.join("; ")), size)
 }
 
 /// Classes of equal width, on a logarithmic axis if the numbers are wide.

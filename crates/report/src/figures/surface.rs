@@ -17,7 +17,6 @@ pub(crate) struct Histogram {
     pub start: f64,
     /// Probability density of all heights, per rms height.
     pub all: Vec<f64>,
-    /// The part of it that touches.
     pub touching: Vec<f64>,
 }
 
@@ -29,7 +28,6 @@ impl Histogram {
     }
 }
 
-/// Counts heights about their mean. `None` for a flat map.
 pub(crate) fn histogram(heights: &[f64], pressure: &[f64]) -> Option<Histogram> {
     let n = heights.len() as f64;
     let mean = heights[0] + heights.iter().map(|h| h - heights[0]).sum::<f64>() / n;
@@ -54,7 +52,7 @@ pub(crate) fn histogram(heights: &[f64], pressure: &[f64]) -> Option<Histogram> 
 
 /// Distribution of heights on a logarithmic scale, with the normal curve and the part that
 /// touches.
-pub(crate) fn heights(histogram: &Histogram, at: &str, key: &str) -> Figure {
+pub(crate) fn heights(histogram: &Histogram, at: &str) -> Figure {
     const FLOOR: f64 = 1e-4;
     let Histogram { start, all, touching } = histogram;
     let end = start + STEP * all.len() as f64;
@@ -100,7 +98,7 @@ pub(crate) fn heights(histogram: &Histogram, at: &str, key: &str) -> Figure {
         let lowest = significant(lowest, 2);
         description += &format!(" Only heights above {lowest} rms heights touch at {at}.");
     }
-    canvas.figure(key, "Height distribution", description, [COLUMN, HEIGHT])
+    canvas.figure("Height distribution", description, [COLUMN, HEIGHT])
 }
 
 /// A power spectrum, as drawn and as listed.
@@ -115,7 +113,7 @@ pub(crate) struct Spectrum {
 }
 
 /// Power spectral density over wavelength, long to short.
-pub(crate) fn spectrum(spectrum: &Spectrum, key: &str) -> Option<Figure> {
+pub(crate) fn spectrum(spectrum: &Spectrum) -> Option<Figure> {
     let points: Vec<[f64; 2]> =
         spectrum.points.iter().copied().filter(|[l, c]| *l > 0.0 && *c > 0.0).collect();
     let (first, last) = (points.first()?, points.last()?);
@@ -179,7 +177,7 @@ pub(crate) fn spectrum(spectrum: &Spectrum, key: &str) -> Option<Figure> {
     }
     let (at, text) = ([FRAME[2] - 2.0, FRAME[1] + 8.0], format!("long{SPACE}→{SPACE}short"));
     canvas.text(&Text::end(at, &text, INK).small().halo());
-    Some(canvas.figure(key, name, description, [COLUMN, HEIGHT]))
+    Some(canvas.figure(name, description, [COLUMN, HEIGHT]))
 }
 
 #[cfg(test)]

@@ -1,8 +1,8 @@
 //! What a contact conducts, in words and numbers.
 
 use crate::numbers::{
-    AREAS, KELVINS_PER_WATT, METRES, OHMS, PASCALS, SPACE, Unit, power_of_ten, quantity,
-    quantity_within, significant,
+    AREAS, KELVINS_PER_WATT, METRES, OHMS, PASCALS, SPACE, power_of_ten, quantity, quantity_within,
+    significant,
 };
 use contact_compare::{Conducted, Conduction, Joint, SurfaceComparison};
 use contact_types::Named;
@@ -11,7 +11,6 @@ use contact_types::Named;
 #[derive(Debug, Clone, Copy)]
 pub(crate) struct ConductanceKind {
     pub(crate) name: &'static str,
-    /// Unit of the resistance.
     pub(crate) resistance: &'static str,
     /// That of a unit of area.
     pub(crate) of_area: &'static str,
@@ -21,7 +20,6 @@ pub(crate) struct ConductanceKind {
     pub(crate) factor: f64,
 }
 
-/// Names and units of both.
 const KINDS: [[&str; 4]; 2] =
     [["electrical", "Ω", "Ω m²", "S/m^2"], ["thermal", "K/W", "K m²/W", "W/m^2/K"]];
 
@@ -46,7 +44,7 @@ pub fn resistances(found: &Conducted) -> Vec<ResistanceWords> {
         let (value, stated) = (r?.value, r?.prediction.or(r?.interval));
         let shown = |value: f64, ends: Option<[f64; 2]>| match value {
             r if r.is_infinite() => "no contact".to_owned(),
-            r if r <= 0.0 => format!("0{SPACE}{}", unit_of(units)),
+            r if r <= 0.0 => quantity(0.0, units, 3),
             r => quantity_within(r, ends, units),
         };
         let one_spot = spot.map(|spot| shown(spot, None));
@@ -63,10 +61,6 @@ pub(crate) fn resistance_lines(surface: &SurfaceComparison) -> Vec<String> {
         format!("{name} {value} at {at}{spot}").replace(SPACE, " ")
     };
     surface.conducted(surface.headline).iter().flat_map(resistances).map(line).collect()
-}
-
-fn unit_of(units: &[Unit]) -> &'static str {
-    units.iter().find(|unit| unit.scale >= 1.0).map_or("", |unit| unit.name)
 }
 
 /// Knudsen numbers at which the slip regime begins and ends.

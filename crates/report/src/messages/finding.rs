@@ -186,7 +186,6 @@ fn edge_jump(ratio: f64, edges: EdgesName, seam: Option<&Seam>) -> Words {
     )
 }
 
-/// The treatment of the edges.
 fn treatment(surface: &SurfaceComparison) -> &'static str {
     match (surface.edges, &surface.origin) {
         (EdgesName::Mirrored, _) => "Continued by its mirror images.",
@@ -212,7 +211,6 @@ pub(crate) fn edge_words(surface: &SurfaceComparison) -> String {
     seam(surface).map_or(done.to_owned(), |s| format!("{done} {}", seam_effect(&s)))
 }
 
-/// What the strip along the edges does to the area, in one sentence.
 fn seam_effect(seam: &Seam) -> String {
     format!(
         "The strip along the edges moves the area by {}.",
@@ -297,7 +295,6 @@ fn cleaned(records: &[Record], filled: f64, how: &str) -> [Option<Words>; 2] {
     [filled, steps]
 }
 
-/// The steps of cleaning in a few words.
 fn steps(cleaned: &[Record]) -> String {
     let step = |record: &Record| match *record {
         Record::Rows { jump, .. } => {
@@ -359,7 +356,6 @@ fn no_uncertainty(why: NoUncertainty, loads: usize, of: usize) -> Words {
     )
 }
 
-/// What was tested and is fine, in one entry.
 fn tested(passed: &Passed) -> Words {
     let tests = [
         passed.bandwidth.map(|bandwidth| {

@@ -77,7 +77,6 @@ pub(crate) fn moments(pair: &PairOrigin) -> Option<String> {
     ))
 }
 
-/// The finding that they do not add: claim and text.
 pub(crate) fn dependent([first, second]: &[String; 2], found: &Independence) -> [String; 2] {
     let how = if found.excess[1] < 0.0 { "fit into each other" } else { "meet high on high" };
     let (excess, chance) = (excess(found), chance(found));
@@ -90,7 +89,6 @@ pub(crate) fn dependent([first, second]: &[String; 2], found: &Independence) -> 
     ]
 }
 
-/// The finding that the points differ: claim and text.
 pub(crate) fn pixels_differ(names: &[String; 2], pixels: [[f64; 2]; 2]) -> [String; 2] {
     let sizes = pixels.map(|p| p[0].max(p[1]));
     let (fine, coarse) = if sizes[0] < sizes[1] { (0, 1) } else { (1, 0) };
@@ -106,7 +104,6 @@ pub(crate) fn pixels_differ(names: &[String; 2], pixels: [[f64; 2]; 2]) -> [Stri
     ]
 }
 
-/// The finding that parts lie outside: claim and text.
 pub(crate) fn common_part(names: &[String; 2], shares: [f64; 2]) -> [String; 2] {
     let [a, b] = shares.map(percent);
     [

@@ -14,19 +14,20 @@ pub fn explanation(reached: &Reached) -> String {
     };
     let width =
         reached.half_width.map_or_else(|| "without uncertainty estimate".to_owned(), plus_minus);
-    let line = format!(
-        "{grid}, {}, tolerance {}: {width}, {}",
-        reached.precision,
-        tolerance(reached.tolerance),
-        time(reached.seconds)
-    );
+    let tolerance = format!("{:e}", reached.tolerance).replace("e-", "e−");
+    let (precision, time) = (reached.precision, duration(reached.seconds));
+    let line = format!("{grid}, {precision}, tolerance {tolerance}: {width}, {time}");
     if let (Some(why), Some(request)) = (reason(reached), reached.request) {
         return format!("{line}; {} not met: {why}", percent(request.relative()));
     }
     match &reached.next {
         Some(next) => {
             let better = next.half_width.map_or_else(String::new, |h| plus_minus(h) + ", ");
-            format!("{line}; next: {}, about {better}{}", points(next.shape), time(next.seconds))
+            format!(
+                "{line}; next: {}, about {better}{}",
+                points(next.shape),
+                duration(next.seconds)
+            )
         }
         None => line,
     }
@@ -95,16 +96,9 @@ fn digits(value: f64) -> String {
     }
 }
 
-fn tolerance(value: f64) -> String {
-    format!("{value:e}").replace("e-", "e−")
-}
-
-fn time(seconds: f64) -> String {
-    if seconds < 0.01 {
-        format!("{} ms", digits(1e3 * seconds))
-    } else {
-        format!("{} s", digits(seconds))
-    }
+fn duration(seconds: f64) -> String {
+    let (scale, unit) = if seconds < 0.01 { (1e3, "ms") } else { (1.0, "s") };
+    format!("{} {unit}", digits(scale * seconds))
 }
 
 #[cfg(test)]

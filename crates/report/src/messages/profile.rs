@@ -3,7 +3,6 @@
 use crate::numbers::{METRES, PASCALS, SPACE, chosen, percent, quantity, significant};
 use contact_compare::{ProfileComparison, Unevenness};
 
-/// That Ra asks for a longer cut-off.
 pub(crate) fn coarser_class([ra, cutoff, length]: [f64; 3]) -> [String; 2] {
     let [ra, length] = [ra, length].map(|metres| quantity(metres, METRES, 3));
     [
@@ -15,7 +14,6 @@ pub(crate) fn coarser_class([ra, cutoff, length]: [f64; 3]) -> [String; 2] {
     ]
 }
 
-/// That λs was left out.
 pub(crate) fn no_short([short, spacing]: [f64; 2]) -> [String; 2] {
     let (short, spacing) = (chosen(short, METRES), quantity(spacing, METRES, 3));
     [
@@ -26,7 +24,6 @@ pub(crate) fn no_short([short, spacing]: [f64; 2]) -> [String; 2] {
     ]
 }
 
-/// What direction, length and number of the traces leave open.
 pub(crate) fn sample(
     traces: usize,
     length: f64,
@@ -60,7 +57,6 @@ pub(crate) fn spread(factor: Option<f64>) -> String {
     }
 }
 
-/// That the points were not evenly spaced.
 pub(crate) fn unevenly(uneven: Unevenness) -> [String; 2] {
     let [short, long] = uneven.steps.map(|step| quantity(step, METRES, 3));
     let spacing = quantity(uneven.spacing, METRES, 3);

@@ -73,9 +73,13 @@ pub(crate) fn cheapest(surface: &SurfaceComparison) -> Option<[String; 2]> {
     let answer = surface.headline_answer().filter(|_| is_known(surface))?;
     let forms = ranked(surface).into_iter().filter(|r| r.error.abs() <= WANTED);
     let form = forms.min_by(|a, b| a.seconds.total_cmp(&b.seconds));
+    let grid = |grid: &Coarser| {
+        let ([ny, nx], error) = (grid.shape, signed_percent(grid.error));
+        [format!("Solver on {nx} × {ny} points"), format!("{error}, {}", duration(grid.seconds))]
+    };
     Some(
         form.map(|r| way(&r))
-            .or_else(|| cheapest_grid(surface))
+            .or_else(|| cheapest_of(&surface.coarser).map(grid))
             .unwrap_or_else(|| ["This solution".into(), duration(answer.diagnostics.seconds)]),
     )
 }
@@ -106,7 +110,6 @@ fn label(factor: usize) -> String {
     }
 }
 
-/// The coarser grids as routes to an answer.
 pub(crate) fn coarser_routes(surface: &SurfaceComparison) -> impl Iterator<Item = CostRoute> {
     surface.coarser.iter().map(|c| CostRoute::new(label(c.factor), LOOK, c.seconds, c.error))
 }
@@ -115,14 +118,6 @@ pub(crate) fn coarser_routes(surface: &SurfaceComparison) -> impl Iterator<Item 
 /// that is near while a finer one is not is near by chance.
 fn cheapest_of(grids: &[Coarser]) -> Option<&Coarser> {
     grids.iter().take_while(|c| c.error.abs() <= WANTED).last()
-}
-
-/// That grid with its error and time; `None` if no coarser grid comes that near.
-fn cheapest_grid(surface: &SurfaceComparison) -> Option<[String; 2]> {
-    let grid = cheapest_of(&surface.coarser)?;
-    let [ny, nx] = grid.shape;
-    let words = format!("{}, {}", signed_percent(grid.error), duration(grid.seconds));
-    Some([format!("Solver on {nx} × {ny} points"), words])
 }
 
 #[cfg(test)]

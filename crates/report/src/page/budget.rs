@@ -10,12 +10,10 @@ use crate::page::shared::{row, table, tolerance_words, why};
 use contact_accuracy::{Estimate, Parts};
 use contact_compare::{ChoiceKind, DeterministicAnswer, SurfaceComparison};
 
-/// A half width as the ends it makes.
 fn ends(value: f64, half: Option<f64>) -> Option<[f64; 2]> {
     half.filter(|h| h.is_finite()).map(|half| [(value - half).max(0.0), value + half])
 }
 
-/// An interval as shares of its number.
 fn shares(value: f64, ends: Option<[f64; 2]>) -> String {
     let ends = ends.filter(|_| value > 0.0);
     ends.map_or("–".into(), |ends| escape(&relative_interval(value, ends)))
@@ -56,7 +54,12 @@ pub(crate) fn sources(
         rows += &if is_sum { row.replacen("<tr>", "<tr class=\"sum\">", 1) } else { row };
     };
     let part = |e: &Estimate, of: fn(&Parts) -> f64| ends(e.value, Some(of(&e.uncertainty.ok()?)));
-    add("Half the points", &|e| part(e, |p| p.coarser), &coarser_words(answer));
+    let read: Vec<String> = answer.coarser.iter().map(|n| significant(100.0 * n.area, 3)).collect();
+    let how = match read.join(" and ") {
+        none if none.is_empty() => "not solved".into(),
+        areas => format!("they read {areas}{SPACE}%"),
+    };
+    add("Half the points", &|e| part(e, |p| p.coarser), &how);
     let how = format!(
         "a tenth of the perimeter correction [<a href=\"#r{correction}\">{correction}</a>], and counting"
     );
@@ -84,16 +87,6 @@ pub(crate) fn sources(
     let caption = format!("Uncertainty at {at}, relative, 95{SPACE}%");
     let columns = "Source|#Area|#Real pressure|#Mean gap|#Stiffness|How obtained";
     table(r#"class="bud""#, &caption, columns, &rows)
-}
-
-/// What every second point said.
-fn coarser_words(answer: &DeterministicAnswer) -> String {
-    let areas: Vec<String> =
-        answer.coarser.iter().map(|n| significant(100.0 * n.area, 3)).collect();
-    if areas.is_empty() {
-        return "not solved".into();
-    }
-    format!("they read {}{SPACE}%", areas.join(" and "))
 }
 
 /// What other choices in preparing the map do to the area, largest first; only what was computed.

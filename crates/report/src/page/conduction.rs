@@ -63,35 +63,27 @@ pub(crate) fn section(part: &mut SurfacePart<'_>) -> String {
         let unit = if area.is_some() { kind.resistance } else { kind.of_area };
         // Correlations are no models of the study: no other figure has their series.
         let theory = |theory: &'_ TheoryStiffness| {
-            let (name, values) = (theory.name.clone(), of(&theory.stiffness));
-            let is_correlation = ["mikic", "cmy"].contains(&name.as_str());
-            let series = if is_correlation { String::new() } else { name.clone() };
-            LoadLine {
-                label: theory.label.clone(),
-                name: series,
-                look: plot_style(&name, 0),
-                values,
-            }
+            let (name, values) = (theory.name.as_str(), of(&theory.stiffness));
+            let series = if ["mikic", "cmy"].contains(&name) { "" } else { name };
+            LoadLine::new(series, &theory.label, plot_style(name, 0), values)
         };
         let lines: Vec<LoadLine> = found.theories.iter().map(theory).collect();
         let deterministic = of(&found.stiffness);
         let yields = found.theories.iter().any(|theory| theory.name == "cmy");
         let title = format!("{} contact resistance", capital(kind.name));
-        let draw =
-            |key: &str| figures::over_load(surface, &deterministic, &lines, (&title, unit), key);
+        let drawn = figures::over_load(surface, &deterministic, &lines, (&title, unit));
         let caption = format!(
             "{title}</b>{}. Dots: solver. Grey: correlations of Mikic{}.",
             if area.is_some() { "" } else { " of unit nominal area" },
             if yields { " and of Cooper, Mikic and Yovanovich (CMY)" } else { "" }
         );
-        out += &part.figure(draw, &caption);
+        out += &part.figure(drawn, &caption);
     }
     if found.octaves.len() > 1 {
         let caption = format!(
             "Without the shortest waves</b> at {p}: area and conductance over those of the whole map."
         );
-        let draw = |key: &str| figures::octaves(&found.octaves, key);
-        out += &part.figure(draw, &caption);
+        out += &part.figure(figures::octaves(&found.octaves), &caption);
     }
     out + "</div>\n"
 }

@@ -24,7 +24,7 @@ pub(crate) fn where_it_touches(part: &mut SurfacePart<'_>) -> String {
     let row = cut.as_ref().map(|(_, row)| *row);
     let (moving, surfaces) = (moving(part), part.comparison.surfaces.len());
     let (map, hidden) = join(
-        || maps::contact(pressure, heights, grid, (window, row), limit, &key).inline(),
+        || maps::contact(pressure, heights, grid, (window, row), limit).inline(&key),
         || moving.as_ref().map_or_else(String::new, |moving| moving.whole(limit, surfaces)),
     );
     let load =
@@ -34,12 +34,12 @@ pub(crate) fn where_it_touches(part: &mut SurfacePart<'_>) -> String {
         format!("<b>Fig. {n}. Contact map.</b> Colour: pressure; grey: no contact.{reduced}");
     let mut shown = figure(&(map + &hidden), &caption);
     if let Some(window) = window {
-        let zoom = maps::enlarged(pressure, heights, grid, window, row, &format!("{key}b"));
+        let zoom = maps::enlarged(pressure, heights, grid, window, row).inline(&format!("{key}b"));
         let relief = |moving: &Moving<'_>| moving.relief(window, window[2].max(window[3]));
         let hidden = moving.as_ref().map_or_else(String::new, relief);
         let times = significant(grid.shape()[1] as f64 / window[3] as f64, 2);
         let caption = format!("<b>Boxed area</b>, enlarged {times}×.");
-        shown += &figure(&(zoom.inline() + &hidden), &caption);
+        shown += &figure(&(zoom + &hidden), &caption);
     }
     let section = deformed::through(part, cut, moving.is_some());
     format!(
@@ -113,11 +113,11 @@ pub(crate) fn distributions(part: &mut SurfacePart<'_>) -> String {
     let there = [PRESSURE, SPOTS, GAP].into_iter().zip(captions).filter(|(of, _)| of.is_in(found));
     for (of, caption) in there {
         let n = part.numbers.next_figure();
-        let Some(still) = of.figure(found, &format!("{id}-f{n}")) else { continue };
+        let Some(still) = of.figure(found) else { continue };
         let facts = of.moving(&loads, &why).filter(|_| moves).map(|facts| {
             format!("<span class=\"spread\" hidden data-facts='{}'></span>", attribute(&facts))
         });
-        let shown = still.inline() + &facts.unwrap_or_default();
+        let shown = still.inline(&format!("{id}-f{n}")) + &facts.unwrap_or_default();
         figures += &figure(&shown, &format!("<b>Fig. {n}. {caption}"));
     }
     format!("<div class=\"two\">\n{figures}</div>\n")

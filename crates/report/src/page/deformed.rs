@@ -70,7 +70,7 @@ pub(crate) fn through(
     let loads = surface.deterministic.iter().zip(cut.loads.iter().zip(&touching));
     let titles: Vec<String> = loads.map(title).collect();
     let headline = surface.headline;
-    let svg = section(&cut, headline, titles[headline].clone(), &format!("{id}-f{n}"));
+    let svg = section(&cut, headline, titles[headline].clone()).inline(&format!("{id}-f{n}"));
     let facts = if moves {
         let data = facts(&cut, row, surface.solved_map().grid().shape()[0], &titles);
         format!("<span class=\"cut\" hidden data-facts='{}'></span>", attribute(&data))
@@ -85,13 +85,13 @@ pub(crate) fn through(
          loading. Vertical exaggeration <span class=\"tall\">{tall}</span>×.",
         touching[headline]
     );
-    wide(&figure(&(svg.inline() + &facts), &caption))
+    wide(&figure(&(svg + &facts), &caption))
 }
 
 /// Heights and gaps in 16 bits of one step, pressures in classes of the ramp; little end first, loads one after
 /// the other.
 fn facts(cut: &SectionCut, row: usize, rows: usize, titles: &[String]) -> serde_json::Value {
-    let (low, high) = min_max(&cut.heights).unwrap_or_default();
+    let (low, high) = min_max(cut.heights.iter().copied()).unwrap_or_default();
     let gaps = || cut.loads.iter().flat_map(|l| l.gap.iter().copied());
     let step = gaps().fold(high - low, f64::max) / f64::from(u16::MAX);
     let sixteen = |values: &mut dyn Iterator<Item = f64>| {

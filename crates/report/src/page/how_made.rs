@@ -9,12 +9,11 @@ use crate::numbers::{METRES, PASCALS, SPACE, chosen, counted, duration, signific
 use crate::page::shared::{levelled, terms, tolerance_words};
 use crate::provenance::Provenance;
 use contact_accuracy::{PERIMETER_CORRECTION, Reached};
-use contact_compare::{Body, Comparison, FileOrigin, Origin, Recipe, Settings, SurfaceComparison};
+use contact_compare::{Body, Comparison, FileOrigin, Origin, Recipe, Settings};
 use contact_types::Named;
 use surface_stats::Level;
 use surface_stats::clean::Record;
 
-/// Program, inputs, settings, the command that repeats it.
 pub(crate) fn section(comparison: &Comparison, made: &Provenance) -> String {
     let Comparison { surfaces, settings, .. } = comparison;
     let several = surfaces.len() > 1;
@@ -29,10 +28,11 @@ pub(crate) fn section(comparison: &Comparison, made: &Provenance) -> String {
         ),
     )];
     for surface in surfaces {
-        rows.push((
-            if several { escape(&surface.name) } else { "Input".into() },
-            format!("{}. {}", origin_words(&surface.origin), map_words(surface)),
-        ));
+        let (grid, taken_off) = (surface.surface.grid(), levelled(surface));
+        let ([ny, nx], [dy, dx]) = (grid.shape(), grid.pixel().map(|d| chosen(d, METRES)));
+        let origin = origin_words(&surface.origin);
+        let map = format!("{origin}. {nx} × {ny} points of {dx} × {dy}; {taken_off}");
+        rows.push((if several { escape(&surface.name) } else { "Input".into() }, map));
         let cleaned = surface.origin.cleaned().iter().enumerate();
         let step =
             |(i, step): (usize, &Record)| format!("{}. {}", i + 1, escape(&step.to_string()));
@@ -73,7 +73,6 @@ pub(crate) fn section(comparison: &Comparison, made: &Provenance) -> String {
     )
 }
 
-/// The materials of the table, a line for each.
 pub(crate) fn materials_words(settings: &Settings) -> String {
     let line = |used| format!("<br>\n{}", escape(&material_line(used)));
     settings.materials.iter().map(line).collect()
@@ -94,7 +93,6 @@ pub(crate) fn level_words(level: Level) -> &'static str {
     }
 }
 
-/// E* in the head of a page, and what presses on the rough body.
 pub(crate) fn modulus_in_head(settings: &Settings) -> String {
     let other = match settings.bodies.len() {
         0 => "",
@@ -169,17 +167,6 @@ pub(crate) fn origin_words(origin: &Origin) -> String {
             )
         }
     }
-}
-
-fn map_words(surface: &SurfaceComparison) -> String {
-    let grid = surface.surface.grid();
-    let ([ny, nx], [dy, dx]) = (grid.shape(), grid.pixel());
-    format!(
-        "{nx} × {ny} points of {} × {}; {}",
-        chosen(dx, METRES),
-        chosen(dy, METRES),
-        levelled(surface)
-    )
 }
 
 /// What was asked for, what was chosen for it, and where the models were asked.

@@ -1,6 +1,6 @@
 //! `report.html`: one file, no network, readable without scripts.
 
-use crate::draw::palette::{COLOURS, Colour};
+use crate::draw::palette::{Colour, ROLES, SERIES};
 use crate::draw::svg::escape;
 use crate::messages;
 use crate::page::shared::{Numbering, SurfacePart, date};
@@ -11,7 +11,6 @@ use contact_types::Citation;
 use grid_fft::parallel::join;
 
 const STYLE: &str = include_str!("style.css");
-/// The slider, then what follows it.
 const SCRIPT: &str = concat!(
     include_str!("slider.js"),
     include_str!("follow.js"),
@@ -116,7 +115,6 @@ fn opening(part: &SurfacePart<'_>, made: &Provenance) -> String {
     )
 }
 
-/// The list of sources, numbered as cited.
 pub(crate) fn references(sources: &[Citation]) -> String {
     let item = |(i, c): (usize, &Citation)| {
         let [title, doi] = match escape(&c.doi) {
@@ -134,14 +132,15 @@ pub(crate) fn references(sources: &[Citation]) -> String {
 
 /// Colours by role: light, dark by preference or on request, and always light in print.
 fn palette_css() -> String {
+    let all = || ROLES.iter().chain(&SERIES);
     let variables = |of: fn(&Colour) -> &'static str| -> String {
-        COLOURS.iter().map(|c| format!("--{}:{};", c.class, of(c))).collect()
+        all().map(|c| format!("--{}:{};", c.class, of(c))).collect()
     };
     let (light, dark) = (variables(|c| c.light), variables(|c| c.dark));
     let class = |Colour { class, .. }: &Colour| {
         format!(".s-{class}{{stroke:var(--{class})}}.f-{class}{{fill:var(--{class})}}")
     };
-    let classes: String = COLOURS.iter().map(class).collect();
+    let classes: String = all().map(class).collect();
     format!(
         ":root{{color-scheme:light dark;{light}}}\n\
          @media screen and (prefers-color-scheme:dark){{:root:not([data-theme=light]){{{dark}}}\

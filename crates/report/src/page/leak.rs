@@ -3,7 +3,7 @@
 use crate::draw::palette::{DETERMINISTIC_STYLE, ELASTIC_LOOK};
 use crate::figures::conduction::over_load;
 use crate::figures::cost::{self, CostRoute};
-use crate::figures::flow;
+use crate::figures::maps;
 use crate::lines::{LoadLine, min_max};
 use crate::messages::conduction::scientific;
 use crate::messages::finding::capital;
@@ -46,7 +46,6 @@ impl<'a> LeakCurves<'a> {
         self.found.iter().copied().zip(self.form(k)).map(of).collect()
     }
 
-    /// The solution, then each closed form.
     fn rows(&self, at: usize) -> String {
         let (Some(leaks), Some(leak)) = (self.loads[at], self.found[at]) else {
             return String::new();
@@ -78,7 +77,7 @@ impl<'a> LeakCurves<'a> {
         let mut rows = row(" class=\"ref\"", reference, numbers, &channel);
         for (k, (name, permeability, seconds)) in leaks.closed_forms().into_iter().enumerate() {
             let errors = self.errors(k);
-            let range = min_max(&errors.iter().flatten().copied().collect::<Vec<_>>());
+            let range = min_max(errors.iter().flatten().copied());
             let range = range.map_or_else(|| "–".into(), |(low, high)| signed_range(low, high));
             let error = errors[at].map_or_else(|| "–".into(), signed_percent);
             let numbers = [scientific(permeability, "m³"), error, range, duration(seconds)];
@@ -126,29 +125,23 @@ pub(crate) fn section(part: &mut SurfacePart<'_>) -> String {
     let reference = first.permeability();
     if reference.iter().flatten().any(|k| *k > 0.0) {
         let line = |k: usize| {
-            let name = leaks.closed_forms()[k].0;
-            let (label, values) = (FORMS[k][1].into(), first.form(k));
-            LoadLine { label, name: String::new(), look: plot_style(name, k), values }
+            let look = plot_style(leaks.closed_forms()[k].0, k);
+            LoadLine::new("", FORMS[k][1], look, first.form(k))
         };
-        let other = curves.get(1).map(|curves| LoadLine {
-            label: String::new(), // it may end before the others; the caption has it
-            name: String::new(),
-            look: ELASTIC_LOOK,
-            values: curves.permeability(),
-        });
+        // It may end before the others: the caption has its name.
+        let other = curves.get(1).map(|c| LoadLine::new("", "", ELASTIC_LOOK, c.permeability()));
         let lines: Vec<LoadLine> = other.into_iter().chain([0, 1].map(line)).collect();
         let rings = if curves.len() > 1 { "; rings: along y" } else { "" };
         let caption = format!("Permeability of the gap</b> along {along}. Dots: solver{rings}.");
-        let draw = |key: &str| over_load(surface, &reference, &lines, ("Permeability", "m³"), key);
-        out += &part.figure(draw, &caption);
+        let drawn = over_load(surface, &reference, &lines, ("Permeability", "m³"));
+        out += &part.figure(drawn, &caption);
     }
     if let Some((routes, floor)) = first.routes(at) {
         let caption = format!(
             "Error against time</b> of the permeability along {along}, once the gap is known."
         );
-        let of = ("permeability", p);
-        let draw = |key: &str| cost::figure(&routes, floor, of, "Time per load", key);
-        out += &part.figure(draw, &caption);
+        let drawn = cost::figure(&routes, floor, ("permeability", p), "Time per load");
+        out += &part.figure(drawn, &caption);
     }
     out.push_str("</div>\n<div class=\"two maps\">\n");
     let grid = surface.solved_map().grid();
@@ -160,8 +153,7 @@ pub(crate) fn section(part: &mut SurfacePart<'_>) -> String {
         let reduced = reduced_words(grid.shape(), limit);
         let caption =
             format!("Flow along {}.</b> Grey: contact; ring: bottleneck.{reduced}", axis.name());
-        let draw = |key: &str| flow::flux(flow, &surface.pressure, grid, limit, key);
-        out += &part.figure(draw, &caption);
+        out += &part.figure(maps::flux(flow, &surface.pressure, grid, limit), &caption);
     }
     out + "</div>\n"
 }

@@ -56,8 +56,8 @@ impl<'a> Moving<'a> {
         let step = 240 / loads.max(1); // FirstContact keeps at most so many loads
         let grey = |load: u8| if load == u8::MAX { 255 } else { load as usize * step };
         let first: Vec<u8> = first.iter().map(|&load| grey(load) as u8).collect();
-        let ((pressures, headline), (first, relief)) = join(
-            || join(|| Pressures::of(surface, surfaces), || self.pressure(shape)),
+        let (((block, tops, pictures), headline), (first, relief)) = join(
+            || join(|| pressures(surface, surfaces), || self.pressure(shape)),
             || join(|| png::classes(shape, &first), || self.relief([0, 0, ny, nx], relief_limit)),
         );
         let lost: Vec<_> = if shape == [ny, nx] { contact.lost.clone() } else { Vec::new() };
@@ -80,9 +80,8 @@ impl<'a> Moving<'a> {
         let facts = attribute(&json!({
             "step": step, "lost": lost, "titles": titles, "colour": middle, "ramp": ramp,
             "across": grid.size()[1] / unit.scale, "unit": unit.name,
-            "points": [ny, nx], "block": pressures.block, "tops": pressures.tops,
+            "points": [ny, nx], "block": block, "tops": tops,
         }));
-        let pictures = pressures.pictures;
         format!(
             "<img class=\"first\" hidden alt=\"\" src=\"{first}\" data-facts='{facts}'>\
              <img class=\"pressure\" hidden alt=\"\" src=\"{headline}\">{pictures}{relief}"
@@ -109,49 +108,33 @@ impl<'a> Moving<'a> {
     }
 }
 
-/// The pressures of the loads besides that of the headline.
-#[derive(Default)]
-pub(crate) struct Pressures {
-    /// Points along the side of a dot.
-    pub(crate) block: usize,
-    /// Of each load that has a picture, the number at the upper end of the bar, in the unit of the headline.
-    tops: Vec<Option<String>>,
-    pictures: String,
-}
-
-impl Pressures {
-    /// All of a surface, in as many steps as its share of a page of `surfaces` bears; if that is too much even in the
-    /// fewest, every second, every fourth, and at least the lightest and the heaviest.
-    pub(crate) fn of(surface: &SurfaceComparison, surfaces: usize) -> Self {
-        let Some(maps) = &surface.pressure_maps else { return Self::default() };
-        let last = maps.loads.len().saturating_sub(1);
-        let most = PRESSURES / surfaces.max(1);
-        let mut encoded = Vec::new();
-        for steps in STEPS {
-            encoded = encoded_until(maps, surface.headline, steps, most);
-            if encoded.iter().map(String::len).sum::<usize>() <= most {
-                break;
-            }
+/// The pressures of the loads besides that of the headline, in as many steps as the share of a surface in a page of
+/// `surfaces` bears; if that is too much even in the fewest, every second, every fourth, and at least the lightest and the
+/// heaviest. Points along the side of a dot; of each load that has a picture the number at the upper end of the bar, in the
+/// unit of the headline; the pictures.
+fn pressures(surface: &SurfaceComparison, surfaces: usize) -> (usize, Vec<Option<String>>, String) {
+    let Some(maps) = &surface.pressure_maps else { return Default::default() };
+    let most = PRESSURES / surfaces.max(1);
+    let mut encoded = Vec::new();
+    for steps in STEPS {
+        encoded = encoded_until(maps, surface.headline, steps, most);
+        if encoded.iter().map(String::len).sum::<usize>() <= most {
+            break;
         }
-        let bytes: Vec<usize> = encoded.iter().map(String::len).collect();
-        let kept = within(&bytes, most);
-        let (headline, _) = pressure_top(&surface.pressure);
-        let unit = unit_for(headline, PASCALS);
-        let mut found = Self { block: maps.block, ..Self::default() };
-        found.tops.resize(last + 1, None);
-        for load in kept.into_iter().filter(|load| *load != surface.headline) {
-            let PressureMap { top, clipped, .. } = maps.loads[load];
-            found.tops[load] = Some(maps::upper_end(top, clipped, unit));
-            let picture = &encoded[load];
-            found.pictures += &format!(
-                r#"<img class="pressed" hidden alt="" data-load="{load}" src="{picture}">"#
-            );
-        }
-        found
     }
+    let bytes: Vec<usize> = encoded.iter().map(String::len).collect();
+    let unit = unit_for(pressure_top(&surface.pressure).0, PASCALS);
+    let (mut tops, mut pictures) = (vec![None; maps.loads.len().max(1)], String::new());
+    for load in within(&bytes, most).into_iter().filter(|load| *load != surface.headline) {
+        let PressureMap { top, clipped, .. } = maps.loads[load];
+        tops[load] = Some(maps::upper_end(top, clipped, unit));
+        let picture = &encoded[load];
+        pictures +=
+            &format!(r#"<img class="pressed" hidden alt="" data-load="{load}" src="{picture}">"#);
+    }
+    (maps.block, tops, pictures)
 }
 
-/// Pictures packed at the same time.
 const AT_ONCE: usize = 4;
 
 /// The pictures of all loads but the headline, whose place stays empty. Ends early where they take more than `most`

@@ -10,7 +10,6 @@ use crate::page::shared::{Numbering, date, row, table, wide};
 use crate::provenance::Provenance;
 use contact_compare::{Comparison, ModelComparison, SurfaceComparison, elastic_holds};
 
-/// The opening of a report on several surfaces.
 pub(crate) fn section(
     comparison: &Comparison,
     made: &Provenance,
@@ -31,8 +30,8 @@ pub(crate) fn section(
     let of_errors = ("Error of the closed forms on each surface", caption.as_str());
     for (is_error, (title, caption)) in [(false, of_area), (true, of_errors)] {
         let description = format!("{title}: {}.", names.join(", "));
-        let draw = |key: &str| multiples::figure(surfaces, is_error, title, description, key);
-        out.push_str(&wide(&numbers.figure("o", draw, caption)));
+        let drawn = multiples::figure(surfaces, is_error, title, description);
+        out += &wide(&numbers.figure("o", drawn, caption));
     }
     out.push_str("<div class=\"page1\"></div>\n");
     out

@@ -24,10 +24,18 @@ pub(crate) fn report(studies: &[ProfileComparison], provenance: &Provenance) -> 
         body += &format!("<h1>{} profiles of surfaces</h1>\n", studies.len());
     }
     for (index, study) in studies.iter().enumerate() {
-        let name = escape(&study.surface.name);
+        let (id, name) = (&*format!("s{index}"), escape(&study.surface.name));
         let heading = if several { format!("<h2>{name}</h2>\n") } else { String::new() };
-        let surface = surface(study, &mut numbers, index, several, provenance);
-        body += &format!("<div class=\"surface\">\n{heading}{surface}</div>\n");
+        let (h, numbers) = (if several { "h3" } else { "h2" }, &mut numbers);
+        let (opening, key) = (opening(study, several, provenance), key_numbers(study));
+        let notes = notes(&study.findings(), id);
+        let (pictures, models) = (pictures(study, numbers, h, id), models(study, numbers, h, id));
+        let (roughness, sampling) = (roughness(study), sampling(study));
+        body += &format!(
+            "<div class=\"surface\">\n{heading}{opening}<div class=\"two\">\n{key}{notes}</div>\n{pictures}{models}\
+             <{h}>Roughness parameters</{h}>\n{roughness}\
+             <{h}>What the spacing of the points does</{h}>\n{sampling}</div>\n"
+        );
     }
     body += &how_made(studies, provenance);
     body += &references(&numbers.sources);
@@ -36,26 +44,6 @@ pub(crate) fn report(studies: &[ProfileComparison], provenance: &Provenance) -> 
         many => format!("{} profiles (rough-contact)", many.len()),
     };
     document(&title, several, &body, "")
-}
-
-fn surface(
-    study: &ProfileComparison,
-    numbers: &mut Numbering,
-    index: usize,
-    several: bool,
-    provenance: &Provenance,
-) -> String {
-    let id = format!("s{index}");
-    let h = if several { "h3" } else { "h2" };
-    let (opening, key) = (opening(study, several, provenance), key_numbers(study));
-    let notes = notes(&study.findings(), &id);
-    let (pictures, models) = (pictures(study, numbers, h, &id), models(study, numbers, h, &id));
-    let (roughness, sampling) = (roughness(study), sampling(study));
-    format!(
-        "{opening}<div class=\"two\">\n{key}{notes}</div>\n{pictures}{models}\
-         <{h}>Roughness parameters</{h}>\n{roughness}\
-         <{h}>What the spacing of the points does</{h}>\n{sampling}"
-    )
 }
 
 fn opening(study: &ProfileComparison, several: bool, provenance: &Provenance) -> String {
@@ -90,7 +78,7 @@ fn pictures(study: &ProfileComparison, numbers: &mut Numbering, h: &str, id: &st
         "The trace</b> without its form.{first} Shaded: every other section length of the roughness \
          parameters."
     );
-    let drawn = numbers.figure(id, |key| profiles::first_trace(study, key), &caption);
+    let drawn = numbers.figure(id, profiles::first_trace(study), &caption);
     if !drawn.is_empty() {
         out.push_str(&format!("<div class=\"wide\">{drawn}</div>\n"));
     }
@@ -100,13 +88,13 @@ fn pictures(study: &ProfileComparison, numbers: &mut Numbering, h: &str, id: &st
     let psd = Spectrum { points, fit, is_profile: true };
     let caption = "Power spectral density</b> of the trace, one-sided, under a Hann window, running mean over \
                    a third of an octave.";
-    let mut two = numbers.figure(id, |key| spectrum(&psd, key), caption);
+    let mut two = numbers.figure(id, spectrum(&psd), caption);
     let traces = if s.traces == 1 { "trace" } else { "traces" };
     let caption = format!(
         "Real contact area</b> by every model that answers, for an isotropic surface. Grey band: from the lowest to \
          the highest of those made of moments, with the 95{SPACE}% intervals that the length of the {traces} leaves."
     );
-    two.push_str(&numbers.figure(id, |key| profiles::area(study, key), &caption));
+    two += &numbers.figure(id, profiles::area(study), &caption);
     out + &format!("<div class=\"two\">\n{two}</div>\n")
 }
 

@@ -76,7 +76,6 @@ pub(crate) fn key_numbers(study: &ProfileComparison) -> String {
     key_table(&format!("Moments of the {traces}, finite differences"), &rows)
 }
 
-/// A parameter of ISO 21920-2 in its usual unit.
 fn shown(symbol: &str, value: Option<f64>) -> String {
     let Some(value) = value else { return "–".into() };
     match &symbol[1..] {
@@ -158,7 +157,6 @@ pub(crate) fn roughness(study: &ProfileComparison) -> String {
     format!("<p>{}</p>\n{table}", crate::draw::svg::escape(&setting_words(s)))
 }
 
-/// m2 and m4 over longer distances.
 pub(crate) fn sampling(study: &ProfileComparison) -> String {
     let s = &study.statistics;
     let Some((_, first)) = s.by_spacing.first() else { return String::new() };

@@ -21,7 +21,6 @@ use contact_compare::{
 };
 use contact_types::SpectralMoments;
 
-/// Findings shown: the worst.
 const MOST: usize = 3;
 
 /// What the answer holds for beside what speaks against it.
@@ -74,8 +73,7 @@ pub(crate) fn over_load(part: &mut SurfacePart<'_>) -> String {
         let caption = format!(
             "Error against time</b> at {p}, from the levelled map; bars: from typed numbers. Dashed: Pareto front."
         );
-        let draw = |key: &str| cost::figure(&routes, floor, ("area", p), time, key);
-        out += &part.figure(draw, &caption);
+        out += &part.figure(cost::figure(&routes, floor, ("area", p), time), &caption);
     }
     out + "</div>\n"
 }
@@ -90,9 +88,9 @@ fn panel(part: &mut SurfacePart<'_>, lines: &LoadLines) -> String {
         if lines.interval.iter().flatten().count() > 1 { "; grey: ± of this map" } else { "" };
     let elastic = if lines.of == YIELDING { "; rings: elastic contact" } else { "" };
     let caption = format!("Real contact area{of}.</b> Dots: solver{elastic}{band}.");
-    let area = part.figure(|key| curves::area(lines, key, true), &caption);
+    let area = part.figure(curves::area(lines, true), &caption);
     let caption = format!("Mean real pressure{of}</b>, load over real area.");
-    area + &part.figure(|key| curves::pressure(lines, key, true), &caption)
+    area + &part.figure(curves::pressure(lines, true), &caption)
 }
 
 /// The error of each closed form; nothing where no theory of these bodies answers.
@@ -106,7 +104,7 @@ fn errors(part: &mut SurfacePart<'_>, lines: &LoadLines) -> String {
         "Error of each closed form{}</b> against the solver. Light band: 10{SPACE}%{dark}.",
         of(lines)
     );
-    part.figure(|key| curves::error(lines, key), &caption)
+    part.figure(curves::error(lines), &caption)
 }
 
 fn relative_uncertainty(surface: &SurfaceComparison) -> Option<f64> {
@@ -156,7 +154,6 @@ pub(crate) fn height_figures(
     (picture, histogram(surface.solved_map().heights(), &surface.pressure))
 }
 
-/// Height map, statistics, distribution, spectrum.
 pub(crate) fn the_surface(
     part: &mut SurfacePart<'_>,
     (picture, histogram): (Option<(String, [f64; 2])>, Option<Histogram>),
@@ -169,8 +166,7 @@ pub(crate) fn the_surface(
     };
     let mut out = format!("<{h}>{title}</{h}>\n{first}<div class=\"two maps\">\n");
     if let Some(picture) = picture {
-        let draw = |key: &str| heights::figure(&picture, grid, &[], key);
-        out += &part.figure(draw, "Height.</b>");
+        out += &part.figure(heights::figure(&picture, grid, &[]), "Height.</b>");
     } else {
         out.push_str("<p>A single profile: no map is drawn.</p>\n");
     }
@@ -181,8 +177,7 @@ pub(crate) fn the_surface(
             format!(" At {p} heights above {}{SPACE}Sq touch.", fixed(lowest, 1))
         });
         let caption = format!("Height distribution.</b> Line: normal.{words}");
-        let draw = |key: &str| surface_figures::heights(&histogram, p, key);
-        out += &part.figure(draw, &caption);
+        out += &part.figure(surface_figures::heights(&histogram, p), &caption);
     }
     let fit = surface.statistics.hurst.zip(surface.statistics.fractal_range);
     let spectrum =
@@ -191,11 +186,9 @@ pub(crate) fn the_surface(
     let fitted = if fit.is_some() { band } else { "" };
     let window = if surface.spectral.windowed { "Hann window" } else { "periodic" };
     let caption = format!("Radial power spectrum</b>, {window}.{fitted}");
-    let draw = |key: &str| surface_figures::spectrum(&spectrum, key);
-    out + &part.figure(draw, &caption) + "</div>\n"
+    out + &part.figure(surface_figures::spectrum(&spectrum), &caption) + "</div>\n"
 }
 
-/// Error budget of the deterministic area, and what it does not cover.
 pub(crate) fn accuracy(part: &mut SurfacePart<'_>) -> String {
     let SurfacePart { surface, h, p, .. } = *part;
     let Some(answer) = surface.headline_answer() else { return String::new() };

@@ -22,7 +22,6 @@ const fn paper(
     }
 }
 
-/// The deterministic solution.
 pub(crate) const DETERMINISTIC: Citation = paper(
     "Stanley & Kato",
     1997,
@@ -31,7 +30,6 @@ pub(crate) const DETERMINISTIC: Citation = paper(
     "10.1115/1.2833523",
 );
 
-/// Conductance from stiffness.
 pub(crate) const CONDUCTANCE: Citation = paper(
     "Barber",
     2003,
@@ -40,7 +38,6 @@ pub(crate) const CONDUCTANCE: Citation = paper(
     "",
 );
 
-/// The correction of counted areas.
 pub(crate) const AREA_CORRECTION: Citation = paper(
     "Yastrebov, Anciaux & Molinari",
     2017,
@@ -63,21 +60,20 @@ impl Numbering {
         self.figures
     }
 
-    /// The next figure of the part `id`, with its key; its number is taken also where nothing is drawn. Its caption is HTML
-    /// and opens with the rest of a bold subject.
-    pub(crate) fn figure<F: Into<Option<Figure>>>(
+    /// The next figure of the part `id`; its number is taken also where nothing is drawn. Its caption is HTML and opens
+    /// with the rest of a bold subject.
+    pub(crate) fn figure(
         &mut self,
         id: &str,
-        draw: impl FnOnce(&str) -> F,
+        drawn: impl Into<Option<Figure>>,
         caption: &str,
     ) -> String {
         let n = self.next_figure();
-        let drawn = draw(&format!("{id}-f{n}")).into();
-        let shown = |drawn: Figure| figure(&drawn.inline(), &format!("<b>Fig. {n}. {caption}"));
-        drawn.map_or_else(String::new, shown)
+        let caption = format!("<b>Fig. {n}. {caption}");
+        let shown = |drawn: Figure| figure(&drawn.inline(&format!("{id}-f{n}")), &caption);
+        drawn.into().map_or_else(String::new, shown)
     }
 
-    /// Number of a source in the list of references.
     pub(crate) fn source(&mut self, citation: Citation) -> usize {
         let known = self.sources.iter().position(|c| *c == citation);
         known.unwrap_or_else(|| {
@@ -113,12 +109,8 @@ pub(crate) struct SurfacePart<'a> {
 
 impl SurfacePart<'_> {
     /// Its next figure, see [`Numbering::figure`].
-    pub(crate) fn figure<F: Into<Option<Figure>>>(
-        &mut self,
-        draw: impl FnOnce(&str) -> F,
-        caption: &str,
-    ) -> String {
-        self.numbers.figure(self.id, draw, caption)
+    pub(crate) fn figure(&mut self, drawn: impl Into<Option<Figure>>, caption: &str) -> String {
+        self.numbers.figure(self.id, drawn, caption)
     }
 }
 

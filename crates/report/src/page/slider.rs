@@ -11,25 +11,18 @@ use serde_json::json;
 
 fn read_out(surface: &SurfaceComparison) -> Vec<String> {
     let one = |point: &DeterministicPoint| {
-        let on_map = quantity(point.mean_pressure * surface.surface.grid().area(), NEWTONS, 3);
         let load = messages::load(point.mean_pressure, surface.load_area);
-        let on_map = if surface.load_area.is_some() {
-            String::new()
-        } else {
-            format!(" ({on_map} on this map)")
-        };
-        let said = match &point.answer {
-            None => "no answer".to_owned(),
-            Some(a) => {
-                format!("area {}, real pressure {}", messages::area(a), messages::real_pressure(a))
-            }
-        };
+        let force = quantity(point.mean_pressure * surface.surface.grid().area(), NEWTONS, 3);
+        let is_force = surface.load_area.is_some();
+        let on_map = if is_force { String::new() } else { format!(" ({force} on this map)") };
+        let said = point.answer.as_ref().map_or("no answer".to_owned(), |a| {
+            format!("area {}, real pressure {}", messages::area(a), messages::real_pressure(a))
+        });
         format!("{load}{on_map}: {said}")
     };
     surface.deterministic.iter().map(one).collect()
 }
 
-/// The slider over the loads, with its read-out.
 pub(crate) fn dial(surface: &SurfaceComparison, id: &str) -> String {
     let n = surface.deterministic.len();
     if n < 2 {

@@ -15,7 +15,6 @@ fn named(name: &str, unit: &str) -> String {
     if unit.is_empty() { name.into() } else { format!("{name}, {unit}") }
 }
 
-/// A length in the multiple that suits it.
 fn length(symbol: &'static str, name: &str, value: f64) -> Quantity {
     let unit = unit_for(value, METRES);
     (symbol, named(name, unit.name), Some(three(value / unit.scale)), None)

@@ -41,12 +41,10 @@ impl Summary<'_> {
         self.maps.iter().map(|(_, map)| map[key].as_f64().filter(|v| v.is_finite())).collect()
     }
 
-    /// A model's errors at the headline.
     fn errors(&self, model: &str) -> Vec<Option<f64>> {
         self.maps.iter().map(|(_, map)| map["models"][model]["area_error"].as_f64()).collect()
     }
 
-    /// The models, in the order of the study.
     fn models(&self) -> Vec<&'static Card> {
         let is_there =
             |card: &&Card| self.maps.iter().any(|(_, map)| map["models"][&*card.name].is_object());
@@ -179,11 +177,11 @@ fn load_and_errors(summary: &Summary<'_>, numbers: &mut Numbering) -> String {
         })
         .collect();
     let caption = "Real contact area</b> of every map by the deterministic solution. Thick: median; grey: 10th–90th percentile.";
-    let area = numbers.figure("b", |key| curves(&summary.curves(), key), caption);
+    let area = numbers.figure("b", curves(&summary.curves()), caption);
     let caption = format!(
         "Error of the closed forms</b> at the headline of each map. Mark: median; bar: interquartile range; line: 10th–90th percentile. Grey: within 10{SPACE}%."
     );
-    let errors = numbers.figure("b", |key| strips(&list, key), &caption);
+    let errors = numbers.figure("b", strips(&list), &caption);
     format!("<h2>Area and load</h2>\n<div class=\"two\">\n{area}{errors}</div>\n")
 }
 
@@ -280,7 +278,7 @@ fn distributions(summary: &Summary<'_>, numbers: &mut Numbering) -> String {
     }
     let caption = "Distributions over the maps.</b> Maps per class; dashed: median. A logarithmic axis where the values span more \
          than a factor of eight.";
-    let figure = wide(&numbers.figure("b", |key| histograms(&drawn, key), caption));
+    let figure = wide(&numbers.figure("b", histograms(&drawn), caption));
     let columns = format!(
         "Quantity|#Maps|#Lowest|#10{SPACE}%|#25{SPACE}%|#Median|#75{SPACE}%|#90{SPACE}%|#Highest|Lowest … highest are of"
     );
@@ -292,7 +290,6 @@ fn distributions(summary: &Summary<'_>, numbers: &mut Numbering) -> String {
     )
 }
 
-/// What is to be checked, by kind, most maps first.
 fn to_check(summary: &Summary<'_>) -> String {
     let mut kinds: Vec<(&str, usize, &str, &str)> = Vec::new();
     for (name, map) in &summary.maps {
@@ -333,7 +330,6 @@ fn failed(summary: &Summary<'_>) -> String {
     format!("<h2>Files without an answer</h2>\n{table}")
 }
 
-/// Every map in a line, folded away.
 fn listed(summary: &Summary<'_>) -> String {
     if summary.maps.is_empty() || summary.maps.len() > MOST_LISTED {
         return String::new();

@@ -77,7 +77,6 @@ pub(crate) fn model_pressure(point: &Result<ContactState, ModelError>) -> String
     real.map_or("–".into(), |p| quantity(p, PASCALS, 3))
 }
 
-/// A short piece of a series' line with its marker.
 pub(crate) fn swatch(look: Style) -> String {
     let mut canvas = Canvas::default();
     canvas.line([1.0, 6.0], [33.0, 6.0], Stroke { width: 1.2 * look.width, ..look.stroke() });
@@ -92,7 +91,6 @@ pub(crate) fn head(look: Style, name: &str, below: &str) -> String {
     format!("<th scope=\"row\"><div>{line}<span>{name}<small>{below}</small></span></div></th>")
 }
 
-/// The head of the row of a model: its line, its name, what it is made of.
 pub(crate) fn model_head(card: &Card, place: usize) -> String {
     head(plot_style(&card.name, place), &escape(&card.title), &inputs_html(card))
 }
@@ -135,7 +133,6 @@ pub(crate) fn models(part: &mut SurfacePart<'_>) -> String {
     table(r#"class="models""#, "", &columns, &rows)
 }
 
-/// A cell with the number of a source.
 pub(crate) fn cited(numbers: &mut Numbering, citation: Citation) -> String {
     let n = numbers.source(citation);
     format!("<td data-l=\"Ref.\" class=\"n src\"><a href=\"#r{n}\">{n}</a></td>")
