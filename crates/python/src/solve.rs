@@ -2,7 +2,7 @@
 
 use crate::failure::{bug, raise};
 use crate::surface::{LaidBody, Second, array, subject, surface_of};
-use crate::watched::{News, Reporter, WatchedOutcome, quietly, watched};
+use crate::watched::{News, Reporter, quietly, watched};
 use contact_accuracy::Ladder;
 use contact_compare::AccuracyRequest as Accuracy;
 use contact_compare::{Iteration, Load, Origin, Solution, Surface, contact_spots};
@@ -219,7 +219,7 @@ pub(crate) fn solve<'py>(
     if kept.as_ref().is_some_and(|kept| kept.try_lock().is_err()) {
         return Err(busy());
     }
-    let WatchedOutcome { value, stopped_by } =
+    let (value, stopped_by) =
         watched(py, request.request.settings.threads, progress, move |reporter| {
             let (maps, level) = (request.maps, request.request.settings.level);
             let subject = subject(surface, &facts, laid, level)?;

@@ -2,7 +2,7 @@
 
 use crate::failure::{bug, raise};
 use crate::surface::{LaidBody, Second, surface_of};
-use crate::watched::{News, WatchedOutcome, watched};
+use crate::watched::{News, watched};
 use contact_compare::{
     BuildError, Card, Citation, Comparison, ContactModel, ContactModulus, ContactState, CurvePoint,
     Inputs, ModelError, Origin, Progress, Registry, RunFile, RunSurface, Settings, StudyError,
@@ -188,7 +188,7 @@ pub(crate) fn study(
         registry = registry.with(theory).map_err(refused)?;
     }
     let threads = settings.threads;
-    let WatchedOutcome { value, stopped_by } = watched(py, threads, progress, move |reporter| {
+    let (value, stopped_by) = watched(py, threads, progress, move |reporter| {
         let mut told = (String::new(), 0);
         let mut listen = move |news: Progress<'_>| {
             if let Progress::Surface { name, loads, .. } = news {

@@ -76,14 +76,8 @@ impl Reporter {
     }
 }
 
-/// What the work came to, and why it was to end before, if it was.
-pub(crate) struct WatchedOutcome<T> {
-    /// None if the work was left behind: it ends by itself where it next looks up.
-    pub(crate) value: Option<T>,
-    pub(crate) stopped_by: Option<PyErr>,
-}
-
-/// Does the work on `threads` threads that are its own. `progress` is called with what it tells, on this thread.
+/// Does the work on `threads` threads that are its own: what it came to, and why it was to end before, if it was.
+/// `progress` is called with what it tells, on this thread. Work that is left behind ends by itself where it next looks up.
 ///
 /// Work that is stopped is waited for if a load was done, which is not to be lost; else for a moment only.
 pub(crate) fn watched<T: Send + 'static>(
@@ -91,7 +85,7 @@ pub(crate) fn watched<T: Send + 'static>(
     threads: usize,
     progress: Option<Py<PyAny>>,
     work: impl FnOnce(&Reporter) -> T + Send + 'static,
-) -> PyResult<WatchedOutcome<T>> {
+) -> PyResult<(Option<T>, Option<PyErr>)> {
     let pool = rayon::ThreadPoolBuilder::new()
         .num_threads(threads.max(1))
         .stack_size(STACK)
@@ -115,7 +109,7 @@ pub(crate) fn watched<T: Send + 'static>(
             has_load |= news.as_ref().is_some_and(|n| n.stage == "load");
             if let Some((_, since)) = &stopped {
                 if !has_load && since.elapsed() > PATIENCE {
-                    return Ok(WatchedOutcome { value: None, stopped_by: stopped.map(|s| s.0) });
+                    return Ok((None, stopped.map(|s| s.0)));
                 }
                 continue;
             }
@@ -132,9 +126,7 @@ pub(crate) fn watched<T: Send + 'static>(
             }
         }
         match worker.join() {
-            Ok(value) => {
-                Ok(WatchedOutcome { value: Some(value), stopped_by: stopped.map(|s| s.0) })
-            }
+            Ok(value) => Ok((Some(value), stopped.map(|s| s.0))),
             Err(panic) => Err(panicked(panic.as_ref())),
         }
     })
@@ -145,7 +137,7 @@ pub(crate) fn quietly<T: Send + 'static>(
     threads: usize,
     work: impl FnOnce() -> T + Send + 'static,
 ) -> PyResult<T> {
-    let WatchedOutcome { value, stopped_by } = watched(py, threads, None, |_| work())?;
+    let (value, stopped_by) = watched(py, threads, None, |_| work())?;
     stopped_by.map_or_else(|| value.ok_or_else(|| bug(&"work without an end")), Err)
 }
 

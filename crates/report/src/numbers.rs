@@ -15,8 +15,7 @@ fn decimals_of(uncertainty: f64) -> i32 {
     if leading < 1.95 { 1 - e } else { -e }
 }
 
-/// "1.96 ± 0.12": both to the place the uncertainty supports. Without a usable uncertainty,
-/// three significant digits of the value.
+/// "1.96 ± 0.12": both to the place the uncertainty supports; without one, three digits.
 pub(crate) fn plus_minus(value: f64, uncertainty: f64) -> String {
     if !(uncertainty > 0.0 && uncertainty.is_finite()) {
         return significant(value, 3);
@@ -94,8 +93,7 @@ pub fn relative_interval(value: f64, [low, high]: [f64; 2]) -> String {
     }
 }
 
-/// "+399 %", "−4.3 %": a signed relative error, whole per cent from 10, one decimal below, three
-/// digits from 1000.
+/// "+399 %", "−4.3 %": whole per cent from 10, one decimal below, three digits from 1000.
 pub(crate) fn signed_percent(error: f64) -> String {
     format!("{}{SPACE}%", signed(100.0 * error))
 }

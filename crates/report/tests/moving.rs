@@ -8,7 +8,7 @@ use base64::Engine as _;
 use base64::engine::general_purpose::STANDARD;
 use contact_compare::{Load, Solver, SurfaceComparison};
 use serde_json::Value;
-use studies::{all, html, one, yielding};
+use studies::{ONE, YIELDING, all, html};
 
 /// The element that begins so, up to its end.
 fn element<'a>(page: &'a str, begins: &str) -> &'a str {
@@ -35,8 +35,8 @@ fn grey(element: &str) -> Vec<u8> {
 /// pressure the contact of the headline, and its pressures to a step of the ramp.
 #[test]
 fn the_moving_map_is_the_contact_of_every_load() {
-    let page = html(one());
-    let surface = &one().surfaces[0];
+    let page = html(&ONE);
+    let surface = &ONE.surfaces[0];
     // Load of first contact and pressure of the headline, in grey. Facts may hold the sign that ends an element, in quotes.
     let behind = page.split("<img class=\"first\"").nth(1).unwrap();
     let (facts, first) = (facts(behind), grey(behind));
@@ -148,7 +148,7 @@ fn holds_the_pressure(found: &[f64], page: &str, load: usize, headline: bool, to
 
 #[test]
 fn the_section_is_the_solver_s_gap_at_every_load() {
-    for study in [one(), yielding()] {
+    for study in [&*ONE, &*YIELDING] {
         holds_the_row(&study.surfaces[0], &html(study), &study.settings);
     }
 }

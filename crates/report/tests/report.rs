@@ -8,7 +8,7 @@ mod studies;
 use contact_compare::{Comparison, FileOrigin, Origin, Settings, Surface};
 use contact_types::{Grid, HeightMap};
 use std::collections::HashMap;
-use studies::{all, file, hostile, html, one, run, small, three, yielding};
+use studies::{HOSTILE, ONE, THREE, YIELDING, all, file, html, run, small};
 
 /// Width of a letter in ems, at least, in Helvetica and what replaces it.
 fn least_width(letter: char) -> f64 {
@@ -85,11 +85,11 @@ fn a_page_keeps_its_contract() {
 
 #[test]
 fn user_strings_cannot_leave_their_place() {
-    let page = html(hostile());
+    let page = html(&HOSTILE);
     assert!(!page.contains("<b>\"&"));
     // One data element and one program; nothing of the file's name in between.
     assert_eq!(page.matches("</script>").count(), 2);
-    assert!(csv(hostile()).contains("\"</script><b>\"\"&'.x3p\""));
+    assert!(csv(&HOSTILE).contains("\"</script><b>\"\"&'.x3p\""));
 }
 
 #[test]
@@ -149,7 +149,7 @@ fn labels_do_not_overlap() {
 /// A dot of Fig. 1 stands where its row of the table puts it.
 #[test]
 fn plotted_numbers_are_in_the_csv() {
-    let table = csv(one());
+    let table = csv(&ONE);
     let mut rows = table.lines();
     let header: Vec<&str> = rows.next().unwrap().split(',').collect();
     let column = |name: &str| header.iter().position(|h| *h == name).unwrap();
@@ -158,9 +158,9 @@ fn plotted_numbers_are_in_the_csv() {
         .map(|r| r.split(',').collect::<Vec<_>>())
         .map(|r| [r[p].parse().unwrap(), r[a].parse().unwrap()])
         .collect();
-    assert_eq!(numbers.len(), one().surfaces[0].deterministic.len());
+    assert_eq!(numbers.len(), ONE.surfaces[0].deterministic.len());
 
-    let dots: Vec<[f64; 2]> = elements(&file(one(), "area.svg"))
+    let dots: Vec<[f64; 2]> = elements(&file(&ONE, "area.svg"))
         .into_iter()
         .filter(|(n, ..)| n == "circle")
         .map(|(_, a, _)| [a["cx"].parse().unwrap(), a["cy"].parse().unwrap()])
@@ -182,16 +182,16 @@ fn plotted_numbers_are_in_the_csv() {
 /// A model whose formula is a line has it below the table in which it is ranked.
 #[test]
 fn the_fitted_formula_is_printed() {
-    let page = html(one());
+    let page = html(&ONE);
     let formula =
-        &one().surfaces[0].models.iter().find(|m| m.card.name == "equation").unwrap().card.formula;
+        &ONE.surfaces[0].models.iter().find(|m| m.card.name == "equation").unwrap().card.formula;
     assert!(formula.contains("0.445") && page.contains(&format!("Equation: {formula}.")));
 }
 
 #[test]
 fn the_headline_agrees_with_table_and_csv() {
-    let page = html(one());
-    let surface = &one().surfaces[0];
+    let page = html(&ONE);
+    let surface = &ONE.surfaces[0];
     let budget = surface.headline_answer().unwrap().budget.area;
     let area = 100.0 * budget.value;
     let h1 = &page[page.find("<h1>").unwrap()..page.find("</h1>").unwrap()];
@@ -247,7 +247,7 @@ fn the_report_is_deterministic() {
 /// they do, and all of it on the page and in the results.
 #[test]
 fn the_budget_has_every_source_and_choices_are_listed() {
-    let surface = &one().surfaces[0];
+    let surface = &ONE.surfaces[0];
     let answer = surface.headline_answer().unwrap();
     let eta = answer.diagnostics.energy_bound.unwrap();
     assert!(eta > 0.0 && eta < 1e-3, "{eta}");
@@ -263,7 +263,7 @@ fn the_budget_has_every_source_and_choices_are_listed() {
         surface.headline_pressure() * (load(h + 1) / load(h - 1)).ln() / (gap(h - 1) - gap(h + 1));
     assert!((stiffness.value / slope - 1.0).abs() < 0.1, "{} {slope}", stiffness.value);
     assert!(!surface.choices.as_ref().unwrap().is_empty());
-    let page = html(one());
+    let page = html(&ONE);
     let sources = ["Of this map ±", "Sampling variability", "Of the surface ±"];
     for words in sources.into_iter().chain(["Choices that move the answer"]) {
         assert!(page.contains(words), "{words}");
@@ -273,19 +273,19 @@ fn the_budget_has_every_source_and_choices_are_listed() {
 /// Grids that were solved are in Fig. 4 and in the results; those that were not asked for are nowhere.
 #[test]
 fn coarser_grids_are_drawn_and_listed_where_they_were_solved() {
-    let page = html(one());
+    let page = html(&ONE);
     let figure = figures(&page).find(|svg| svg.contains("Error against time")).unwrap();
-    let value = results(one());
+    let value = results(&ONE);
     let listed = value["surfaces"][0]["coarser"].as_array().unwrap();
     // 96 x 96 points: an eighth of them a side are too few.
     assert_eq!(listed.len(), 2);
     for (grid, label) in listed.iter().zip(["½ grid", "¼ grid"]) {
         assert!(figure.contains(label), "{label}");
         let area = grid["area_fraction"].as_f64().unwrap();
-        let truth = one().surfaces[0].headline_answer().unwrap().area_fraction;
+        let truth = ONE.surfaces[0].headline_answer().unwrap().area_fraction;
         assert!((grid["area_error"].as_f64().unwrap() - (area / truth - 1.0)).abs() < 1e-12);
     }
-    let page = html(three());
+    let page = html(&THREE);
     assert!(!page.contains("½ grid"));
 }
 
@@ -325,6 +325,6 @@ fn words(page: &str) -> usize {
 /// of each curve.
 #[test]
 fn the_page_is_short() {
-    let count = [one(), yielding()].map(|study| words(&html(study)));
+    let count = [&*ONE, &*YIELDING].map(|study| words(&html(study)));
     assert!(count[0] <= 1200 && count[1] <= 1450, "{count:?} words");
 }

@@ -5,6 +5,7 @@ use crate::place::Host;
 use contact_compare::{Cleaning, EdgesName, FileOrigin, Level, SPIKE_THRESHOLD, STEEL, Settings};
 use contact_front_end::Failure;
 use contact_front_end::bodies::{Bodies, BodyInput, BothBodies};
+use contact_front_end::loads::Spread;
 use contact_front_end::quantity;
 use contact_front_end::units::Dimension;
 use serde::Deserialize;
@@ -239,7 +240,7 @@ impl Request {
     }
 
     /// The two bodies in numbers; steel on steel if nothing was filled in.
-    pub(crate) fn made_of(&self) -> Result<Bodies, Failure> {
+    fn made_of(&self) -> Result<Bodies, Failure> {
         let hardness = self.hardness.trim();
         let elastic = hardness.eq_ignore_ascii_case("elastic");
         let deforms = |body: &&BodyFields| !body.young.trim_start().starts_with('∞');
@@ -261,29 +262,20 @@ impl Request {
         })
     }
 
-    /// The pressures asked for, and the area that forces press on; `of_map` is that of the map (m²).
-    pub(crate) fn pressures(
-        &self,
-        of_map: f64,
-    ) -> Result<(Option<Vec<f64>>, Option<f64>), Failure> {
+    /// Settings of the study on a map of this area (m²).
+    pub(crate) fn settings(&self, of_map: f64) -> Result<Settings, Failure> {
+        let Bodies { modulus, bodies, hardness, materials } = self.made_of()?;
         let list = |dimension| quantity::parse_list(&self.load.list, dimension);
-        Ok(match self.load.by {
+        let (pressures, load_area) = match self.load.by {
             LoadBy::Auto => (None, None),
             LoadBy::Pressure => (Some(list(Dimension::Pressure)?), None),
             LoadBy::Force => {
                 let area = parse_some(&self.load.area, Dimension::Area)?;
-                let forces = list(Dimension::Force)?;
                 let check = "look at the force and the area";
-                let spread = contact_front_end::loads::Spread::of(&forces, area, of_map, check)?;
+                let spread = Spread::of(&list(Dimension::Force)?, area, of_map, check)?;
                 (Some(spread.pressures), Some(spread.area))
             }
-        })
-    }
-
-    /// Settings of the study on a map of this area (m²).
-    pub(crate) fn settings(&self, of_map: f64) -> Result<Settings, Failure> {
-        let Bodies { modulus, bodies, hardness, materials } = self.made_of()?;
-        let (pressures, load_area) = self.pressures(of_map)?;
+        };
         let resistivities = match &self.resistivities {
             both if both.iter().all(|t| t.trim().is_empty()) => None,
             [one, two] => {

@@ -4,34 +4,26 @@ use crate::draw::palette::{GRID, INK, INK2, LINE, Stroke};
 use crate::draw::svg::{Canvas, Rect, Text, text_width};
 use crate::numbers::{fixed, power_of_ten};
 
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub(crate) enum AxisScale {
-    Linear,
-    Log,
-}
-
 /// One axis: data `[lo, hi]` onto figure units `[start, end]`; of an axis alone onto 0 to 1.
 #[derive(Debug, Clone, Copy)]
 pub(crate) struct PlotAxis {
-    pub(crate) spacing: AxisScale,
+    /// Whether equal ratios, not equal differences, are equally far apart.
+    pub(crate) is_log: bool,
     pub(crate) data: [f64; 2],
     pub(crate) units: [f64; 2],
 }
 
 impl PlotAxis {
     pub(crate) fn log(data: [f64; 2]) -> Self {
-        Self { spacing: AxisScale::Log, data, units: [0.0, 1.0] }
+        Self { is_log: true, data, units: [0.0, 1.0] }
     }
 
     pub(crate) fn linear(data: [f64; 2]) -> Self {
-        Self { spacing: AxisScale::Linear, data, units: [0.0, 1.0] }
+        Self { is_log: false, data, units: [0.0, 1.0] }
     }
 
     fn warp(&self, value: f64) -> f64 {
-        match self.spacing {
-            AxisScale::Linear => value,
-            AxisScale::Log => value.max(f64::MIN_POSITIVE).log10(),
-        }
+        if self.is_log { value.max(f64::MIN_POSITIVE).log10() } else { value }
     }
 
     pub(crate) fn at(&self, value: f64) -> f64 {
@@ -48,8 +40,8 @@ impl PlotAxis {
 
     /// Labelled ticks: decades over two decades or more, 1-2-5 or finer below, round steps when linear.
     pub(crate) fn major(&self) -> Vec<f64> {
-        let (lo, hi) = (self.low(), self.high());
-        if self.spacing == AxisScale::Linear {
+        let [lo, hi] = self.ends();
+        if !self.is_log {
             let step = round_step((hi - lo) / 5.0);
             let [first, last] = [(lo / step - 1e-9).ceil(), (hi / step + 1e-9).floor()];
             let all = (first as i64..=last as i64).map(|k| k as f64 * step);
@@ -75,7 +67,7 @@ impl PlotAxis {
         let sets =
             || finer.into_iter().map(|set| self.in_decades(every, set)).filter(|t| t.len() >= 3);
         // Less than a tenth: as on a linear axis.
-        let linear = || Self { spacing: AxisScale::Linear, ..*self }.major();
+        let linear = || Self { is_log: false, ..*self }.major();
         sets().find(|t| reaches(t)).or_else(|| sets().next()).unwrap_or_else(linear)
     }
 
@@ -89,7 +81,7 @@ impl PlotAxis {
 
     /// Unlabelled ticks of a logarithmic axis, 2 to 9 of every decade.
     pub(crate) fn minor(&self) -> Vec<f64> {
-        if self.spacing == AxisScale::Linear {
+        if !self.is_log {
             return Vec::new();
         }
         self.in_decades(1, &[1.0, 2.0, 3.0, 4.0, 5.0, 6.0, 7.0, 8.0, 9.0])
@@ -97,25 +89,22 @@ impl PlotAxis {
 
     /// These multiples of every n-th power of ten, as far as the axis has them.
     fn in_decades(&self, every: i32, mantissas: &[f64]) -> Vec<f64> {
-        let [first, last] = [self.low().log10().floor(), self.high().log10().ceil()];
-        (first as i32..=last as i32)
+        let [lo, hi] = self.ends().map(f64::log10);
+        (lo.floor() as i32..=hi.ceil() as i32)
             .filter(|d| d.rem_euclid(every) == 0)
             .flat_map(|d| mantissas.iter().map(move |m| m * 10f64.powi(d)))
             .filter(|&v| self.holds(v))
             .collect()
     }
 
-    fn low(&self) -> f64 {
-        self.data[0].min(self.data[1])
-    }
-
-    fn high(&self) -> f64 {
-        self.data[0].max(self.data[1])
+    fn ends(&self) -> [f64; 2] {
+        let [a, b] = self.data;
+        [a.min(b), a.max(b)]
     }
 
     /// How a tick is written: 0.01, 1, 100; a power only beyond 10³ or below 10⁻³.
     pub(crate) fn tick_text(&self, value: f64) -> String {
-        if self.spacing == AxisScale::Log {
+        if self.is_log {
             let e = value.log10().round() as i32;
             let is_decade = (value / 10f64.powi(e) - 1.0).abs() < 1e-9;
             if !(-3..=3).contains(&e) && is_decade {

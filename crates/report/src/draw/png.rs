@@ -4,8 +4,7 @@ use base64::Engine as _;
 use base64::engine::general_purpose::STANDARD;
 use png::{ColorType, Filter};
 
-/// How hard deflate searches: on the pictures of a page the middle level, 6, takes three times as long for 3 % fewer
-/// bytes.
+/// How hard deflate searches: the middle level, 6, takes three times as long for 3 % fewer bytes.
 const EFFORT: png::DeflateCompression = png::DeflateCompression::Level(3);
 
 /// Of red, green and blue, three bytes per pixel, or of grey, one.

@@ -19,8 +19,7 @@ pub(crate) struct CostRoute {
     pub bold: bool,
 }
 
-/// Error against a time. `floor` is the uncertainty of the reference; `None` if it has
-/// no bar.
+/// Error against a time. `floor` is the uncertainty of the reference, if it has one.
 pub(crate) fn figure(
     routes: &[CostRoute],
     floor: Option<f64>,

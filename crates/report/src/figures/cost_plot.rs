@@ -44,8 +44,7 @@ pub struct CostSeries {
 }
 
 impl CostFigure<'_> {
-    /// The text of the figure as a file: `key` begins the ids inside, `title` says what it shows, `description` what it
-    /// finds.
+    /// The figure as a file: `key` begins its ids, `title` says what it shows, `description` what it finds.
     pub fn svg(&self, key: &str, title: &str, description: String) -> String {
         let room = 66.0; // for labels right of the frame
         let frame = [44.0, 12.0, COLUMN - room, 250.0];
@@ -136,8 +135,7 @@ impl CostPlot {
         }
     }
 
-    /// Joins in steps of this width, at their places, the costs `[seconds, error]` that no other beats in both, down to
-    /// an error of `floor`.
+    /// Joins in steps, at their places, the costs `[seconds, error]` that no other beats, see [`front`].
     pub(super) fn front(
         &mut self,
         costs: &[[f64; 2]],
@@ -239,9 +237,8 @@ impl CostPlot {
     }
 }
 
-/// Indices of the points `[cost, error]` that no other beats in both, from cheap to accurate. The list stops
-/// at the first point within `floor`, the uncertainty of the errors themselves: below it they
-/// cannot be ranked.
+/// Indices of the points `[cost, error]` that no other beats in both, from cheap to accurate, up to the first within
+/// `floor`, the uncertainty of the errors: below it they cannot be ranked.
 fn front(points: &[[f64; 2]], floor: f64) -> Vec<usize> {
     let mut order: Vec<usize> = (0..points.len()).collect();
     order.sort_by(|&a, &b| {

@@ -1,6 +1,6 @@
 //! The figures over the load: real area, real pressure, error of each closed form.
 
-use crate::draw::axes::{AxisScale, PlotAxis, PlotFrame};
+use crate::draw::axes::{PlotAxis, PlotFrame};
 use crate::draw::labels::{EndLabel, ROOM, draw_end_labels};
 use crate::draw::palette::{BAND, DETERMINISTIC, DETERMINISTIC_STYLE, INK, INK2, Stroke};
 use crate::draw::svg::{COLUMN, Canvas, Figure, KEY, Text, num};
@@ -18,8 +18,7 @@ const BOTTOM_MARGIN: f64 = 36.0;
 /// Height of one line of notes above the frame.
 const NOTE: f64 = 12.0;
 
-/// Fig. 1 of the source paper: real contact area over nominal pressure, both logarithmic. `on_page` it has the movable
-/// load line of the report.
+/// Fig. 1 of the source paper: real contact area over nominal pressure; `on_page` with the line that the slider moves.
 pub(crate) fn area(lines: &LoadLines, on_page: bool) -> Figure {
     let describe = |reference: &[Option<f64>]| {
         let loads = counted(lines.pressures.len(), "load");
@@ -31,7 +30,7 @@ pub(crate) fn area(lines: &LoadLines, on_page: bool) -> Figure {
     Plot::logarithmic(lines, of, 100.0, 'a', titles, describe).draw(on_page)
 }
 
-/// Fig. 2 of the source paper: mean real pressure over nominal pressure, both logarithmic.
+/// Fig. 2 of the source paper: mean real pressure over nominal pressure.
 pub(crate) fn pressure(lines: &LoadLines, on_page: bool) -> Figure {
     let real = |p: f64, area: f64| (area > 0.0).then(|| p / area);
     let known = lines.pressures.iter().zip(&lines.area);
@@ -99,7 +98,7 @@ impl<'a> Plot<'a> {
 
     fn draw(self, on_page: bool) -> Figure {
         let lines = self.lines;
-        let is_error = self.y.spacing == AxisScale::Linear;
+        let is_error = !self.y.is_log;
         let (unit, x_title) = load_axis(&lines.pressures, lines.load_area);
         let x: Vec<f64> = lines.pressures.iter().map(|p| p / unit.scale).collect();
         let [lo, hi] = self.y.data;
@@ -308,8 +307,7 @@ fn runs(points: &[Option<[f64; 2]>]) -> Vec<Vec<[f64; 2]>> {
     all.map(|run| run.iter().copied().flatten().collect()).collect()
 }
 
-/// `area.svg` and `pressure.svg`, 85 mm wide: one panel per surface, two of bodies that yield, below each other; in two
-/// columns from four.
+/// A file 85 mm wide: a panel per surface, two of bodies that yield, below each other; in two columns from four.
 pub(crate) fn panels(
     comparison: &Comparison,
     key: &str,

@@ -15,8 +15,7 @@ pub(crate) struct Curves {
 }
 
 impl Curves {
-    /// The quantiles of the area at so many loads, where half of the curves reach at least:
-    /// `[load, 10 %, median, 90 %]`.
+    /// Quantiles of the area, `[load, 10 %, median, 90 %]`, where at least half of the curves reach.
     pub(crate) fn bands(&self) -> Vec<[f64; 4]> {
         let loads = || self.each.iter().flatten().map(|p| p[0]).filter(|x| *x > 0.0);
         let Some((low, high)) = min_max(loads()) else { return Vec::new() };
@@ -107,8 +106,7 @@ pub(crate) struct Strip {
     pub errors: Quantiles,
 }
 
-/// A strip for each model: a line over the 10th–90th percentile, a bar over the interquartile range, a mark at the
-/// median.
+/// For each model a line over the 10th–90th percentile, a bar over the interquartile range, a mark at the median.
 pub(crate) fn strips(strips: &[Strip]) -> Figure {
     const LEFT: f64 = 84.0;
     const TOP: f64 = 14.0;

@@ -50,8 +50,7 @@ pub(crate) fn histogram(heights: &[f64], pressure: &[f64]) -> Option<Histogram> 
     Some(Histogram { start: lo as f64 * STEP, all, touching })
 }
 
-/// Distribution of heights on a logarithmic scale, with the normal curve and the part that
-/// touches.
+/// Distribution of heights, logarithmic, with the normal curve and the part that touches.
 pub(crate) fn heights(histogram: &Histogram, at: &str) -> Figure {
     const FLOOR: f64 = 1e-4;
     let Histogram { start, all, touching } = histogram;

@@ -78,8 +78,7 @@ fn plus_minus(half_width: f64) -> String {
     format!("{sign}{}", percent(half_width))
 }
 
-/// Two significant digits, rounded up so that a bar within a request does not look beyond it only
-/// by much, nor one beyond it within.
+/// Two significant digits, rounded up: what is beyond a request does not look within it.
 fn digits(value: f64) -> String {
     if value <= 0.0 {
         return "0".to_owned();

@@ -32,8 +32,7 @@ pub(crate) struct Ranked<'a> {
     pub typed: Option<f64>,
 }
 
-/// The closed forms that answer at the reference load, nearest first; where the contact yields, those of
-/// bodies that yield.
+/// The closed forms that answer at the reference load, nearest first; of bodies that yield those made for them.
 pub(crate) fn ranked<'a>(surface: &'a SurfaceComparison) -> Vec<Ranked<'a>> {
     let elastic = elastic_holds(surface);
     let rank = |(place, model): (usize, &'a ModelComparison)| {

@@ -43,8 +43,7 @@ pub(crate) fn bulk(highest: f64, hardness: f64) -> [String; 2] {
     ]
 }
 
-/// For which bodies the elastic area holds, in plain text; `None` where a hardness was given, or has no
-/// meaning.
+/// For which bodies the elastic area holds; `None` where a hardness was given, or has no meaning.
 pub(crate) fn elastic_line(surface: &SurfaceComparison) -> Option<String> {
     let limit = quantity(elastic_limit(surface)?, PASCALS, 2).replace(SPACE, " ");
     Some(format!(

@@ -4,10 +4,9 @@
 use crate::figures::distributions::{GAP, PRESSURE, SPOTS};
 use crate::figures::maps;
 use crate::numbers::{AREAS, METRES, PASCALS, percent, quantity, significant};
-use crate::page::deformed;
-use crate::page::moving::Moving;
 use crate::page::shared::{SurfacePart, attribute, figure, reduced_words};
-use contact_compare::{Distributions, SurfaceComparison};
+use crate::page::{deformed, moving};
+use contact_compare::{Distributions, FirstContact, SurfaceComparison};
 use grid_fft::parallel::join;
 
 pub(crate) fn where_it_touches(part: &mut SurfacePart<'_>) -> String {
@@ -22,34 +21,35 @@ pub(crate) fn where_it_touches(part: &mut SurfacePart<'_>) -> String {
     let key = format!("{id}-f{n}");
     let cut = deformed::cut(surface);
     let row = cut.as_ref().map(|(_, row)| *row);
-    let (moving, surfaces) = (moving(part), part.comparison.surfaces.len());
+    let (contact, surfaces) = (moves(part), part.comparison.surfaces.len());
+    let moves = contact.is_some();
+    let hidden = |contact: &_| moving::whole(surface, contact, limit, surfaces);
     let (map, hidden) = join(
         || maps::contact(pressure, heights, grid, (window, row), limit).inline(&key),
-        || moving.as_ref().map_or_else(String::new, |moving| moving.whole(limit, surfaces)),
+        || contact.map_or_else(String::new, hidden),
     );
-    let load =
-        if moving.is_some() { format!("<span data-k=\"load\">{p}</span>") } else { p.into() };
+    let load = if moves { format!("<span data-k=\"load\">{p}</span>") } else { p.into() };
     let reduced = reduced_words(grid.shape(), limit);
     let caption =
         format!("<b>Fig. {n}. Contact map.</b> Colour: pressure; grey: no contact.{reduced}");
     let mut shown = figure(&(map + &hidden), &caption);
     if let Some(window) = window {
         let zoom = maps::enlarged(pressure, heights, grid, window, row).inline(&format!("{key}b"));
-        let relief = |moving: &Moving<'_>| moving.relief(window, window[2].max(window[3]));
-        let hidden = moving.as_ref().map_or_else(String::new, relief);
+        let side = window[2].max(window[3]);
+        let hidden = if moves { moving::relief(surface, window, side) } else { String::new() };
         let times = significant(grid.shape()[1] as f64 / window[3] as f64, 2);
         let caption = format!("<b>Boxed area</b>, enlarged {times}×.");
         shown += &figure(&(zoom + &hidden), &caption);
     }
-    let section = deformed::through(part, cut, moving.is_some());
+    let section = deformed::through(part, cut, moves);
     format!(
         "<{h}>Where it touches at {load}</{h}>\n<div class=\"two maps\">\n{shown}</div>\n{section}"
     )
 }
 
 /// What moves with the slider, if the page bears it.
-fn moving<'a>(part: &SurfacePart<'a>) -> Option<Moving<'a>> {
-    Moving::of(part.surface).filter(|_| part.comparison.surfaces.len() <= MOST_MOVING)
+fn moves<'a>(part: &SurfacePart<'a>) -> Option<&'a FirstContact> {
+    moving::moves(part.surface).filter(|_| part.comparison.surfaces.len() <= MOST_MOVING)
 }
 
 /// Of more surfaces the pictures that move would make the page too large.
@@ -92,7 +92,7 @@ pub(crate) fn cells(surface: &SurfaceComparison) -> impl Iterator<Item = (&str, 
 pub(crate) fn distributions(part: &mut SurfacePart<'_>) -> String {
     let SurfacePart { surface, id, .. } = *part;
     let Some(found) = at(surface, surface.headline) else { return String::new() };
-    let moves = moving(part).is_some();
+    let moves = moves(part).is_some();
     let say = |(key, words): Say| {
         let words = words(found).unwrap_or_default();
         if moves { format!("<span data-k=\"{key}\">{words}</span>") } else { words }

@@ -88,8 +88,7 @@ pub(crate) fn through(
     wide(&figure(&(svg + &facts), &caption))
 }
 
-/// Heights and gaps in 16 bits of one step, pressures in classes of the ramp; little end first, loads one after
-/// the other.
+/// Heights and gaps in 16 bits of one step, little end first, pressures in classes of the ramp; load after load.
 fn facts(cut: &SectionCut, row: usize, rows: usize, titles: &[String]) -> serde_json::Value {
     let (low, high) = min_max(cut.heights.iter().copied()).unwrap_or_default();
     let gaps = || cut.loads.iter().flat_map(|l| l.gap.iter().copied());

@@ -32,80 +32,75 @@ fn stepped(class: u8, steps: u8) -> u8 {
     (step / steps * 255.0).round() as u8
 }
 
-/// The loads of a surface as the script draws them; `None` where there is nothing to move.
-pub(crate) struct Moving<'a> {
-    surface: &'a SurfaceComparison,
-    contact: &'a FirstContact,
+/// The load of first contact, where the script has something to move.
+pub(crate) fn moves(surface: &SurfaceComparison) -> Option<&FirstContact> {
+    let all = surface.solved_map().grid().len();
+    let contact = surface.first_contact.as_ref()?;
+    (contact.first.len() == all && surface.deterministic.len() > 1).then_some(contact)
 }
 
-impl<'a> Moving<'a> {
-    pub(crate) fn of(surface: &'a SurfaceComparison) -> Option<Self> {
-        let contact = surface.first_contact.as_ref()?;
-        let grid = surface.solved_map().grid();
-        let fits = contact.first.len() == grid.len() && surface.deterministic.len() > 1;
-        fits.then_some(Self { surface, contact })
-    }
-
-    /// Hidden pictures and facts behind the whole map: relief, load of first contact, pressures. The page is of so many `surfaces`.
-    pub(crate) fn whole(&self, relief_limit: usize, surfaces: usize) -> String {
-        let Self { surface, contact } = *self;
-        let grid = surface.solved_map().grid();
-        let [ny, nx] = grid.shape();
-        let loads = surface.deterministic.len();
-        let (first, shape) = reduced(&contact.first, [ny, nx], LARGEST);
-        let step = 240 / loads.max(1); // FirstContact keeps at most so many loads
-        let grey = |load: u8| if load == u8::MAX { 255 } else { load as usize * step };
-        let first: Vec<u8> = first.iter().map(|&load| grey(load) as u8).collect();
-        let (((block, tops, pictures), headline), (first, relief)) = join(
-            || join(|| pressures(surface, surfaces), || self.pressure(shape)),
-            || join(|| png::classes(shape, &first), || self.relief([0, 0, ny, nx], relief_limit)),
-        );
-        let lost: Vec<_> = if shape == [ny, nx] { contact.lost.clone() } else { Vec::new() };
-        let points = grid.len();
-        let title = |p: &DeterministicPoint| {
-            let (touching, highest) = p
-                .answer
-                .as_ref()
-                .map_or((0, 0.0), |a| (a.diagnostics.contact_pixels, a.diagnostics.max_pressure));
-            let load = crate::messages::load(p.mean_pressure, surface.load_area);
-            let highest = quantity(highest, PASCALS, 2);
-            format!(
-                "Contact map at {load}: {touching} of {points} points of the map carry pressure, at most {highest}."
-            )
-        };
-        let titles: Vec<String> = surface.deterministic.iter().map(title).collect();
-        let middle = ramp_table::<3>(&PRESSURE_RAMP)[1].to_rgb();
-        let ramp: String = ramp_table::<256>(&PRESSURE_RAMP).map(OkLab::hex).concat();
-        let unit = unit_for(grid.size()[1], METRES);
-        let facts = attribute(&json!({
-            "step": step, "lost": lost, "titles": titles, "colour": middle, "ramp": ramp,
-            "across": grid.size()[1] / unit.scale, "unit": unit.name,
-            "points": [ny, nx], "block": block, "tops": tops,
-        }));
+/// Hidden pictures and facts behind the whole map: relief, load of first contact, pressures. The page is of so many `surfaces`.
+pub(crate) fn whole(
+    surface: &SurfaceComparison,
+    contact: &FirstContact,
+    relief_limit: usize,
+    surfaces: usize,
+) -> String {
+    let grid = surface.solved_map().grid();
+    let [ny, nx] = grid.shape();
+    let loads = surface.deterministic.len();
+    let (first, shape) = reduced(&contact.first, [ny, nx], LARGEST);
+    let step = 240 / loads.max(1); // FirstContact keeps at most so many loads
+    let grey = |load: u8| if load == u8::MAX { 255 } else { load as usize * step };
+    let first: Vec<u8> = first.iter().map(|&load| grey(load) as u8).collect();
+    let (((block, tops, pictures), headline), (first, relief)) = join(
+        || join(|| pressures(surface, surfaces), || pressure(surface, shape)),
+        || join(|| png::classes(shape, &first), || relief(surface, [0, 0, ny, nx], relief_limit)),
+    );
+    let lost: Vec<_> = if shape == [ny, nx] { contact.lost.clone() } else { Vec::new() };
+    let points = grid.len();
+    let title = |p: &DeterministicPoint| {
+        let (touching, highest) = p
+            .answer
+            .as_ref()
+            .map_or((0, 0.0), |a| (a.diagnostics.contact_pixels, a.diagnostics.max_pressure));
+        let load = crate::messages::load(p.mean_pressure, surface.load_area);
+        let highest = quantity(highest, PASCALS, 2);
         format!(
-            "<img class=\"first\" hidden alt=\"\" src=\"{first}\" data-facts='{facts}'>\
-             <img class=\"pressure\" hidden alt=\"\" src=\"{headline}\">{pictures}{relief}"
+            "Contact map at {load}: {touching} of {points} points of the map carry pressure, at most {highest}."
         )
-    }
+    };
+    let titles: Vec<String> = surface.deterministic.iter().map(title).collect();
+    let middle = ramp_table::<3>(&PRESSURE_RAMP)[1].to_rgb();
+    let ramp: String = ramp_table::<256>(&PRESSURE_RAMP).map(OkLab::hex).concat();
+    let unit = unit_for(grid.size()[1], METRES);
+    let facts = attribute(&json!({
+        "step": step, "lost": lost, "titles": titles, "colour": middle, "ramp": ramp,
+        "across": grid.size()[1] / unit.scale, "unit": unit.name,
+        "points": [ny, nx], "block": block, "tops": tops,
+    }));
+    format!(
+        "<img class=\"first\" hidden alt=\"\" src=\"{first}\" data-facts='{facts}'>\
+         <img class=\"pressure\" hidden alt=\"\" src=\"{headline}\">{pictures}{relief}"
+    )
+}
 
-    /// The pressure of the headline in the dots of the contact: 0 where nothing touches, else 1 to 255 along the
-    /// ramp.
-    fn pressure(&self, shape: [usize; 2]) -> String {
-        let pressure = &self.surface.pressure;
-        let (top, _) = pressure_top(pressure);
-        let dots = combined(pressure, self.surface.solved_map().grid().shape(), shape, f64::max);
-        let classes: Vec<u8> = dots.iter().map(|p| pressure_class(*p, top)).collect();
-        png::classes(shape, &classes)
-    }
+/// The pressure of the headline by dots: 0 where nothing touches, else 1 to 255 along the ramp.
+fn pressure(surface: &SurfaceComparison, shape: [usize; 2]) -> String {
+    let pressure = &surface.pressure;
+    let (top, _) = pressure_top(pressure);
+    let dots = combined(pressure, surface.solved_map().grid().shape(), shape, f64::max);
+    let classes: Vec<u8> = dots.iter().map(|p| pressure_class(*p, top)).collect();
+    png::classes(shape, &classes)
+}
 
-    /// The relief of a window, and where it lies in the whole map.
-    pub(crate) fn relief(&self, window: MapPart, limit: usize) -> String {
-        let map = self.surface.solved_map();
-        let picture = maps::relief(map.heights(), map.grid(), window, limit);
-        let part = |i: usize| (window[i] as f64 / map.grid().shape()[i % 2] as f64).to_string();
-        let place = [0, 1, 2, 3].map(part).join(" ");
-        format!(r#"<img class="relief" hidden alt="" src="{picture}" data-part="{place}">"#)
-    }
+/// The relief of a window, and where it lies in the whole map.
+pub(crate) fn relief(surface: &SurfaceComparison, window: MapPart, limit: usize) -> String {
+    let map = surface.solved_map();
+    let picture = maps::relief(map.heights(), map.grid(), window, limit);
+    let part = |i: usize| (window[i] as f64 / map.grid().shape()[i % 2] as f64).to_string();
+    let place = [0, 1, 2, 3].map(part).join(" ");
+    format!(r#"<img class="relief" hidden alt="" src="{picture}" data-part="{place}">"#)
 }
 
 /// The pressures of the loads besides that of the headline, in as many steps as the share of a surface in a page of

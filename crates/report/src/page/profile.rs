@@ -82,8 +82,15 @@ fn pictures(study: &ProfileComparison, numbers: &mut Numbering, h: &str, id: &st
     if !drawn.is_empty() {
         out.push_str(&format!("<div class=\"wide\">{drawn}</div>\n"));
     }
-    let points = study.spectrum.smoothed();
-    let points = thinned(&points.iter().map(|[f, psd]| [1.0 / f, *psd]).collect::<Vec<_>>());
+    let smoothed = study.spectrum.smoothed();
+    let mut points: Vec<_> = smoothed.iter().map(|[f, psd]| [1.0 / f, *psd]).collect();
+    let mut last = f64::INFINITY;
+    // About 24 points per octave: what a figure can show.
+    points.retain(|[wavelength, _]| {
+        let is_kept = *wavelength <= last / 1.03;
+        last = if is_kept { *wavelength } else { last };
+        is_kept
+    });
     let fit = s.hurst.zip(s.fractal_range);
     let psd = Spectrum { points, fit, is_profile: true };
     let caption = "Power spectral density</b> of the trace, one-sided, under a Hann window, running mean over \
@@ -96,19 +103,6 @@ fn pictures(study: &ProfileComparison, numbers: &mut Numbering, h: &str, id: &st
     );
     two += &numbers.figure(id, profiles::area(study), &caption);
     out + &format!("<div class=\"two\">\n{two}</div>\n")
-}
-
-/// About 24 points per octave: what a figure can show.
-fn thinned(points: &[[f64; 2]]) -> Vec<[f64; 2]> {
-    let mut last = f64::INFINITY;
-    let mut kept = Vec::new();
-    for &[wavelength, psd] in points {
-        if wavelength <= last / 1.03 {
-            kept.push([wavelength, psd]);
-            last = wavelength;
-        }
-    }
-    kept
 }
 
 fn models(study: &ProfileComparison, numbers: &mut Numbering, h: &str, id: &str) -> String {

@@ -142,8 +142,7 @@ pub(crate) fn models(part: &mut SurfacePart<'_>) -> String {
     format!("<{h}>Which model to use</{h}>\n{table}<p class=\"why\">{formulas}</p>\n")
 }
 
-/// What takes time in [`the_surface`]: its picture with limits (m), but of a single profile, and its histogram, but of a
-/// flat map.
+/// What takes time in [`the_surface`]: a picture with its limits (m), if it is no line, and a histogram, if it is rough.
 pub(crate) fn height_figures(
     surface: &SurfaceComparison,
     limit: usize,
