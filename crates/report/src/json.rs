@@ -252,7 +252,6 @@ pub fn cleaning(records: &[Record]) -> Value {
     records.iter().map(step).collect()
 }
 
-/// A warning of the statistics, in the words of the page.
 fn warned(warning: &Warning) -> Value {
     json!({ "kind": warning.kind(), "message": warning.to_string() })
 }

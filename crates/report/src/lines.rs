@@ -18,7 +18,6 @@ pub(crate) struct LoadLine {
     pub values: Vec<Option<f64>>,
 }
 
-/// What the figures over the load draw.
 pub(crate) struct LoadLines {
     /// Nominal pressures (Pa), rising.
     pub pressures: Vec<f64>,

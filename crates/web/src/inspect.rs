@@ -145,7 +145,6 @@ fn facts(measured: &Measurement) -> Vec<[String; 2]> {
     facts
 }
 
-/// Text of a file, cut in the middle.
 fn short(text: &str, most: usize) -> String {
     let all: Vec<char> = text.chars().filter(|c| !c.is_control()).collect();
     if all.len() <= most {

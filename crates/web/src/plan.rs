@@ -37,7 +37,6 @@ pub(crate) fn answer(request: &Request) -> Result<Value, Trouble> {
     }))
 }
 
-/// What the bodies are held to, and how that is known.
 fn bears(settings: &Settings, is_given: bool) -> String {
     let softer = settings.materials.iter().find(|m| m.taken.contains(&Property::Hardness));
     match (settings.hardness, softer) {

@@ -69,7 +69,6 @@ pub(crate) struct FileFields {
     pub(crate) part: Option<String>,
 }
 
-/// Remedies that are ticked.
 #[derive(Debug, Clone, Deserialize, PartialEq)]
 #[serde(default, deny_unknown_fields)]
 #[allow(clippy::struct_excessive_bools, reason = "each is a box to tick")]
@@ -179,7 +178,6 @@ impl Remedies {
         }
     }
 
-    /// Whether one is ticked.
     pub(crate) fn has(&self, key: &str) -> bool {
         self.clone().tick(key).is_some_and(|on| *on)
     }
@@ -233,7 +231,6 @@ impl Request {
         })
     }
 
-    /// How the file is read.
     pub(crate) fn options(&self) -> Result<ReadOptions, Failure> {
         let (options, _) = contact_front_end::reading(&self.origin()?)?;
         Ok(ReadOptions { limits: self.place.limits(), ..options })

@@ -56,12 +56,10 @@ fn table() -> Vec<Value> {
         let hardness = number(Property::Hardness).map_or_else(String::new, |hardness| {
             format!(" Hardness {}.", quantity(hardness.value, PASCALS, 3))
         });
+        let (condition, places) = (material.condition, places.join("; "));
+        let [low, high] = young.range.map(giga);
         let said = format!(
-            "{}.{hardness} Sources: {}. E from {} to {} GPa among them.",
-            material.condition,
-            places.join("; "),
-            giga(young.range[0]),
-            giga(young.range[1])
+            "{condition}.{hardness} Sources: {places}. E from {low} to {high} GPa among them."
         );
         let [young, poisson] = [giga(young.value), poisson.value.to_string()];
         all.push(one(material.name, material.title, young, poisson, said));

@@ -10,7 +10,6 @@ pub(crate) const PITCH: f64 = 11.5;
 /// What is left for them beside a figure, in units: the longest, bold, has room in fonts wider than those asked for.
 pub(crate) const ROOM: f64 = 90.0;
 
-/// A name for the right end of a line.
 pub(crate) struct EndLabel {
     pub(crate) y: f64,
     pub(crate) text: String,

@@ -8,7 +8,6 @@ pub(crate) struct Colour {
     /// Name of the CSS variable and end of the class name.
     pub(crate) class: &'static str,
     pub(crate) light: &'static str,
-    /// On the dark page.
     pub(crate) dark: &'static str,
 }
 

@@ -289,7 +289,6 @@ impl Canvas {
         ));
     }
 
-    /// A marker of nominal radius `r`.
     pub(crate) fn marker(&mut self, [x, y]: [f64; 2], r: f64, look: Style) {
         let (Colour { class, light, .. }, paper) = (look.colour, PAPER.light);
         let crossed = |a: f64, b: f64| {

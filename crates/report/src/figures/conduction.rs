@@ -75,12 +75,11 @@ pub(crate) fn octaves(octaves: &[Octave]) -> Figure {
         labels.extend(end.map(|y| EndLabel { y, text, colour, bold, series }));
     }
     draw_end_labels(&mut canvas, &frame, 2.0, &labels);
+    let (wave, unit) = (significant(longest / unit.scale, 2), unit.name);
+    let area = times(last.area / first.area);
+    let conductance = significant(last.stiffness / first.stiffness, 3);
     let description = format!(
-        "From the whole map to waves of at least {} {}: area times {}, conductance times {}.",
-        significant(longest / unit.scale, 2),
-        unit.name,
-        times(last.area / first.area),
-        significant(last.stiffness / first.stiffness, 3)
+        "From the whole map to waves of at least {wave} {unit}: area times {area}, conductance times {conductance}."
     );
     let title = "Area and conductance without the shortest waves";
     canvas.figure(title, description, SIZE)

@@ -84,13 +84,11 @@ pub(crate) fn figure(
 }
 
 impl CostRoute {
-    /// A way that is no model of the study.
     pub(crate) fn new(label: impl Into<String>, look: Style, seconds: f64, error: f64) -> Self {
         let (label, series) = (label.into(), String::new());
         Self { label, series, look, seconds, typed: None, error: error.abs(), bold: false }
     }
 
-    /// The deterministic solution, by which the others are judged.
     pub(crate) fn deterministic(seconds: f64) -> Self {
         let route = Self::new("Deterministic (0)", DETERMINISTIC_STYLE, seconds, 0.0);
         Self { bold: true, ..route }

@@ -200,11 +200,10 @@ fn gap(canvas: &mut Canvas, Axes { frame, unit }: &Axes, found: &Distributions) 
 }
 
 fn of_gap(found: &GapDistribution, touching: f64) -> String {
+    let gaps = [found.mean, found.gaps[found.gaps.len() - 1]];
+    let ([mean, most], touches) = (gaps.map(|gap| quantity(gap, METRES, 2)), percent(touching));
     format!(
-        "{} of the nominal area touches. Elsewhere the bodies stand {} apart in the mean, {} at most.",
-        percent(touching),
-        quantity(found.mean, METRES, 2),
-        quantity(found.gaps[found.gaps.len() - 1], METRES, 2)
+        "{touches} of the nominal area touches. Elsewhere the bodies stand {mean} apart in the mean, {most} at most."
     )
 }
 

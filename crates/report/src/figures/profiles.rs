@@ -84,11 +84,8 @@ pub(crate) fn first_trace(study: &ProfileComparison) -> Option<Figure> {
         (0..COLUMNS).flat_map(column).collect()
     };
     canvas.polyline(&points, Stroke::solid(DETERMINISTIC, 0.6));
-    let description = format!(
-        "{n} points over {}, heights from {} to {} about the form taken off.",
-        chosen(length, METRES),
-        quantity(low, METRES, 3),
-        quantity(high, METRES, 3)
-    );
+    let (long, [low, high]) = (chosen(length, METRES), [low, high].map(|z| quantity(z, METRES, 3)));
+    let description =
+        format!("{n} points over {long}, heights from {low} to {high} about the form taken off.");
     Some(canvas.figure("Height along the trace", description, SIZE))
 }

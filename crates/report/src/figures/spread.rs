@@ -88,12 +88,8 @@ pub(crate) fn curves(curves: &Curves) -> Figure {
             || significant(*load, 2),
             |(_, unit)| format!("{}{SPACE}{}", significant(load / scale, 3), unit.name),
         );
-        format!(
-            "at {load} median {}{SPACE}%, 10th–90th percentile {} to {}{SPACE}%",
-            significant(100.0 * mid, 3),
-            significant(100.0 * low, 3),
-            significant(100.0 * high, 3)
-        )
+        let [low, mid, high] = [low, mid, high].map(|area| significant(100.0 * area, 3));
+        format!("at {load} median {mid}{SPACE}%, 10th–90th percentile {low} to {high}{SPACE}%")
     });
     let description = format!("Log-log plot: {}.", said.collect::<Vec<_>>().join("; "));
     canvas.figure("Real contact area of every map over the load", description, [COLUMN, 282.0])

@@ -141,12 +141,9 @@ pub(crate) fn spectrum(spectrum: &Spectrum) -> Option<Figure> {
         .map(|[l, c]| frame.at([l / unit.scale, c / psd]))
         .collect();
     canvas.polyline(&line, Stroke::solid(DETERMINISTIC, 1.4));
-    let mut description = format!(
-        "Log-log {} over wavelengths from {} to {}.",
-        name.to_lowercase().replace("psd", "PSD"),
-        chosen(first[0], METRES),
-        chosen(last[0], METRES)
-    );
+    let [from, to] = [first, last].map(|p| chosen(p[0], METRES));
+    let what = name.to_lowercase().replace("psd", "PSD");
+    let mut description = format!("Log-log {what} over wavelengths from {from} to {to}.");
     if let Some((hurst, [short, long])) = spectrum.fit {
         let slope = f64::from(2 - power) - 2.0 * hurst;
         let inside: Vec<&[f64; 2]> =
@@ -167,12 +164,10 @@ pub(crate) fn spectrum(spectrum: &Spectrum) -> Option<Figure> {
             format!("fitted {}–{}", significant(long / unit.scale, 2), quantity(short, METRES, 2));
         let at = [FRAME[0] + 4.0, FRAME[3] - 5.0];
         canvas.label(&Text::start(at, &text, INK2).small().halo());
-        description.push_str(&format!(
-            " Between {} and {} it falls as a Hurst exponent of {}.",
-            quantity(long, METRES, 2),
-            quantity(short, METRES, 2),
-            significant(hurst, 2)
-        ));
+        let [long, short] = [long, short].map(|wave| quantity(wave, METRES, 2));
+        let hurst = significant(hurst, 2);
+        description +=
+            &format!(" Between {long} and {short} it falls as a Hurst exponent of {hurst}.");
     }
     let (at, text) = ([FRAME[2] - 2.0, FRAME[1] + 8.0], format!("long{SPACE}→{SPACE}short"));
     canvas.text(&Text::end(at, &text, INK).small().halo());

@@ -273,7 +273,6 @@ fn together<const N: usize>(all: [Option<Words>; N]) -> Words {
     [0, 1].map(|k| all.iter().map(|words| words[k].as_str()).collect::<Vec<_>>().join(" "))
 }
 
-/// Of the points that were filled, and of the steps.
 fn cleaned(records: &[Record], filled: f64, how: &str) -> [Option<Words>; 2] {
     let steps = (!records.is_empty()).then(|| {
         words(

@@ -19,7 +19,6 @@ fn shares(value: f64, ends: Option<[f64; 2]>) -> String {
     ends.map_or("–".into(), |ends| escape(&relative_interval(value, ends)))
 }
 
-/// Rows by source, columns by number, and how each part was obtained.
 pub(crate) fn sources(
     answer: &DeterministicAnswer,
     surface: &SurfaceComparison,

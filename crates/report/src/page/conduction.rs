@@ -10,7 +10,6 @@ use crate::page::shared::{CONDUCTANCE, SurfacePart, key_table};
 use crate::plot_styles::plot_style;
 use contact_compare::TheoryStiffness;
 
-/// Numbers at the headline, resistance over the load, and what the shortest waves do to it.
 pub(crate) fn section(part: &mut SurfacePart<'_>) -> String {
     let SurfacePart { surface, h, p, .. } = *part;
     let Some(found) = &surface.conduction else { return String::new() };

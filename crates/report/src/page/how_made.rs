@@ -17,16 +17,8 @@ use surface_stats::clean::Record;
 pub(crate) fn section(comparison: &Comparison, made: &Provenance) -> String {
     let Comparison { surfaces, settings, .. } = comparison;
     let several = surfaces.len() > 1;
-    let mut rows = vec![(
-        "Program".to_owned(),
-        format!(
-            "rough-contact {}, {}, {}, {}",
-            escape(&made.version),
-            escape(&made.platform),
-            counted(settings.threads, "thread"),
-            duration(comparison.seconds)
-        ),
-    )];
+    let program = program_words(made, settings, comparison.seconds);
+    let mut rows = vec![("Program".to_owned(), program)];
     for surface in surfaces {
         let (grid, taken_off) = (surface.surface.grid(), levelled(surface));
         let ([ny, nx], [dy, dx]) = (grid.shape(), grid.pixel().map(|d| chosen(d, METRES)));
@@ -71,6 +63,13 @@ pub(crate) fn section(comparison: &Comparison, made: &Provenance) -> String {
         terms(&rows),
         escape(&made.repeat)
     )
+}
+
+/// Program, machine and time.
+pub(crate) fn program_words(made: &Provenance, settings: &Settings, seconds: f64) -> String {
+    let [version, platform] = [&made.version, &made.platform].map(|text| escape(text));
+    let (threads, time) = (counted(settings.threads, "thread"), duration(seconds));
+    format!("rough-contact {version}, {platform}, {threads}, {time}")
 }
 
 pub(crate) fn materials_words(settings: &Settings) -> String {
@@ -169,7 +168,6 @@ pub(crate) fn origin_words(origin: &Origin) -> String {
     }
 }
 
-/// What was asked for, what was chosen for it, and where the models were asked.
 fn plan_messages(plan: &Reached) -> String {
     let [ny, nx] = plan.given.shape();
     let order = if ny == nx { "" } else { " (rows × columns)" };
@@ -192,14 +190,11 @@ fn solver_words(Comparison { surfaces, settings, .. }: &Comparison) -> String {
     let plan = surfaces.iter().find_map(|s| s.plan.as_ref());
     let (precision, tolerance) =
         plan.map_or((settings.precision, settings.tolerance), |p| (p.precision, p.tolerance));
+    let methods = methods.into_iter().collect::<Vec<_>>().join(", ");
+    let (tolerance, time) = (tolerance_words(tolerance), duration(seconds));
+    let (loads, pairs) = (counted(answers().count(), "load"), significant(pairs, 3));
+    let c = significant(PERIMETER_CORRECTION, 4);
     format!(
-        "{}, {}, tolerance {}; {}, {} FFT convolutions, {}; perimeter correction c = {}",
-        methods.into_iter().collect::<Vec<_>>().join(", "),
-        precision,
-        tolerance_words(tolerance),
-        counted(answers().count(), "load"),
-        significant(pairs, 3),
-        duration(seconds),
-        significant(PERIMETER_CORRECTION, 4)
+        "{methods}, {precision}, tolerance {tolerance}; {loads}, {pairs} FFT convolutions, {time}; perimeter correction c = {c}"
     )
 }

@@ -51,15 +51,11 @@ impl<'a> LeakCurves<'a> {
             return String::new();
         };
         let along = format!("along {}", self.axis.name());
-        let channel = match leak.flow.bottleneck {
-            None => leak.channel().to_owned(),
-            Some(b) => format!(
-                "{}; lowest gap {}, points across {}",
-                leak.channel(),
-                quantity(b.height, METRES, 3),
-                b.width
-            ),
-        };
+        let bottleneck = leak.flow.bottleneck.map(|b| {
+            let lowest = quantity(b.height, METRES, 3);
+            format!("; lowest gap {lowest}, points across {}", b.width)
+        });
+        let channel = leak.channel().to_owned() + &bottleneck.unwrap_or_default();
         let row =
             |class: &str, head: String, [k, error, range, seconds]: [String; 4], dom: &str| {
                 let cells = cells([
@@ -86,7 +82,6 @@ impl<'a> LeakCurves<'a> {
         rows
     }
 
-    /// Error against time at a load, if there is a permeability.
     fn routes(&self, at: usize) -> Option<(Vec<CostRoute>, Option<f64>)> {
         let (leaks, leak) = (self.loads[at]?, self.found[at]?);
         let k = leak.permeability()?;
@@ -101,7 +96,6 @@ impl<'a> LeakCurves<'a> {
     }
 }
 
-/// The table, permeability over the load, error against time, the map of the flow along each axis.
 pub(crate) fn section(part: &mut SurfacePart<'_>) -> String {
     let SurfacePart { surface, h, p, map_limit: limit, .. } = *part;
     let settings = &part.comparison.settings;

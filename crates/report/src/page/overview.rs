@@ -16,14 +16,12 @@ pub(crate) fn section(
     numbers: &mut Numbering,
 ) -> String {
     let surfaces = &comparison.surfaces;
-    let line = format!(
-        "<p class=\"file\">rough-contact report · {} surfaces · {} · {}</p>\n",
-        surfaces.len(),
-        modulus_in_head(&comparison.settings),
-        date(made.unix_time)
+    let (count, modulus) = (surfaces.len(), modulus_in_head(&comparison.settings));
+    let (date, headline, listed) = (date(made.unix_time), headline(surfaces), listed(surfaces));
+    let mut out = format!(
+        "<header><p class=\"file\">rough-contact report · {count} surfaces · {modulus} · {date}</p>\n\
+         <h1>{headline}</h1></header>\n{listed}"
     );
-    let (headline, listed) = (headline(surfaces), listed(surfaces));
-    let mut out = format!("<header>{line}<h1>{headline}</h1></header>\n{listed}");
     let names: Vec<&str> = surfaces.iter().map(|s| s.name.as_str()).collect();
     let of_area = ("Real contact area on each surface", "Real contact area</b>. Dots: solver.");
     let caption = format!("Error of each closed form</b>. Grey: within 10{SPACE}%.");

@@ -23,7 +23,6 @@ use contact_types::SpectralMoments;
 
 const MOST: usize = 3;
 
-/// What the answer holds for beside what speaks against it.
 pub(crate) fn key_and_notes(part: &SurfacePart<'_>) -> String {
     let (key, notes) = (tables::key_numbers(part), notes(&findings(part.surface), part.id));
     format!("<div class=\"two\">\n{key}{notes}</div>\n")
@@ -201,15 +200,12 @@ pub(crate) fn accuracy(part: &mut SurfacePart<'_>) -> String {
             )
         }
     };
+    let (choices, hardness) = (budget::choices(surface), surface.inputs.hardness);
+    let plastic =
+        hardness.map_or("plastic flow", |_| "hardening, pile-up, yield in the volume, unloading");
     format!(
-        "<{h}>Accuracy</{h}>\n{budget}{}<p class=\"why\">Not covered: {}, \
-         friction, adhesion, waves longer than the map, instrument calibration.</p>\n",
-        budget::choices(surface),
-        if surface.inputs.hardness.is_some() {
-            "hardening, pile-up, yield in the volume, unloading"
-        } else {
-            "plastic flow"
-        }
+        "<{h}>Accuracy</{h}>\n{budget}{choices}<p class=\"why\">Not covered: {plastic}, \
+         friction, adhesion, waves longer than the map, instrument calibration.</p>\n"
     )
 }
 

@@ -50,7 +50,6 @@ pub(crate) const AREA_CORRECTION: Citation = paper(
 #[derive(Default)]
 pub(crate) struct Numbering {
     figures: usize,
-    /// In the order of their numbers.
     pub(crate) sources: Vec<Citation>,
 }
 
@@ -184,7 +183,6 @@ pub(crate) fn key_table(caption: &str, rows: &[[String; 3]]) -> String {
     table(r#"class="key""#, caption, "", &rows.iter().map(one).collect::<String>())
 }
 
-/// A list of terms, each with what is said of it.
 pub(crate) fn terms(rows: &[(String, String)]) -> String {
     let row = |(term, text): &(String, String)| format!("<dt>{term}</dt><dd>{text}</dd>\n");
     format!("<dl>{}</dl>\n", rows.iter().map(row).collect::<String>())

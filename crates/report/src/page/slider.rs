@@ -28,15 +28,12 @@ pub(crate) fn dial(surface: &SurfaceComparison, id: &str) -> String {
     if n < 2 {
         return String::new();
     }
-    let read = read_out(surface);
+    let (read, at, last) = (read_out(surface), surface.headline, n - 1);
+    let (said, load) = (&read[at], messages::headline_load(surface));
     format!(
         "<div class=\"dial\"><label for=\"{id}-load\">Read off at</label><input type=\"range\" \
-         id=\"{id}-load\" min=\"0\" max=\"{}\" step=\"1\" value=\"{}\"><button type=\"button\" class=\"play\">Play</button><output \
-         for=\"{id}-load\" aria-live=\"off\">{}</output><button type=\"button\" class=\"back\">back to {}</button></div>\n",
-        n - 1,
-        surface.headline,
-        read[surface.headline],
-        messages::headline_load(surface)
+         id=\"{id}-load\" min=\"0\" max=\"{last}\" step=\"1\" value=\"{at}\"><button type=\"button\" class=\"play\">Play</button><output \
+         for=\"{id}-load\" aria-live=\"off\">{said}</output><button type=\"button\" class=\"back\">back to {load}</button></div>\n"
     )
 }
 

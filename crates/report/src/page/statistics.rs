@@ -94,7 +94,6 @@ fn rows(surface: &SurfaceComparison) -> Vec<Quantity> {
     rows
 }
 
-/// Statistics of the levelled map; beside each moment the one by the spectrum.
 pub(crate) fn table(surface: &SurfaceComparison) -> String {
     let row = |(symbol, name, value, spectral): Quantity| {
         let [value, spectral] = [value, spectral].map(|text| text.unwrap_or_else(|| "–".into()));

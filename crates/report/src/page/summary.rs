@@ -5,11 +5,11 @@ use crate::draw::svg::escape;
 use crate::figures::spread::{Curves, Strip, curves, histograms, strips};
 use crate::messages;
 use crate::numbers::{
-    AREAS, METRES, NEWTONS, PASCALS, SPACE, Unit, chosen, counted, duration, percent, quantity,
+    AREAS, METRES, NEWTONS, PASCALS, SPACE, Unit, chosen, counted, percent, quantity,
     signed_percent, significant, unit_for,
 };
 use crate::page::how_made::{
-    bodies_words, hardness_words, level_words, materials_words, modulus_in_head,
+    bodies_words, hardness_words, level_words, materials_words, modulus_in_head, program_words,
 };
 use crate::page::html::document;
 use crate::page::shared::{Numbering, date, row, table, why, wide};
@@ -33,7 +33,6 @@ pub struct Summary<'a> {
     pub seconds: f64,
 }
 
-/// Most maps that are listed one by one.
 const MOST_LISTED: usize = 1000;
 
 impl Summary<'_> {
@@ -63,7 +62,6 @@ impl Summary<'_> {
         if is_force { Some(("Load", NEWTONS)) } else { pressure }
     }
 
-    /// Area over load, as all maps were asked if they were asked the same.
     fn curves(&self) -> Curves {
         let list = |map: &Value| -> Vec<[f64; 2]> {
             let points = map["curve"].as_array().map_or(&[][..], Vec::as_slice);
@@ -90,15 +88,12 @@ pub fn summary_html(summary: &Summary<'_>, provenance: &Provenance) -> String {
     let all = count + summary.failed.len();
     let settings = summary.settings;
     let hardness = settings.hardness.map(|h| format!(" · <i>H</i> = {}", chosen(h, PASCALS)));
+    let (files, date) = (counted(all, "file"), date(provenance.unix_time));
+    let (modulus, hardness) = (modulus_in_head(settings), hardness.unwrap_or_default());
+    let (headline, standing) = (headline(summary), standing(summary));
     let mut body = format!(
-        "<header><p class=\"file\">rough-contact report · {} · {}{} · {}</p>\n\
-         <h1>{}</h1>\n<p>{}</p></header>\n",
-        counted(all, "file"),
-        modulus_in_head(settings),
-        hardness.unwrap_or_default(),
-        date(provenance.unix_time),
-        headline(summary),
-        standing(summary)
+        "<header><p class=\"file\">rough-contact report · {files} · {modulus}{hardness} · {date}</p>\n\
+         <h1>{headline}</h1>\n<p>{standing}</p></header>\n"
     );
     if count > 0 {
         let mut numbers = Numbering::default();
@@ -113,7 +108,6 @@ pub fn summary_html(summary: &Summary<'_>, provenance: &Provenance) -> String {
     document(&format!("{} (rough-contact)", counted(all, "map")), false, &body, "")
 }
 
-/// The model whose errors are smallest in the median, and how they are spread.
 fn headline(summary: &Summary<'_>) -> String {
     let sizes = |card: &'static Card| {
         let errors: Vec<f64> = summary.errors(&card.name).into_iter().flatten().collect();
@@ -128,16 +122,13 @@ fn headline(summary: &Summary<'_>) -> String {
     let Some((card, size, errors)) = ranked.min_by(|a, b| a.1.total_cmp(&b.1)) else {
         return format!("{maps} solved; no closed form answers on all of them");
     };
+    let [low, high] = [0.1, 0.9].map(|part| signed_percent(errors.quantile(part)));
+    let (title, size) = (escape(&card.title), percent(size));
     format!(
-        "Nearest over {maps}: {}, <b>{}</b> off in the median, 10th–90th percentile {} to {}",
-        escape(&card.title),
-        percent(size),
-        signed_percent(errors.quantile(0.1)),
-        signed_percent(errors.quantile(0.9)),
+        "Nearest over {maps}: {title}, <b>{size}</b> off in the median, 10th–90th percentile {low} to {high}"
     )
 }
 
-/// What was answered, and how far that can be read.
 fn standing(summary: &Summary<'_>) -> String {
     let of = |test: fn(&Value) -> bool| summary.maps.iter().filter(|(_, map)| test(map)).count();
     let short = of(|map| map["converged"] != true);
@@ -363,22 +354,17 @@ fn how_made(summary: &Summary<'_>, provenance: &Provenance) -> String {
             settings.method, settings.precision, settings.tolerance
         ),
     };
+    let program = program_words(provenance, settings, summary.seconds);
+    let (bodies, materials) = (bodies_words(settings), materials_words(settings));
+    let hardness = hardness_words(settings).map_or(String::new(), |words| format!("; {words}"));
+    let (level, edges) = (level_words(settings.level), settings.edges.name());
+    let repeat = escape(&provenance.repeat);
     format!(
-        "<h2>How this was made</h2>\n<dl><dt>Program</dt><dd>rough-contact {}, {}, {}, {}</dd>\n\
-         <dt>Material</dt><dd>{}{}{}</dd>\n<dt>Surface</dt><dd>level: {}; edges: \
-         {}</dd>\n<dt>Solver</dt><dd>{solver}; area corrected for the contact line</dd></dl>\n<p>Made \
-         with</p><pre>{}</pre>\n<p class=\"why\">One row for each file is in <code>table.csv</code>, complete \
+        "<h2>How this was made</h2>\n<dl><dt>Program</dt><dd>{program}</dd>\n\
+         <dt>Material</dt><dd>{bodies}{hardness}{materials}</dd>\n<dt>Surface</dt><dd>level: {level}; edges: \
+         {edges}</dd>\n<dt>Solver</dt><dd>{solver}; area corrected for the contact line</dd></dl>\n<p>Made \
+         with</p><pre>{repeat}</pre>\n<p class=\"why\">One row for each file is in <code>table.csv</code>, complete \
          results in <code>results.json</code>. <code>compare</code> with one of the files alone writes its \
-         report, with a closer look at its accuracy.</p>\n",
-        escape(&provenance.version),
-        escape(&provenance.platform),
-        counted(settings.threads, "thread"),
-        duration(summary.seconds),
-        bodies_words(settings),
-        hardness_words(settings).map_or(String::new(), |words| format!("; {words}")),
-        materials_words(settings),
-        level_words(settings.level),
-        settings.edges.name(),
-        escape(&provenance.repeat)
+         report, with a closer look at its accuracy.</p>\n"
     )
 }

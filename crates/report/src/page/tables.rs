@@ -14,7 +14,6 @@ use crate::plot_styles::{inputs_html, plot_style};
 use contact_compare::{Applies, Card, ModelComparison, elastic_limit, is_steep};
 use contact_types::{Citation, ContactState, ModelError, Named};
 
-/// What the answer holds for, and the ways to it: terms with a value and a note.
 pub(crate) fn key_numbers(part: &SurfacePart<'_>) -> String {
     let (surface, settings) = (part.surface, &part.comparison.settings);
     let mut rows: Vec<[String; 3]> = Vec::new();
