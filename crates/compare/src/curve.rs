@@ -7,7 +7,7 @@ use crate::pressure_maps::PressureMaps;
 use crate::progress::{Listener, Progress};
 use crate::result::{DeterministicAnswer, DeterministicPoint, SurfaceComparison};
 use crate::spots::contact_spots;
-use contact_accuracy::{Answered, Budget, Leaks, Map, Sink};
+use contact_accuracy::{Answered, Leaks, Map, Sink};
 use contact_types::HeightMap;
 use fft_bem_solver::{Iteration, Solution, SolverError};
 use grid_fft::parallel::join;
@@ -116,22 +116,15 @@ pub(crate) fn solved(
     materials: [f64; 2],
     map: &Map,
 ) -> (DeterministicPoint, Option<Solution>) {
-    let of_iterate = |best: Box<Solution>, how: &str| {
-        let reached = best.diagnostics.residuals.preconditioned;
-        let text = format!("{how}: relative rms pressure error about {reached:.1e}");
-        let answer = DeterministicAnswer::of(&best, &Budget::of_iterate(&best, map), false);
-        (Some(answer), Some(*best), Some(text))
-    };
-    let (answer, solution, trouble) = match result {
-        Ok(answered) => {
-            let Answered { solution, budget, coarser, finer, .. } =
-                answered.with_materials(materials);
-            let answer = DeterministicAnswer::of(&solution, &budget, true);
-            (Some(DeterministicAnswer { coarser, finer, ..answer }), Some(solution), None)
-        }
-        Err(SolverError::NotConverged(best)) => of_iterate(best, "not converged"),
-        Err(SolverError::Rounding(best)) => of_iterate(best, "stopped at rounding"),
-        Err(error) => (None, None, Some(error.to_string())),
-    };
+    let trouble = result.as_ref().err().map(|error| {
+        let how = match error {
+            SolverError::NotConverged(_) => "not converged",
+            SolverError::Rounding(_) => "stopped at rounding",
+            error => return error.to_string(),
+        };
+        let reached = error.solution().map_or(f64::NAN, |s| s.diagnostics.residuals.preconditioned);
+        format!("{how}: relative rms pressure error about {reached:.1e}")
+    });
+    let (answer, solution) = DeterministicAnswer::of(result, materials, map).unzip();
     (DeterministicPoint { mean_pressure, answer, trouble }, solution)
 }

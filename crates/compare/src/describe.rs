@@ -55,14 +55,10 @@ pub(crate) fn model_inputs(
 
 /// Moments and radial PSD by the spectrum: of the map as it repeats if it does, under a Hann
 /// window otherwise, or the jump at the edges would count as roughness.
-pub(crate) fn spectral(found: &Spectra, statistics: &SurfaceStatistics) -> Spectral {
-    let windowed = statistics.edges == Edges::Open;
-    Spectral {
-        moments: found.moments,
-        resolved: found.resolved,
-        windowed,
-        psd: thinned(&found.rings),
-    }
+pub(crate) fn spectral(found: &Spectra, edges: Edges) -> Spectral {
+    let Spectra { moments, resolved, rings, .. } = found;
+    let (moments, resolved, windowed) = (*moments, *resolved, edges == Edges::Open);
+    Spectral { moments, resolved, windowed, psd: thinned(rings) }
 }
 
 /// The PSD in about 12 bins per octave of wavenumber, `[wavelength, C]`: what a figure can show.

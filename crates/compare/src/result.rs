@@ -9,9 +9,9 @@ use crate::pressure_maps::PressureMaps;
 use crate::reason::Verdict;
 use crate::theory::{BuildError, Card};
 use crate::{EdgesName, Origin, Settings, Spikes};
-use contact_accuracy::{Budget, Leaks, Map, Numbers, Reached};
+use contact_accuracy::{Answered, Budget, Leaks, Map, Numbers, Reached};
 use contact_types::{ContactModel, ContactState, HeightMap, ModelError, SpectralMoments};
-use fft_bem_solver::{Diagnostics, Section, Solution};
+use fft_bem_solver::{Diagnostics, Section, Solution, SolverError};
 use serde::Serialize;
 use surface_stats::SurfaceStatistics;
 
@@ -155,19 +155,37 @@ pub struct DeterministicAnswer {
 }
 
 impl DeterministicAnswer {
-    /// Without the numbers of other grids.
-    pub(crate) fn of(solution: &Solution, budget: &Budget, converged: bool) -> Self {
-        Self {
+    /// Of a load on a map of which `map` tells, with its fields, or of the best iterate of one that missed its tolerance.
+    /// `materials` are relative half widths of modulus and hardness.
+    pub fn of(
+        result: Result<Answered, SolverError>,
+        materials: [f64; 2],
+        map: &Map,
+    ) -> Option<(Self, Solution)> {
+        use SolverError::{NotConverged, Rounding, Stopped};
+        let (solution, budget, coarser, finer, converged) = match result {
+            Ok(answered) => {
+                let found = answered.with_materials(materials);
+                (found.solution, found.budget, found.coarser, found.finer, true)
+            }
+            Err(NotConverged(best) | Rounding(best) | Stopped(best)) => {
+                let budget = Budget::of_iterate(&best, map);
+                (*best, budget, Vec::new(), None, false)
+            }
+            Err(_) => return None,
+        };
+        let answer = Self {
             touching_fraction: solution.touching_fraction(),
             area_fraction: solution.state.area_fraction,
-            budget: *budget,
-            coarser: Vec::new(),
-            finer: None,
+            budget,
+            coarser,
+            finer,
             mean_gap: solution.state.mean_gap,
             approach: solution.approach,
             diagnostics: solution.diagnostics.clone(),
             converged,
-        }
+        };
+        Some((answer, solution))
     }
 }
 

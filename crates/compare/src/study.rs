@@ -136,7 +136,7 @@ fn compare(
     );
     let (map, statistics, spectra) = described.map_err(refused)?;
     drop(heights);
-    let spectral = spectral(&spectra, &statistics);
+    let spectral = spectral(&spectra, statistics.edges);
     let Spectra { amplitudes, seconds, .. } = spectra;
     let mut inputs = model_inputs(&map, &statistics, amplitudes, modulus, asked);
     inputs.surface = Some(name.clone());

@@ -217,14 +217,9 @@ impl Origin {
 
     /// The form that is taken off: [`Level::Auto`] follows what was said of the edges, where something was.
     pub fn level(&self, asked: Level) -> Level {
-        match self {
-            Self::Given(GivenOrigin { repeats: Some(repeats), .. }) if asked == Level::Auto => {
-                if *repeats {
-                    Level::Mean
-                } else {
-                    Level::Plane
-                }
-            }
+        match (self, asked) {
+            (Self::Given(GivenOrigin { repeats: Some(true), .. }), Level::Auto) => Level::Mean,
+            (Self::Given(GivenOrigin { repeats: Some(false), .. }), Level::Auto) => Level::Plane,
             _ => asked,
         }
     }

@@ -20,32 +20,10 @@ pub struct ErrorRange {
     pub surfaces: usize,
 }
 
-/// One surface at one load.
-struct SurveyRow {
-    surface: u32,
-    bandwidth: f64,
-    load: f64,
-    uncertainty: f64,
-    errors: Vec<Option<f64>>,
-}
-
-impl SurveyRow {
-    fn parse(line: &str) -> Option<Self> {
-        let cells: Vec<&str> = line.split(',').collect();
-        let number = |k: usize| cells.get(k)?.parse::<f64>().ok();
-        Some(Self {
-            surface: cells.first()?.parse().ok()?,
-            bandwidth: number(1)?,
-            load: number(2)?,
-            uncertainty: number(3)?,
-            errors: cells.get(4..)?.iter().map(|c| c.parse().ok()).collect(),
-        })
-    }
-}
-
 struct Survey {
     models: Vec<&'static str>,
-    rows: Vec<SurveyRow>,
+    /// Number, bandwidth, load and uncertainty of one surface at one load, then the error of each model.
+    rows: Vec<Vec<f64>>,
 }
 
 fn built_in() -> &'static Survey {
@@ -53,8 +31,8 @@ fn built_in() -> &'static Survey {
     SURVEY.get_or_init(|| {
         let mut lines = include_str!("../data/survey.csv").lines().filter(|l| !l.starts_with('#'));
         let models = lines.next().unwrap_or_default().split(',').skip(4).collect();
-        let rows = lines.map(SurveyRow::parse).collect::<Option<Vec<_>>>();
-        Survey { models, rows: rows.expect("a test reads the committed table") }
+        let cells = |line: &str| line.split(',').map(|c| c.parse().unwrap_or(f64::NAN)).collect();
+        Survey { models, rows: lines.map(cells).collect() }
     })
 }
 
@@ -62,21 +40,20 @@ fn built_in() -> &'static Survey {
 /// `None` if there are fewer than five, or the model is none of those of the study.
 pub fn gaussian_errors(model: &str, bandwidth: f64, load: f64) -> Option<ErrorRange> {
     let survey = built_in();
-    let column = survey.models.iter().position(|m| *m == model)?;
+    let column = 4 + survey.models.iter().position(|m| *m == model)?;
     let near = |a: f64, b: f64, factor: f64| (a / b).ln().abs() <= factor.ln();
     let mut range = ErrorRange { low: f64::INFINITY, high: f64::NEG_INFINITY, surfaces: 0 };
-    let mut last = None;
+    let mut last = f64::NAN;
     for row in &survey.rows {
-        let similar =
-            near(row.bandwidth, bandwidth, SIMILAR[0]) && near(row.load, load, SIMILAR[1]);
-        let Some(error) = row.errors.get(column).copied().flatten().filter(|_| similar) else {
+        let similar = near(row[1], bandwidth, SIMILAR[0]) && near(row[2], load, SIMILAR[1]);
+        if !similar {
             continue;
-        };
-        let reference = row.uncertainty * (1.0 + error);
+        }
+        let (error, reference) = (row[column], row[3] * (1.0 + row[column]));
         range.low = range.low.min(error - reference);
         range.high = range.high.max(error + reference);
-        range.surfaces += usize::from(last != Some(row.surface)); // rows come by surface
-        last = Some(row.surface);
+        range.surfaces += usize::from(last.to_bits() != row[0].to_bits()); // rows come by surface
+        last = row[0];
     }
     (range.surfaces >= FEWEST).then_some(range)
 }
@@ -92,6 +69,7 @@ mod tests {
     fn the_table_is_whole() {
         let survey = built_in();
         assert_eq!(survey.rows.len(), 7 * 107);
+        assert!(survey.rows.iter().flatten().all(|cell| cell.is_finite()));
         for model in &survey.models {
             let range = gaussian_errors(model, 5.0, 0.03).expect("surfaces");
             assert!(range.low < range.high && range.surfaces >= 20, "{model}: {range:?}");
@@ -108,15 +86,15 @@ mod tests {
     fn the_errors_are_those_of_the_models_as_they_are() {
         let modulus = ContactModulus::from_pascals(1.0).unwrap();
         let survey = built_in();
-        let error = |row: &SurveyRow, model: &str| {
-            row.errors[survey.models.iter().position(|m| *m == model).unwrap()].unwrap()
+        let error = |row: &[f64], model: &str| {
+            row[4 + survey.models.iter().position(|m| *m == model).unwrap()]
         };
         for row in &survey.rows {
-            let moments = SpectralMoments { m0: 1.0, m2: 0.5, m4: 0.25 * row.bandwidth };
+            let moments = SpectralMoments { m0: 1.0, m2: 0.5, m4: 0.25 * row[1] };
             let inputs = Inputs { moments: Some(moments), ..Inputs::new(modulus) };
             let area = |model: &str| {
                 let model = find(model).unwrap().build(&inputs).unwrap();
-                model.at_pressure(row.load).unwrap().area_fraction
+                model.at_pressure(row[2]).unwrap().area_fraction
             };
             let persson = area("persson") / (1.0 + error(row, "persson"));
             for model in ["gw", "bgt", "greenwood-elliptical", "equation"] {

@@ -22,23 +22,13 @@ pub fn leak_request(
 ) -> Result<Option<LeakRequest>, Failure> {
     let refused = |message: String| Err(Failure::refused("leak", message));
     let given = numbers.iter().flatten().count();
-    let along = match axes {
-        None if given > 0 => {
-            return refused(
-                "viscosity, pressure drop, seal length and seal width are for the leak; ask for it along \
-                 x, y or both"
-                    .to_owned(),
-            );
-        }
-        None => return Ok(None),
-        Some(name) => match Along::of_name(name) {
-            Some(along) => along,
-            None => {
-                return refused(format!(
-                    "'{name}' is no direction of the leak; write x, y or both"
-                ));
-            }
-        },
+    let Some(name) = axes else {
+        let message = "viscosity, pressure drop, seal length and seal width are for the leak; ask for it along \
+                       x, y or both";
+        return if given > 0 { refused(message.to_owned()) } else { Ok(None) };
+    };
+    let Some(along) = Along::of_name(name) else {
+        return refused(format!("'{name}' is no direction of the leak; write x, y or both"));
     };
     for (number, (name, zero, how)) in numbers.into_iter().zip(NUMBERS) {
         let Some(value) = number else {

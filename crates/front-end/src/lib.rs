@@ -9,7 +9,6 @@ mod leak;
 pub mod loads;
 pub mod model;
 mod paths;
-mod planned;
 mod point;
 pub mod quantity;
 mod scene;

@@ -21,12 +21,12 @@ use surface_stats::spectrum::{amplitudes, radial};
 use surface_stats::{Edges, StatsError, Warning, level, moments, spectral_scales};
 
 /// What is asked of the model.
-#[derive(Clone, Copy, Debug)]
-pub enum ModelLoad {
-    /// Nominal pressure (Pa).
-    Pressure(f64),
-    /// Distance of the undeformed planes (m).
-    Separation(f64),
+#[derive(Clone, Debug)]
+pub enum ModelLoads {
+    /// Nominal pressures (Pa).
+    Pressures(Vec<f64>),
+    /// Distances of the undeformed planes (m).
+    Separations(Vec<f64>),
 }
 
 /// What a theory says to one question.
@@ -58,29 +58,13 @@ pub struct ModelPoint {
     pub force: Option<f64>,
 }
 
-impl ModelPoint {
-    fn of(asked: ModelLoad, answer: Result<Said, ModelError>, spread: Option<&Spread>) -> Self {
-        let (pressure, distance) = match asked {
-            ModelLoad::Pressure(p) => (Some(p), None),
-            ModelLoad::Separation(d) => (None, Some(d)),
-        };
-        let state = answer.as_ref().ok().map(|said| &said.state);
-        Self {
-            mean_pressure: state.map_or(pressure, |state| Some(state.mean_pressure)),
-            separation: state.map_or(distance, |state| state.separation),
-            force: spread.zip(pressure).map(|(spread, p)| p * spread.area),
-            answer,
-            interval: None,
-        }
-    }
-}
-
-/// One answer per question, with what the joint conducts there. A model that cannot be made refuses every question.
+/// One answer per question, a load or a separation, with what the joint conducts there. A model that cannot be made refuses
+/// every question.
 /// `ways` out are of a model without separation, and of one that lacks an input.
 fn results(
     theory: &dyn Theory,
     given: (&Inputs, &Joint),
-    questions: &[ModelLoad],
+    questions: (&[f64], bool),
     ways: [&str; 2],
 ) -> Result<Vec<Result<Said, ModelError>>, Failure> {
     let (card, inputs) = (theory.card(), given.0);
@@ -105,21 +89,17 @@ fn results(
             survey,
         })
     };
-    let values = questions.iter().map(|asked| match *asked {
-        ModelLoad::Pressure(value) | ModelLoad::Separation(value) => value,
-    });
-    let answers = match questions.first() {
-        Some(ModelLoad::Separation(_)) => {
-            let built = theory.build_separation(inputs).ok_or_else(no_separation)?;
-            built.map(|model| values.map(|d| said(&*model, model.at_separation(d))).collect())
-        }
-        _ => theory
-            .build(inputs)
-            .map(|model| values.map(|p| said(&*model, model.at_pressure(p))).collect()),
+    let (asked, is_load) = questions;
+    let answers = if is_load {
+        let built = theory.build(inputs);
+        built.map(|model| asked.iter().map(|p| said(&*model, model.at_pressure(*p))).collect())
+    } else {
+        let built = theory.build_separation(inputs).ok_or_else(no_separation)?;
+        built.map(|model| asked.iter().map(|d| said(&*model, model.at_separation(*d))).collect())
     };
     match answers {
         Ok(answers) => Ok(answers),
-        Err(BuildError::Model(error)) => Ok(vec![Err(error); questions.len()]),
+        Err(BuildError::Model(error)) => Ok(vec![Err(error); asked.len()]),
         Err(missing @ BuildError::Missing { .. }) => {
             Err(Failure::refused("missing_input", format!("{missing}; {}", ways[1])))
         }
@@ -262,22 +242,34 @@ impl ModelSubject {
         self,
         theory: &dyn Theory,
         joint: &Joint,
-        questions: &[ModelLoad],
+        questions: &ModelLoads,
         spread: Option<&Spread>,
         ways: [&str; 2],
     ) -> Result<ModelReply, Failure> {
         let Self { inputs, rows, spikes, cleaned, level, pair, profile } = self;
         let card = theory.card();
-        let answers = results(theory, (&inputs, joint), questions, ways)?.into_iter();
-        let point = |(asked, answer): (&ModelLoad, _)| ModelPoint::of(*asked, answer, spread);
-        let mut points: Vec<ModelPoint> = questions.iter().zip(answers).map(point).collect();
+        let (asked, is_load) = match questions {
+            ModelLoads::Pressures(all) => (all, true),
+            ModelLoads::Separations(all) => (all, false),
+        };
+        let answers = results(theory, (&inputs, joint), (asked, is_load), ways)?;
+        let point = |(&value, answer): (&f64, Result<Said, ModelError>)| {
+            let state = answer.as_ref().ok().map(|said| &said.state);
+            ModelPoint {
+                mean_pressure: state.map_or(is_load.then_some(value), |s| Some(s.mean_pressure)),
+                separation: state.map_or((!is_load).then_some(value), |s| s.separation),
+                force: spread.map(|spread| value * spread.area),
+                answer,
+                interval: None,
+            }
+        };
+        let mut points: Vec<ModelPoint> = asked.iter().zip(answers).map(point).collect();
         let scene = scene(card, &inputs, &points, rows);
         let mut json = object(card, (&inputs, joint), &points, spread);
         json["level"] = json!(level.map(Level::name));
         json["cleaning"] = contact_report::cleaning_json(&cleaned);
         let findings = if let Some((statistics, origin, uneven)) = &profile {
-            for (i, (point, asked)) in points.iter_mut().zip(questions).enumerate() {
-                let ModelLoad::Pressure(p) = *asked else { continue };
+            for (i, (point, &p)) in points.iter_mut().zip(asked).enumerate().filter(|_| is_load) {
                 let interval = || contact_compare::area_interval(theory, &inputs, statistics, p);
                 point.interval = point.answer.is_ok().then(interval).flatten();
                 json["points"][i]["area_interval"] = json!(point.interval);

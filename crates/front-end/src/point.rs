@@ -1,9 +1,8 @@
 //! One load that was solved for, as an object.
 
-use crate::failure::variant;
-use contact_accuracy::{Answered, Leaks, Map, Numbers};
-use contact_compare::{Budget, Conducted, NoUncertainty};
-use fft_bem_solver::{Load, Solution, SolverError};
+use contact_accuracy::{Leaks, Numbers};
+use contact_compare::{Conducted, DeterministicAnswer, NoUncertainty};
+use fft_bem_solver::Load;
 use serde_json::{Value, json};
 
 /// A load that was solved for.
@@ -15,51 +14,14 @@ pub struct Point {
     pub(crate) json: Value,
     /// Its mean pressure as a force (N), if forces were asked for.
     pub force: Option<f64>,
-    /// The solution without its maps; none of a load that was refused.
-    pub solution: Option<Solution>,
-    /// The errors of its numbers.
-    pub budget: Option<Budget>,
+    /// Its numbers; none of a load that was refused.
+    pub answer: Option<DeterministicAnswer>,
     /// Why its area has no uncertainty, if it has none.
     pub(crate) without_uncertainty: Option<NoUncertainty>,
-    /// Its numbers on twice the points, if they were solved.
-    pub finer: Option<Numbers>,
     /// What it conducts, if that was asked for.
     pub conducted: Option<Conducted>,
     /// What leaks through it, if that was asked for.
     pub leak: Option<Leaks>,
-    /// True if it was solved to the tolerance.
-    pub converged: bool,
-}
-
-impl Point {
-    pub(crate) fn of(load: Load, answered: &Answered) -> Self {
-        let Answered { solution, budget, coarser, finer, .. } = answered;
-        let mut json = object(load, Some((solution, budget)), None);
-        json["coarser"] = json!(coarser.iter().map(numbers).collect::<Vec<_>>());
-        json["finer"] = json!(finer.as_ref().map(numbers));
-        Self { budget: Some(*budget), finer: *finer, converged: true, ..Self::bare(load, json) }
-    }
-
-    pub(crate) fn of_error(load: Load, error: &SolverError, known: &Map) -> Self {
-        let found = error.solution().map(|s| (s, Budget::of_iterate(s, known)));
-        let json = object(load, found.as_ref().map(|(s, b)| (*s, b)), Some(error));
-        Self { budget: found.map(|(_, budget)| budget), ..Self::bare(load, json) }
-    }
-
-    fn bare(load: Load, json: Value) -> Self {
-        Self {
-            load,
-            json,
-            force: None,
-            solution: None,
-            budget: None,
-            without_uncertainty: None,
-            finer: None,
-            conducted: None,
-            leak: None,
-            converged: false,
-        }
-    }
 }
 
 /// The numbers of another rung.
@@ -72,37 +34,54 @@ fn numbers(found: &Numbers) -> Value {
     })
 }
 
-fn object(load: Load, found: Option<(&Solution, &Budget)>, error: Option<&SolverError>) -> Value {
-    let error_json = error.map(|e| json!({ "kind": variant(e), "message": e.to_string() }));
-    let Some((solution, budget)) = found else {
-        let asked = if let Load::MeanPressure(p) = load { Some(p) } else { None };
-        let json = json!({
-                "mean_pressure": asked, "touching_fraction": null, "area_fraction": null,
-                "mean_gap": if let Load::MeanGap(g) = load { Some(g) } else { None },
-                "approach": null, "max_pressure": null,
-                "converged": false, "stopped_at_rounding": false, "iterations": null,
-                "transforms": null, "seconds": null,
-                "residuals": null, "duality_gap": null, "error": error_json,
-        });
-        return with(json, contact_report::solution_keys(None));
+/// A load with its numbers, if it has any, and why it has none or misses its tolerance.
+pub(crate) fn object(
+    load: Load,
+    found: Option<&DeterministicAnswer>,
+    error: Option<Value>,
+) -> Value {
+    let (pressure, gap) = match (found, load) {
+        (Some(a), _) => (Some(a.budget.mean_pressure.value), a.mean_gap),
+        (None, Load::MeanPressure(p)) => (Some(p), None),
+        (None, Load::MeanGap(g)) => (None, Some(g)),
+        _ => (None, None),
     };
-    let (state, d) = (&solution.state, &solution.diagnostics);
-    let json = json!({
-        "mean_pressure": state.mean_pressure,
-        "area_fraction": state.area_fraction,
-        "mean_gap": state.mean_gap,
+    let mut json = json!({
+        "mean_pressure": pressure,
+        "area_fraction": found.map(|a| a.area_fraction),
+        "mean_gap": gap,
         "converged": error.is_none(),
-        "exact": d.exact,
-        "error": error_json,
+        "error": error,
     });
-    let found = ([solution.touching_fraction(), solution.approach], d, budget);
-    with(json, contact_report::solution_keys(Some(found)))
+    let keys = found.map(|a| ([a.touching_fraction, a.approach], &a.diagnostics, &a.budget));
+    extend(&mut json, contact_report::solution_keys(keys));
+    if let Some(a) = found {
+        json["exact"] = json!(a.diagnostics.exact);
+        if a.converged {
+            json["coarser"] = json!(a.coarser.iter().map(numbers).collect::<Vec<_>>());
+            json["finer"] = json!(a.finer.as_ref().map(numbers));
+        }
+        return json;
+    }
+    for key in [
+        "touching_fraction",
+        "approach",
+        "max_pressure",
+        "iterations",
+        "transforms",
+        "seconds",
+        "residuals",
+        "duality_gap",
+    ] {
+        json[key] = Value::Null;
+    }
+    json["stopped_at_rounding"] = json!(false);
+    json
 }
 
-/// An object with more keys.
-pub(crate) fn with(mut object: Value, keys: impl IntoIterator<Item = (String, Value)>) -> Value {
-    if let Value::Object(own) = &mut object {
+/// Adds keys to an object.
+pub(crate) fn extend(object: &mut Value, keys: impl IntoIterator<Item = (String, Value)>) {
+    if let Value::Object(own) = object {
         own.extend(keys);
     }
-    object
 }

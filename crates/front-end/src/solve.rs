@@ -2,14 +2,14 @@
 
 use crate::complete::Subject;
 use crate::failure::Failure;
-use crate::loads::{Spread, rising};
-use crate::planned;
+use crate::loads::Spread;
 use crate::point::Point;
 use crate::scene;
 use crate::shown::unusual_hardness;
+use crate::study::unmet;
 use crate::watch::Watch;
 use crate::work::SolvedLoads;
-use contact_accuracy::{Aim, Ladder, LadderError, Setup};
+use contact_accuracy::{Aim, Ladder, LadderError, Setup, Sink, Task, climb};
 use contact_compare::{
     AccuracyRequest, Adhesion, EdgesName, Finding, Hardness, Joint, Level, PairOrigin, Reached,
     Settings, Solved, Spikes, Surface,
@@ -129,20 +129,7 @@ impl SolveRequest {
         watch.levelled(&surface);
         let sticking = settings.adhesion.map(|given| (given, surface.clone()));
         let grid = surface.grid();
-        let repeats = self.boundary == Boundary::Periodic && settings.edges == EdgesName::Periodic;
         solved.spikes = spikes.clone();
-        let mut work = SolvedLoads {
-            distributions: self.distributions.then_some(repeats),
-            leak: settings.leak,
-            trouble: None,
-            method: settings.method.to_string(),
-            level,
-            points: self.loads.iter().map(|_| None).collect(),
-            grid,
-            given: grid,
-            spikes,
-            spike_share: None,
-        };
         // The indicator looks at the pressure.
         let gap_too = self.keep_gap || self.distributions;
         let maps = if gap_too { Maps::PressureAndGap } else { Maps::Pressure };
@@ -154,18 +141,24 @@ impl SolveRequest {
             stiffness: self.stiffness || settings.joint().is_asked(),
             ..Setup::new(settings.solver().certified(self.certify).maps(maps), modulus)
         };
-        let joint = self.joint(grid.area());
-        let part = setup.stiffness.then_some((&joint, modulus));
-        let mut plan = None;
-        let materials = contact_compare::spreads(&settings.materials);
+        let part = setup.stiffness.then(|| (self.joint(grid.area()), modulus));
+        let repeats = self.boundary == Boundary::Periodic && settings.edges == EdgesName::Periodic;
+        let distributions = self.distributions.then_some(repeats);
+        let asked = (&self.loads[..], settings);
+        let mut work = SolvedLoads::new(asked, distributions, part, (grid, spikes), watch);
         let accuracy = settings.accuracy.map(AccuracyRequest::new).transpose();
         let accuracy = accuracy.map_err(|e| Failure::from(&e))?;
         let aim = accuracy.map(Aim::Within).or(settings.fast.then_some(Aim::Fast));
+        let failed = |e: LadderError| Failure::from(&e);
+        let mut plan = None;
         if let Some(aim) = aim {
-            let (map, known) = ((&surface, setup, aim), (part, materials));
-            plan = planned::solve(map, &self.loads, known, &mut work, watch)?;
+            let loads: Vec<Load> = work.order.iter().map(|&i| self.loads[i]).collect();
+            let task = Task { map: &surface, setup, loads: &loads, aim };
+            plan = match climb(&task, &mut work) {
+                Err(LadderError::Stopped) => None,
+                reached => Some(reached.map_err(failed)?),
+            };
         } else {
-            let failed = |e: LadderError| Failure::from(&e);
             let mut ladder = match kept.take().filter(|ladder| ladder.map().grid() == grid) {
                 Some(mut ladder) => {
                     ladder.take_map(surface).map_err(failed)?;
@@ -173,16 +166,15 @@ impl SolveRequest {
                 }
                 None => Ladder::new(surface, setup).map_err(failed)?,
             };
-            for index in rising(&self.loads) {
-                let load = self.loads[index];
-                watch.working_on(load);
-                let result = ladder.solve(load, |now| watch.iterated(index, load, now));
-                let result = result.map(|found| found.with_materials(materials));
-                if matches!(result, Err(SolverError::Stopped(_))) {
+            work.known = Some(ladder.known);
+            for index in 0..self.loads.len() {
+                let load = self.loads[work.order[index]];
+                work.watch.working_on(load);
+                let result = ladder.solve(load, |now| work.iterated(index, now));
+                let is_stopped = matches!(result, Err(SolverError::Stopped(_)));
+                if is_stopped || work.take(index, result).is_break() {
                     break;
                 }
-                work.take(index, load, result, &ladder.known, part, watch);
-                watch.done(index, load);
             }
             *kept = Some(ladder);
         }
@@ -202,17 +194,19 @@ impl SolveRequest {
         let findings = solved.findings();
         let (modulus, gradient) = (settings.modulus, solved.scene.gradient);
         let hardness = settings.hardness.map(|pascals| Hardness { pascals, modulus, gradient });
-        let unmet = plan.as_ref().and_then(|plan| planned::unmet("", plan));
+        let unmet = plan.as_ref().and_then(|plan| unmet("", plan));
         let trouble = work.trouble.take().into_iter().chain(unmet).reduce(Failure::and);
         let found = (hardness, solved.adhesion);
-        let (json, points) = self.object(work, &findings, plan.as_ref(), found, (&cleaned, pair));
+        let (mut json, points) =
+            self.object(work, &findings, plan.as_ref(), found, (&cleaned, pair));
+        json["level"] = json!(level.name());
         Ok(SolveResult { json, level, points, findings, plan, hardness, trouble })
     }
 
     /// What scripts see, and the points that were taken.
     fn object(
         &self,
-        work: SolvedLoads,
+        work: SolvedLoads<'_>,
         findings: &[Finding],
         plan: Option<&Reached>,
         (hardness, adhesion): (Option<Hardness>, Option<Adhesion>),
@@ -238,7 +232,6 @@ impl SolveRequest {
         let mut json = json!({
             "shape": work.grid.shape(),
             "pixel": work.grid.pixel(),
-            "level": work.level.name(),
             "boundary": self.boundary.name(),
             "edges": settings.edges.name(),
             "plane_strain": self.plane_strain,

@@ -1,9 +1,9 @@
 //! What a study answers beyond its loads, and what is incomplete about it.
 
 use crate::failure::Failure;
-use crate::planned::unmet;
 use crate::shown;
-use contact_compare::{Comparison, Listener, StudyError};
+use contact_compare::{Comparison, Listener, Reached, StudyError};
+use contact_report::plan_reason;
 
 /// What is computed once the loads are: coarser grids, the shortest octaves taken off, a closer look at the headline.
 ///
@@ -45,4 +45,13 @@ pub fn not_met(comparison: &Comparison) -> Option<Failure> {
         Failure::incomplete("files_failed", format!("no answer: {message}"))
     });
     refused.chain(not_converged(comparison)).chain(unmet).reduce(Failure::and)
+}
+
+/// A request that is not met ends with exit status 1.
+pub(crate) fn unmet(surface: &str, reached: &Reached) -> Option<Failure> {
+    let reason = plan_reason(reached)?;
+    let percent = 100.0 * reached.request?.relative();
+    let of = if surface.is_empty() { String::new() } else { format!("{surface}: ") };
+    let message = format!("{of}an accuracy of {percent} % of the area is not met: {reason}");
+    Some(Failure::incomplete("accuracy_not_met", message))
 }

@@ -1,143 +1,110 @@
 //! What is collected while loads are solved: one point each, and what went wrong.
 
 use crate::failure::{Failure, variant};
-use crate::loads::shown;
-use crate::point::Point;
+use crate::loads::{rising, shown};
+use crate::point::{Point, extend, object};
 use crate::watch::Watch;
-use contact_accuracy::{Answered, Leaks, Map};
+use contact_accuracy::{Answered, Leaks, Map, Sink};
 use contact_compare::{
-    Budget, Conducted, Distributions, Joint, LeakRequest, NoUncertainty, Pressed, Spikes,
-    contact_spots,
+    Conducted, DeterministicAnswer, Distributions, Joint, NoUncertainty, Pressed, Settings, Spikes,
+    contact_spots, spreads,
 };
-use contact_types::{ContactModulus, Grid};
-use fft_bem_solver::{Load, SetStiffness, Solution, SolverError};
+use contact_types::{ContactModulus, Grid, HeightMap};
+use fft_bem_solver::{Iteration, Load, SetStiffness, SolverError};
 use serde_json::{Value, json};
-use surface_stats::Level;
+use std::ops::ControlFlow;
 
-/// What is collected while the loads are solved. Fields go to who watches and are dropped.
-pub(crate) struct SolvedLoads {
+/// What is collected while the loads of a request are solved. Fields go to who watches and are dropped.
+pub(crate) struct SolvedLoads<'a> {
+    loads: &'a [Load],
+    settings: &'a Settings,
     /// Distributions are wanted: whether a spot at one edge goes on at the other.
-    pub(crate) distributions: Option<bool>,
-    pub(crate) leak: Option<LeakRequest>,
+    distributions: Option<bool>,
+    /// Places of the loads, by rising load.
+    pub(crate) order: Vec<usize>,
+    /// What the contact conducts, where its stiffness is asked for.
+    part: Option<(Joint, ContactModulus)>,
+    pub(crate) watch: &'a mut dyn Watch,
+    /// What the map that is solved says before.
+    pub(crate) known: Option<Map>,
     pub(crate) trouble: Option<Failure>,
     pub(crate) method: String,
-    pub(crate) level: Level,
     pub(crate) points: Vec<Option<Point>>,
     pub(crate) grid: Grid,
     /// The grid of the map as given.
-    pub(crate) given: Grid,
+    given: Grid,
     /// Spikes of the map as given, and the largest share of the load they carry on it.
-    pub(crate) spikes: Spikes,
+    spikes: Spikes,
     pub(crate) spike_share: Option<f64>,
 }
 
-impl SolvedLoads {
+impl<'a> SolvedLoads<'a> {
+    pub(crate) fn new(
+        (loads, settings): (&'a [Load], &'a Settings),
+        distributions: Option<bool>,
+        part: Option<(Joint, ContactModulus)>,
+        (grid, spikes): (Grid, Spikes),
+        watch: &'a mut dyn Watch,
+    ) -> Self {
+        Self {
+            loads,
+            settings,
+            distributions,
+            order: rising(loads),
+            part,
+            watch,
+            known: None,
+            trouble: None,
+            method: settings.method.to_string(),
+            points: loads.iter().map(|_| None).collect(),
+            grid,
+            given: grid,
+            spikes,
+            spike_share: None,
+        }
+    }
+
+    /// Every load taken.
+    fn taken(&self) -> impl Iterator<Item = &Point> {
+        self.points.iter().flatten()
+    }
+
+    fn answers(&self) -> impl Iterator<Item = &DeterministicAnswer> {
+        self.taken().filter_map(|point| point.answer.as_ref())
+    }
+
     /// Of each load taken: why its area has no uncertainty, if it has none.
     pub(crate) fn without_uncertainty(&self) -> Vec<Option<NoUncertainty>> {
-        self.points.iter().flatten().map(|point| point.without_uncertainty).collect()
-    }
-
-    /// The solutions of the loads that converged, with their budgets.
-    fn converged(&self) -> impl Iterator<Item = (&Solution, &Budget)> {
-        let converged = self.points.iter().flatten().filter(|point| point.converged);
-        converged.filter_map(|point| Some((point.solution.as_ref()?, point.budget.as_ref()?)))
-    }
-
-    /// Touching fraction and contact perimeter of each load that was solved.
-    pub(crate) fn touching(&self) -> Vec<[f64; 2]> {
-        let solved = self.points.iter().flatten().filter_map(|point| point.solution.as_ref());
-        solved.map(|s| [s.touching_fraction(), s.diagnostics.contact_perimeter]).collect()
-    }
-
-    /// Mean pressure and area fraction of each load that converged.
-    pub(crate) fn contacts(&self) -> Vec<[f64; 2]> {
-        let states = self.converged().map(|(solution, _)| &solution.state);
-        states.map(|state| [state.mean_pressure, state.area_fraction]).collect()
-    }
-
-    /// What presses at each load that converged, by rising load.
-    pub(crate) fn pressed(&self) -> Vec<Pressed> {
-        let pressed = |(solution, budget): (&Solution, &Budget)| {
-            let mean = budget.real_pressure()?.value;
-            Some(Pressed::of(solution.state.mean_pressure, mean, solution.diagnostics.max_pressure))
-        };
-        let mut all: Vec<Pressed> = self.converged().filter_map(pressed).collect();
-        all.sort_by(|a, b| a.nominal.total_cmp(&b.nominal));
-        all
-    }
-
-    /// Forgets what was taken: the loads are solved again, on `grid`.
-    pub(crate) fn begin(&mut self, grid: Grid) {
-        self.points.iter_mut().for_each(|point| *point = None);
-        self.trouble = None;
-        self.grid = grid;
+        self.taken().map(|point| point.without_uncertainty).collect()
     }
 
     /// Of each load taken: its indicator, and its area on twice the points.
     pub(crate) fn indicators(&self) -> Vec<(Option<f64>, Option<f64>)> {
-        let of = |p: &Point| (p.budget.and_then(|b| b.indicator), p.finer.map(|n| n.area));
-        self.points.iter().flatten().map(of).collect()
+        let of = |a: &DeterministicAnswer| (a.budget.indicator, a.finer.as_ref().map(|n| n.area));
+        self.taken().map(|point| point.answer.as_ref().map_or((None, None), of)).collect()
     }
 
-    /// A load by its place in the list; its maps go to `watch`. What it conducts, if that was asked for.
-    pub(crate) fn take(
-        &mut self,
-        index: usize,
-        load: Load,
-        result: Result<Answered, SolverError>,
-        known: &Map,
-        part: Option<(&Joint, ContactModulus)>,
-        watch: &mut dyn Watch,
-    ) {
-        let mut point = match &result {
-            Ok(answered) => Point::of(load, answered),
-            Err(error) => Point::of_error(load, error, known),
+    /// Touching fraction and contact perimeter of each load that was solved.
+    pub(crate) fn touching(&self) -> Vec<[f64; 2]> {
+        self.answers().map(|a| [a.touching_fraction, a.diagnostics.contact_perimeter]).collect()
+    }
+
+    /// Mean pressure and area fraction of each load that converged.
+    pub(crate) fn contacts(&self) -> Vec<[f64; 2]> {
+        let converged = self.answers().filter(|a| a.converged);
+        converged.map(|a| [a.budget.mean_pressure.value, a.area_fraction]).collect()
+    }
+
+    /// What presses at each load that converged, by rising load.
+    pub(crate) fn pressed(&self) -> Vec<Pressed> {
+        let pressed = |a: &DeterministicAnswer| {
+            let (load, mean) = (a.budget.mean_pressure.value, a.budget.real_pressure()?.value);
+            Some(Pressed::of(load, mean, a.diagnostics.max_pressure))
         };
-        let solution = match result {
-            Ok(mut answered) => {
-                if let (Some(set), Some(part)) = (&answered.set, part) {
-                    point.conducted = conducted(part, &mut point.json, set, &answered.budget);
-                }
-                point.leak = answered.leak.take().filter(|_| self.leak.is_some());
-                point.leak.iter_mut().for_each(Leaks::drop_maps);
-                point.without_uncertainty = answered.budget.area.half_width().err();
-                let share = self.spikes.share(self.given.len(), &answered.solution.pressure);
-                self.spike_share = share.into_iter().chain(self.spike_share).reduce(f64::max);
-                Some(answered.solution)
-            }
-            Err(error) => {
-                let message = format!("{}: {error}", shown(load));
-                // Above the hardness nothing was solved, which is said of itself.
-                let is_solved = !matches!(error, SolverError::AboveHardness { .. });
-                let at_rounding = matches!(error, SolverError::Rounding(_));
-                point.without_uncertainty =
-                    is_solved.then_some(NoUncertainty::NotConverged { at_rounding });
-                self.report(match &error {
-                    SolverError::NotConverged(_) => Failure::incomplete("not_converged", message),
-                    SolverError::Rounding(_) => Failure::incomplete("stopped_at_rounding", message),
-                    other => Failure::refused(&variant(other), message),
-                });
-                iterate(error)
-            }
-        };
-        if let Some(asked) = &self.leak {
-            let object = |leaks: &Leaks| contact_report::leak_point_json(asked, leaks);
-            point.json["leak"] = json!(point.leak.as_ref().map(object));
-        }
-        if let Some(mut solution) = solution {
-            if let Some(repeats) = self.distributions {
-                let (spots, _) = contact_spots(&solution.pressure, self.grid, repeats);
-                let found = Distributions::of(&solution.pressure, &solution.gap, &spots);
-                point.json["distributions"] = json!(found);
-            }
-            self.method = solution.diagnostics.method.to_string();
-            if let Err(failure) = watch.keep(index, self.grid, &mut solution) {
-                self.report(failure);
-            }
-            (solution.pressure, solution.gap) = (Vec::new(), Vec::new());
-            point.solution = Some(solution);
-        }
-        self.points[index] = Some(point);
+        let converged = self.answers().filter(|a| a.converged);
+        let mut all: Vec<Pressed> = converged.filter_map(pressed).collect();
+        all.sort_by(|a, b| a.nominal.total_cmp(&b.nominal));
+        all
     }
 
     fn report(&mut self, failure: Failure) {
@@ -145,40 +112,95 @@ impl SolvedLoads {
     }
 }
 
-/// Adds what the contact of a solution conducts to its point, if that was asked for.
-fn conducted(
-    (joint, modulus): (&Joint, ContactModulus),
-    point: &mut Value,
-    set: &SetStiffness,
-    budget: &Budget,
-) -> Option<Conducted> {
-    if !joint.is_asked() {
-        return None;
+impl Sink for SolvedLoads<'_> {
+    /// Forgets what was taken: the loads are solved again, on another grid.
+    fn begin(&mut self, map: &HeightMap, known: &Map) {
+        self.points.iter_mut().for_each(|point| *point = None);
+        (self.known, self.trouble, self.grid) = (Some(*known), None, map.grid());
+        self.watch.begin(self.grid, self.points.len());
     }
-    let found = joint.of_budget(set.per_area, budget, modulus);
-    if let Value::Object(keys) = point {
-        let of_set = match set.per_area {
-            k if k <= 0.0 => "none",
-            k if k.is_finite() => "part",
-            _ => "everything",
-        };
-        let conduction = json!({
-            "residual": set.residual, "transforms": set.transforms, "iterations": set.iterations,
+
+    fn iterated(&mut self, index: usize, now: &Iteration<'_>) -> ControlFlow<()> {
+        let place = self.order[index];
+        self.watch.iterated(place, self.loads[place], now)
+    }
+
+    /// A load by its place among the rising ones; its maps go to who watches.
+    fn take(&mut self, index: usize, mut result: Result<Answered, SolverError>) -> ControlFlow<()> {
+        let place = self.order[index];
+        let (load, settings) = (self.loads[place], self.settings);
+        let Some(known) = self.known else { return ControlFlow::Break(()) };
+        let (mut set, mut leak, mut error, mut without_uncertainty) = (None, None, None, None);
+        match &mut result {
+            Ok(answered) => {
+                (set, leak) = (answered.set.take(), answered.leak.take());
+                leak.iter_mut().for_each(Leaks::drop_maps);
+                let share = self.spikes.share(self.given.len(), &answered.solution.pressure);
+                self.spike_share = share.into_iter().chain(self.spike_share).reduce(f64::max);
+            }
+            Err(e) => {
+                error = Some(json!({ "kind": variant(e), "message": e.to_string() }));
+                // Above the hardness nothing was solved, which is said of itself.
+                let is_solved = !matches!(e, SolverError::AboveHardness { .. });
+                let at_rounding = matches!(e, SolverError::Rounding(_));
+                without_uncertainty =
+                    is_solved.then_some(NoUncertainty::NotConverged { at_rounding });
+                let message = format!("{}: {e}", shown(load));
+                self.report(match e {
+                    SolverError::NotConverged(_) => Failure::incomplete("not_converged", message),
+                    SolverError::Rounding(_) => Failure::incomplete("stopped_at_rounding", message),
+                    other => Failure::refused(&variant(other), message),
+                });
+            }
+        }
+        let materials = spreads(&settings.materials);
+        let (answer, solution) = DeterministicAnswer::of(result, materials, &known).unzip();
+        let mut json = object(load, answer.as_ref(), error);
+        if let Some(answer) = answer.as_ref().filter(|a| a.converged) {
+            without_uncertainty = answer.budget.area.half_width().err();
+        }
+        let asked = self.part.as_ref().filter(|(joint, _)| joint.is_asked());
+        let conducted = set.zip(asked).zip(answer.as_ref());
+        let conducted = conducted.map(|((set, (joint, modulus)), answer)| {
+            let found = joint.of_budget(set.per_area, &answer.budget, *modulus);
+            extend(&mut json, conduction_keys(&set, &found));
+            found
         });
-        let stiffness = Some(set.per_area).filter(|k| k.is_finite());
-        keys.extend(contact_report::conducted_keys(&found));
-        keys.insert("stiffness".into(), json!(stiffness));
-        keys.insert("contact_set".into(), json!(of_set));
-        keys.insert("conduction".into(), conduction);
+        if let Some(asked) = &settings.leak {
+            let object = |leaks: &Leaks| contact_report::leak_point_json(asked, leaks);
+            json["leak"] = json!(leak.as_ref().map(object));
+        }
+        if let Some(mut solution) = solution {
+            if let Some(repeats) = self.distributions {
+                let (spots, _) = contact_spots(&solution.pressure, self.grid, repeats);
+                let found = Distributions::of(&solution.pressure, &solution.gap, &spots);
+                json["distributions"] = json!(found);
+            }
+            self.method = solution.diagnostics.method.to_string();
+            if let Err(failure) = self.watch.keep(place, self.grid, &mut solution) {
+                self.report(failure);
+            }
+        }
+        let point = Point { load, json, force: None, answer, without_uncertainty, conducted, leak };
+        self.points[place] = Some(point);
+        self.watch.done(place, load);
+        ControlFlow::Continue(())
     }
-    Some(found)
 }
 
-fn iterate(error: SolverError) -> Option<Solution> {
-    match error {
-        SolverError::NotConverged(reached)
-        | SolverError::Rounding(reached)
-        | SolverError::Stopped(reached) => Some(*reached),
-        _ => None,
-    }
+/// What the contact set of a solution conducts.
+fn conduction_keys(set: &SetStiffness, found: &Conducted) -> serde_json::Map<String, Value> {
+    let of_set = match set.per_area {
+        k if k <= 0.0 => "none",
+        k if k.is_finite() => "part",
+        _ => "everything",
+    };
+    let mut keys = contact_report::conducted_keys(found);
+    keys.insert("stiffness".into(), json!(Some(set.per_area).filter(|k| k.is_finite())));
+    keys.insert("contact_set".into(), json!(of_set));
+    let solved = json!({
+        "residual": set.residual, "transforms": set.transforms, "iterations": set.iterations,
+    });
+    keys.insert("conduction".into(), solved);
+    keys
 }

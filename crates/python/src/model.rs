@@ -8,7 +8,7 @@ use contact_compare::{
     Surface, Theory,
 };
 use contact_front_end::Failure;
-use contact_front_end::model::{ModelLoad, ModelSubject, failure};
+use contact_front_end::model::{ModelLoads, ModelSubject, failure};
 use contact_front_end::typed;
 use numpy::{PyArray1, PyReadonlyArray1, PyReadonlyArray2};
 use pyo3::prelude::*;
@@ -118,9 +118,10 @@ impl ModelArguments {
         theory: &dyn Theory,
         subject: ModelSubject,
     ) -> Result<ModelAnswer, Failure> {
-        let pressures = self.pressures.iter().flatten().map(|&p| ModelLoad::Pressure(p));
-        let separations = self.separations.iter().flatten().map(|&d| ModelLoad::Separation(d));
-        let questions: Vec<ModelLoad> = pressures.chain(separations).collect();
+        let pressures = self.pressures.clone().unwrap_or_default();
+        let separations = self.separations.clone().filter(|_| pressures.is_empty());
+        let questions =
+            separations.map_or(ModelLoads::Pressures(pressures), ModelLoads::Separations);
         self.joint.check().map_err(|e| Failure::from(&e))?;
         let mut found = subject.ask(theory, &self.joint, &questions, None, [WAY_OUT; 2])?;
         found.json["bodies"] = contact_report::bodies_json(found.pair.as_ref(), &self.bodies);

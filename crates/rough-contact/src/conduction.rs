@@ -178,25 +178,30 @@ pub(crate) fn first_headings(asked: &Joint, has_area: bool) -> Vec<&'static str>
     each.flat_map(|(_, name)| [name].into_iter().chain(spot)).collect()
 }
 
-/// What is said first of a load: the resistances of the part, and of one spot; dashes where nothing was found.
-pub(crate) fn first_cells(found: Option<&Conducted>, asked: &Joint, has_area: bool) -> Vec<String> {
-    let Some(found) = found else {
-        return vec!["–".to_owned(); first_headings(asked, has_area).len()];
-    };
-    let has_spot = asked.hardness.is_some();
+/// What stands under the heading of this place: a resistance of the part, or of one spot; a dash where nothing was found.
+pub(crate) fn first_cell(found: Option<&Conducted>, asked: &Joint, place: usize) -> String {
+    let Some(found) = found else { return "–".to_owned() };
     let of = |(_, value, spot): (_, String, Option<String>)| {
-        let spot = has_spot.then(|| text::or_dash(spot, |spot| spot));
-        [Some(value), spot].into_iter().flatten().map(|t| text::plain(&t)).collect::<Vec<_>>()
+        let spot = asked.hardness.map(|_| text::or_dash(spot, |spot| spot));
+        [Some(value), spot].into_iter().flatten()
     };
-    report::resistances(found).into_iter().flat_map(of).collect()
+    let cell = report::resistances(found).into_iter().flat_map(of).nth(place);
+    cell.map_or_else(String::new, |cell| text::plain(&cell))
 }
 
-/// Headings of the conductances per nominal area.
-pub(crate) fn headings(asked: &Joint) -> Vec<&'static str> {
-    let electrical = asked.resistivities.map(|_| "electrical");
-    let thermal = asked.conductivities.map(|_| "thermal");
-    let gas = asked.gas.map(|_| ["gas", "joint"]);
-    electrical.into_iter().chain(thermal).chain(gas.into_iter().flatten()).collect()
+/// A conductance of a joint by its heading, with its unit.
+type Column = (&'static str, fn(&Conducted) -> Option<Conductance>, &'static str);
+
+/// Conductances per nominal area that are asked for.
+pub(crate) fn columns(asked: &Joint) -> Vec<Column> {
+    let (current, heat) = (asked.resistivities.is_some(), asked.conductivities.is_some());
+    let all: [(bool, Column); 4] = [
+        (current, ("electrical", |c| c.electrical, "S/m²")),
+        (heat, ("thermal", |c| c.thermal, "W/m²/K")),
+        (asked.gas.is_some(), ("gas", |c| c.gas, "W/m²/K")),
+        (asked.gas.is_some(), ("joint", |c| c.joint, "W/m²/K")),
+    ];
+    all.into_iter().filter(|(is_asked, _)| *is_asked).map(|(_, column)| column).collect()
 }
 
 /// What must be known about the numbers, at these mean gaps (m).
@@ -213,23 +218,13 @@ pub(crate) fn line(asked: &Joint, gaps: &[f64]) -> String {
     .to_owned()
 }
 
-/// Conductances per nominal area, with what is stated of them.
-pub(crate) fn cells(found: &Conducted) -> Vec<String> {
-    let each = [
-        (found.electrical, "S/m²"),
-        (found.thermal, "W/m²/K"),
-        (found.gas, "W/m²/K"),
-        (found.joint, "W/m²/K"),
-    ];
-    let per_area = |(h, unit): (Option<Conductance>, &str)| {
-        let h = h?;
-        let stated = h.estimate.as_ref().and_then(Estimate::stated);
-        let is_finite = h.value.is_finite();
-        let value = if is_finite { format!("{:.3e} {unit}", h.value) } else { "∞".to_owned() };
-        Some(match text::relative(h.value, stated, |v| format!("{v:.2e}")) {
-            dash if dash == "–" => value,
-            bar => format!("{value} {bar}"),
-        })
-    };
-    each.into_iter().filter_map(per_area).collect()
+/// A conductance, with what is stated of it.
+pub(crate) fn cell(found: Option<Conductance>, unit: &str) -> String {
+    let Some(h) = found else { return "–".to_owned() };
+    if !h.value.is_finite() {
+        return "∞".to_owned();
+    }
+    let stated = h.estimate.as_ref().and_then(Estimate::stated);
+    let bar = text::relative(h.value, stated, |v| format!("{v:.2e}"));
+    format!("{:.3e} {unit} {bar}", h.value).trim_end_matches(" –").to_owned()
 }

@@ -85,15 +85,9 @@ impl FieldOptions {
         files
     }
 
-    /// True if the gap has to be kept.
-    pub(crate) fn needs_gap(&self) -> bool {
-        let needs = |f: &Field| matches!(f, Field::Gap | Field::Displacement);
-        self.maps.is_some() && self.asked.iter().any(needs)
-    }
-
-    /// True if the heights are needed, which a chosen grid does not have.
-    pub(crate) fn needs_heights(&self) -> bool {
-        let needs = |f: &Field| matches!(f, Field::Heights | Field::Displacement);
+    /// True if this field is needed: itself, or for the displacement.
+    pub(crate) fn needs(&self, field: Field) -> bool {
+        let needs = |f: &Field| *f == field || *f == Field::Displacement;
         self.maps.is_some() && self.asked.iter().any(needs)
     }
 }

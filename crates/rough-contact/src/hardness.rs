@@ -7,8 +7,6 @@ use rough_contact::surface_stats::SurfaceStatistics;
 use serde_json::{Value, json};
 use std::fmt::Write as _;
 
-pub(crate) const HEADINGS: [&str; 2] = ["area at H", "load at H"];
-
 /// What stands below the table; `highest` is the largest mean pressure that was solved for (Pa).
 pub(crate) fn lines(given: Hardness, highest: f64) -> String {
     let mut out = format!("hardness {}", text::pressure(given.pascals));

@@ -63,7 +63,7 @@ impl PerFile for Info {
                 let Some((measurement, missing)) = self.reading.raw(file) else {
                     return Err(failure);
                 };
-                let (text, json) = (raw_text(&measurement, &missing), raw(&measurement, &missing));
+                let (text, json) = raw(&measurement, &missing);
                 Ok(Reply { text, json, trouble: Some(failure) })
             }
         }
@@ -71,58 +71,57 @@ impl PerFile for Info {
 }
 
 /// A file without units: points, and its numbers as they stand there.
-fn raw(m: &Measurement, missing: &[Need]) -> Value {
+fn raw(m: &Measurement, missing: &[Need]) -> (String, Value) {
     let heights = m.height_summary().filter(|_| missing.contains(&Need::HeightUnit));
-    json!({
+    let json = json!({
         "format": m.format,
         "shape": m.grid().shape(),
         "missing": m.missing(),
         "raw_height_min": heights.map(|s| s.0),
         "raw_height_max": heights.map(|s| s.1),
         "raw_height_mean": heights.map(|s| s.2),
-    })
-}
-
-fn raw_text(m: &Measurement, missing: &[Need]) -> String {
-    let [ny, nx] = m.grid().shape();
-    let mut table = TwoColumns::default();
-    table.row("format", m.format);
-    table.row("points", format!("{ny} rows × {nx} columns"));
+    });
+    let mut table = begun(m);
     if m.missing() > 0 {
         table.row("missing points", m.missing().to_string());
     }
-    if let Some((low, high, mean)) = m.height_summary() {
-        if missing.contains(&Need::HeightUnit) {
-            let range = format!("{} to {}", text::digits(low), text::digits(high));
-            table.row("heights", format!("{range}, unit unknown"));
-            table.row("mean height", format!("{}, unit unknown", text::digits(mean)));
-        } else {
-            table.row("heights", text::length_range(low, high));
-            table.row("mean height", text::length(mean));
-        }
+    if let Some((low, high, mean)) = heights {
+        let [low, high, mean] = [low, high, mean].map(text::digits);
+        table.row("heights", format!("{low} to {high}, unit unknown"));
+        table.row("mean height", format!("{mean}, unit unknown"));
+    } else {
+        heights_in(&mut table, m);
     }
-    table.to_string()
+    (table.to_string(), json)
 }
 
-fn describe(m: &Measurement) -> String {
+fn begun(m: &Measurement) -> TwoColumns {
     let [ny, nx] = m.grid().shape();
-    let [dy, dx] = m.grid().pixel();
-    let [ly, lx] = m.grid().size();
-    let points = (ny * nx) as f64;
     let mut table = TwoColumns::default();
     table.row("format", m.format);
     table.row("points", format!("{ny} rows × {nx} columns"));
-    table.row("pixel", format!("{} × {} (dy × dx)", text::length(dy), text::length(dx)));
-    table.row("size", format!("{} × {}", text::length(ly), text::length(lx)));
-    let missing = match m.missing() {
-        0 => "none".to_owned(),
-        n => format!("{n} ({:.2} %)", 100.0 * n as f64 / points),
-    };
-    table.row("missing points", missing);
+    table
+}
+
+fn heights_in(table: &mut TwoColumns, m: &Measurement) {
     if let Some((low, high, mean)) = m.height_summary() {
         table.row("heights", text::length_range(low, high));
         table.row("mean height", text::length(mean));
     }
+}
+
+fn describe(m: &Measurement) -> String {
+    let [dy, dx] = m.grid().pixel();
+    let [ly, lx] = m.grid().size();
+    let mut table = begun(m);
+    table.row("pixel", format!("{} × {} (dy × dx)", text::length(dy), text::length(dx)));
+    table.row("size", format!("{} × {}", text::length(ly), text::length(lx)));
+    let missing = match m.missing() {
+        0 => "none".to_owned(),
+        n => format!("{n} ({:.2} %)", 100.0 * n as f64 / m.grid().len() as f64),
+    };
+    table.row("missing points", missing);
+    heights_in(&mut table, m);
     if m.is_profile() {
         table.row("note", "a single line of points: a profile, not a surface");
         let traces = m.channels.iter().filter(|c| c.is_trace).count();

@@ -13,13 +13,13 @@ use crate::text::{self, Columns};
 use crate::units::Dimension::{Force, Length, Pressure};
 use clap::Args;
 use multiscale_models::Persson;
-use rough_contact::compare::survey::SIMILAR;
+use rough_contact::compare::survey::{ErrorRange, SIMILAR};
 use rough_contact::compare::{Card, Conducted, Input, Inputs, Joint, PairOrigin, Theory, built_in};
-use rough_contact::contact_types::{Citation, ContactModulus, ContactState, Named};
+use rough_contact::contact_types::{Citation, ContactModulus, Named};
 use rough_contact::front_end::Subject;
 use rough_contact::front_end::bodies::Bodies;
 use rough_contact::front_end::model::{
-    self, ModelLoad, ModelPoint, ModelReply, ModelSubject, Said,
+    self, ModelLoads, ModelPoint, ModelReply, ModelSubject, Said,
 };
 use rough_contact::{compare, report};
 use serde_json::json;
@@ -183,17 +183,15 @@ impl Model {
     }
 
     /// What is asked, of a surface of this area if it is known.
-    fn questions(&self, area: Option<f64>) -> Result<(Vec<ModelLoad>, Option<Spread>), Failure> {
+    fn questions(&self, area: Option<f64>) -> Result<(ModelLoads, Option<Spread>), Failure> {
         if let Some(List(forces)) = &self.load {
             let spread = loads::spread(forces, self.source.one(Input::Area), area)?;
-            let pressures = spread.pressures.iter().map(|&p| ModelLoad::Pressure(p));
-            return Ok((pressures.collect(), Some(spread)));
+            return Ok((ModelLoads::Pressures(spread.pressures.clone()), Some(spread)));
         }
-        let pressures = self.pressure.iter().flat_map(|List(all)| all);
-        let pressures = pressures.map(|&p| ModelLoad::Pressure(p));
-        let separations = self.separation.iter().flat_map(|List(all)| all);
-        let separations = separations.map(|&d| ModelLoad::Separation(d));
-        Ok((pressures.chain(separations).collect(), None))
+        let all = |list: &Option<List>| list.as_ref().map(|List(all)| all.clone());
+        let separations = all(&self.separation).map(ModelLoads::Separations);
+        let pressures = || ModelLoads::Pressures(all(&self.pressure).unwrap_or_default());
+        Ok((separations.unwrap_or_else(pressures), None))
     }
 }
 
@@ -207,47 +205,61 @@ fn add_bodies(reply: &mut Reply, made_of: Bodies, pair: Option<&PairOrigin>, is_
     }
 }
 
+/// What the theory says of a point.
+fn said(point: &ModelPoint) -> Option<&Said> {
+    point.answer.as_ref().ok()
+}
+
 /// The table, and what must be known of it.
 fn describe(card: &Card, found: &ModelReply, joint: &Joint, spread: Option<&Spread>) -> String {
     let (points, inputs) = (&found.points, &found.inputs);
-    let said = || points.iter().filter_map(|point| point.answer.as_ref().ok());
-    let mut headings = if spread.is_some() { vec!["load"] } else { Vec::new() };
-    headings.extend(conduction::first_headings(joint, joint.area.is_some()));
+    let any = |of: fn(&Said) -> bool| points.iter().filter_map(said).any(of);
+    let mut columns = Columns::default();
+    let mut add = |heading: &str, cell: &dyn Fn(&ModelPoint) -> String| {
+        columns.column(heading, points.iter().map(cell));
+    };
+    if spread.is_some() {
+        add("load", &|p| text::or_dash(p.force, text::force));
+    }
+    // Of a correlation its fit, and what it is a fit of.
+    let conducted = |p: &ModelPoint, k: usize| Some(said(p)?.conducted?[k]);
+    let first = conduction::first_headings(joint, joint.area.is_some());
+    for (k, heading) in first.into_iter().enumerate() {
+        add(heading, &|p| conduction::first_cell(conducted(p, 0).as_ref(), joint, k));
+    }
+    let (pressure, length) =
+        (|x| text::or_dash(x, text::pressure), |x| text::or_dash(x, text::length));
+    let area = |said: &Said| text::percent(said.state.area_fraction);
+    add("mean pressure", &|p| pressure(p.mean_pressure));
+    add("area", &|p| said(p).map_or_else(|| "refused".to_owned(), area));
     // A theory that knows its own error says it.
-    let has_bar = said().any(|said| said.area_interval.is_some());
-    headings.extend(["mean pressure", "area"]);
-    headings.extend(has_bar.then_some("for 95 of 100"));
-    headings.extend(["real pressure", "separation", "mean gap"]);
-    let surveyed = said().any(|said| said.survey.is_some());
-    headings.extend(surveyed.then_some("error"));
-    let per_area = conduction::headings(joint);
-    headings.extend(&per_area);
-    // Of correlations what they are fits of, too.
-    let exact = |said: &Said| said.conducted.is_some_and(|[fit, exact]| fit != exact);
-    let is_fit = said().any(exact);
-    headings.extend(if is_fit { &["exact"][..] } else { &[] });
-    let mut columns = Columns::new(&headings);
+    if any(|said| said.area_interval.is_some()) {
+        let ends = |[a, b]: [f64; 2]| format!("{} to {}", text::percent(a), text::percent(b));
+        add("for 95 of 100", &|p| text::or_dash(said(p).and_then(|s| s.area_interval), ends));
+    }
+    add("real pressure", &|p| pressure(said(p).and_then(|s| s.state.real_pressure())));
+    add("separation", &|p| length(p.separation));
+    add("mean gap", &|p| length(said(p).and_then(|s| s.state.mean_gap)));
+    let surveyed = any(|said| said.survey.is_some());
+    if surveyed {
+        let range = |e: ErrorRange| report::numbers::signed_range(e.low, e.high);
+        add("error", &|p| text::or_dash(said(p).and_then(|s| s.survey), range));
+    }
+    for (heading, of, unit) in conduction::columns(joint) {
+        add(heading, &|p| conduction::cell(conducted(p, 0).as_ref().and_then(of), unit));
+    }
+    if any(|said| said.conducted.is_some_and(|[fit, exact]| fit != exact)) {
+        let columns = conduction::columns(&Joint { gas: None, ..*joint });
+        let cells = |exact: Conducted| {
+            let cells = columns.iter().map(|(_, of, unit)| conduction::cell(of(&exact), unit));
+            cells.collect::<Vec<_>>().join(", ")
+        };
+        add("exact", &|p| text::or_dash(conducted(p, 1), cells));
+    }
     let mut notes: Vec<String> = Vec::new();
     // The first refusal is said on standard error.
     let told = points.iter().find_map(|point| point.answer.as_ref().err());
     for point in points {
-        let said = point.answer.as_ref().ok();
-        let error = surveyed.then(|| survey(said));
-        let conducted = said.and_then(|said| said.conducted);
-        let fit = conducted.as_ref().map(|[fit, _]| fit);
-        let first = conduction::first_cells(fit, joint, joint.area.is_some());
-        let last = match conducted {
-            Some([fit, exact]) => {
-                let mut last = conduction::cells(&fit);
-                let exact = Conducted { gas: None, joint: None, ..exact };
-                last.extend(is_fit.then(|| conduction::cells(&exact).join(", ")));
-                last
-            }
-            None => vec!["–".to_owned(); per_area.len() + usize::from(is_fit)],
-        };
-        let force = point.force.map(text::force).into_iter();
-        let row = force.chain(first).chain(cells(point, has_bar));
-        columns.row(row.chain(error).chain(last));
         let note = match &point.answer {
             Ok(said) => said.state.caveat.as_ref().map(|caveat| format!("caution: {caveat}")),
             Err(error) if Some(error) == told => None,
@@ -272,38 +284,13 @@ fn describe(card: &Card, found: &ModelReply, joint: &Joint, spread: Option<&Spre
         let whose = whose.iter().find(|(g, _)| (g - gamma).abs() < 1e-12).map_or("", |w| w.1);
         let _ = writeln!(text, "mean gap with γ = {}{whose}", text::number(gamma));
     }
-    let gaps: Vec<f64> = said().filter_map(|s| s.state.mean_gap.or(s.state.separation)).collect();
+    let gap = |p| said(p).and_then(|s| s.state.mean_gap.or(s.state.separation));
+    let gaps: Vec<f64> = points.iter().filter_map(gap).collect();
     text += &conduction::line(joint, &gaps);
     for note in notes {
         let _ = writeln!(text, "{note}");
     }
     text + &spread.map_or_else(String::new, loads::carried)
-}
-
-/// The range of errors of the theory where there is no map.
-fn survey(said: Option<&Said>) -> String {
-    let range = said.and_then(|said| said.survey);
-    text::or_dash(range, |e| report::numbers::signed_range(e.low, e.high))
-}
-
-fn cells(point: &ModelPoint, has_bar: bool) -> Vec<String> {
-    let (pressure, length) =
-        (|x| text::or_dash(x, text::pressure), |x| text::or_dash(x, text::length));
-    let said = point.answer.as_ref().ok();
-    let state = said.map(|said| &said.state);
-    let mut cells = vec![
-        pressure(point.mean_pressure),
-        state.map_or_else(|| "refused".to_owned(), |s| text::percent(s.area_fraction)),
-        pressure(state.and_then(ContactState::real_pressure)),
-        length(point.separation),
-        length(state.and_then(|s| s.mean_gap)),
-    ];
-    if has_bar {
-        let bar = said.and_then(|said| said.area_interval);
-        let ends = |[a, b]: [f64; 2]| format!("{} to {}", text::percent(a), text::percent(b));
-        cells.insert(2, text::or_dash(bar, ends));
-    }
-    cells
 }
 
 fn cited(c: &Citation) -> String {

@@ -48,24 +48,20 @@ pub(crate) fn reading(ambiguity: Ambiguity) -> String {
 }
 
 fn options(needs: &[Need]) -> String {
-    let missing: Vec<&str> = needs.iter().filter_map(|need| scale(*need)).collect();
-    if missing.is_empty() {
+    let is_scale =
+        |need: &&Need| matches!(need, Need::PixelSize | Need::LateralUnit | Need::HeightUnit);
+    let scales: Vec<&str> = needs.iter().filter(is_scale).map(|need| option(*need)).collect();
+    if scales.is_empty() {
         return needs.iter().map(|need| option(*need)).collect::<Vec<_>>().join("; ");
     }
-    format!("add {}", missing.join(" and "))
-}
-
-fn scale(need: Need) -> Option<&'static str> {
-    match need {
-        Need::PixelSize => Some("--pixel DX[,DY]"),
-        Need::LateralUnit => Some("--lateral-unit U"),
-        Need::HeightUnit => Some("--height-unit U"),
-        _ => None,
-    }
+    format!("add {}", scales.join(" and "))
 }
 
 fn option(need: Need) -> &'static str {
     match need {
+        Need::PixelSize => "--pixel DX[,DY]",
+        Need::LateralUnit => "--lateral-unit U",
+        Need::HeightUnit => "--height-unit U",
         Need::Channel => "choose one with --channel NAME",
         Need::Layout(Layout::Matrix) => "if they are heights, give --layout matrix",
         Need::Layout(Layout::List) => "if they are coordinates, give --layout list",
@@ -79,6 +75,6 @@ fn option(need: Need) -> &'static str {
             "fill them with --fill harmonic or --fill nearest, or cut out the largest complete \
              part with --crop complete"
         }
-        other => scale(other).unwrap_or_default(),
+        _ => "",
     }
 }

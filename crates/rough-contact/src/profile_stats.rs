@@ -3,6 +3,7 @@
 use crate::outcome::{Failure, Reply};
 use crate::profiles::uneven_line;
 use crate::text::{self, Columns, TwoColumns, plain};
+use rough_contact::SpectralMoments;
 use rough_contact::compare::{Level, ProfileSurface};
 use rough_contact::surface_stats::profile::ProfileStatistics;
 use rough_contact::{front_end, report};
@@ -41,7 +42,8 @@ fn describe(s: &ProfileStatistics, missing: usize) -> String {
     t.row("m0", between(0, format!("{:.4e} m²", m.m0)));
     t.row("m2", between(1, format!("{:.4e}", m.m2)));
     t.row("m4", between(2, format!("{:.4e} m⁻²", m.m4)));
-    t.row("m0, m2, m4 spectral", text::moments(s.spectral.m0, s.spectral.m2, s.spectral.m4));
+    let SpectralMoments { m0, m2, m4 } = s.spectral;
+    t.row("m0, m2, m4 spectral", format!("{m0:.4e} m², {m2:.4e}, {m4:.4e} m⁻²"));
     if let Some([m2, m4]) = s.seen {
         let seen = format!("{} of m2, {} of m4", text::percent(m2), text::percent(m4));
         t.row("seen by differences", seen);

@@ -3,10 +3,10 @@
 use crate::against::{self, Against};
 use crate::args::{self, CommonOptions};
 use crate::batch::{self, PerFile};
-use crate::cells::{cells, notes};
+use crate::cells::{notes, table};
 use crate::conduction;
 use crate::contact::ContactOptions;
-use crate::fields::{FieldFolder, FieldOptions};
+use crate::fields::{Field, FieldFolder, FieldOptions};
 use crate::files::folder_name;
 use crate::hardness;
 use crate::input::{InputFiles, One};
@@ -16,7 +16,7 @@ use crate::outcome::{Failure, Reply, unfit};
 use crate::profiles;
 use crate::progress::ProgressDisplay;
 use crate::rows::{How, Shown};
-use crate::text::{self, Columns};
+use crate::text;
 use clap::Args;
 use rough_contact::compare::{EdgesName, Joint, Origin, Settings, Surface, on_threads};
 use rough_contact::contact_types::{Grid, HeightMap, Named};
@@ -133,7 +133,7 @@ impl PerFile for Solve {
             return Err(Failure::refused("combination", FREE_MIRRORED));
         }
         let repeats = !is_free && !mirrored;
-        if self.contact.chooses_grid() && self.fields.needs_heights() {
+        if self.contact.chooses_grid() && self.fields.needs(Field::Heights) {
             return Err(Failure::refused("combination", CHOSEN_GRID));
         }
         let surface = self.section(&settings)?;
@@ -148,13 +148,14 @@ impl PerFile for Solve {
             certify: self.certify,
             stiffness: self.stiffness,
             distributions: self.distributions,
-            keep_gap: self.fields.needs_gap(),
+            keep_gap: self.fields.needs(Field::Gap),
         };
         let origin = surface.origin.clone();
         let (path, cleaned) = (&self.input.file, origin.cleaned().to_vec());
         let subject = Subject { path, surface, cleaned, fill: self.input.how.reading.fill.name() };
         let progress = ProgressDisplay::new(common.quiet, question.loads.len());
-        let mut terminal = Terminal { progress, maps, needs_heights: self.fields.needs_heights() };
+        let mut terminal =
+            Terminal { progress, maps, needs_heights: self.fields.needs(Field::Heights) };
         let solve = || question.solve(subject, &mut None, &mut terminal);
         let answer = on_threads(common.threads(), solve)?;
         drop(terminal);
@@ -260,46 +261,15 @@ impl Solve {
     fn reply(&self, answer: SolveResult, question: &SolveRequest, origin: &Origin) -> Reply {
         let settings = &question.settings;
         let spread = question.spread.as_ref();
-        let mut headings = if spread.is_some() { vec!["load"] } else { Vec::new() };
-        let joint = settings.joint();
-        headings.extend(conduction::first_headings(&joint, true));
-        headings.push("mean pressure");
-        if self.loads.gap.is_some() {
-            headings.push("±"); // the load is an answer too
-        }
-        headings.extend([
-            "touching",
-            "area",
-            "±",
-            "± surface",
-            "mean gap",
-            "real pressure",
-            "highest",
-            "convolutions",
-            "residual",
-            "time",
-        ]);
+        let (joint, yields) = (settings.joint(), answer.hardness.is_some());
         let has_stiffness = self.stiffness || joint.is_asked();
-        if has_stiffness {
-            headings.push("stiffness");
-        }
-        if answer.hardness.is_some() {
-            headings.extend(hardness::HEADINGS);
-        }
-        headings.extend(conduction::headings(&joint));
-        let mut columns = Columns::new(&headings);
-        for point in &answer.points {
-            let mut cells = cells(point, &joint, has_stiffness);
-            if spread.is_some() {
-                cells.insert(0, point.force.map_or_else(|| "–".to_owned(), text::force));
-            }
-            columns.row(cells);
-        }
-        let gap = |p: &Point| p.solution.as_ref()?.state.mean_gap;
+        let shown = [spread.is_some(), self.loads.gap.is_some(), has_stiffness, yields];
+        let columns = table(&answer.points, &joint, shown);
+        let gap = |p: &Point| p.answer.as_ref()?.mean_gap;
         let gaps: Vec<f64> = answer.points.iter().filter_map(gap).collect();
-        let solved = |p: &'_ Point| Some(p.solution.as_ref()?.state.mean_pressure);
+        let solved = |p: &'_ Point| Some(p.answer.as_ref()?.budget.mean_pressure.value);
         let leaks = answer.points.iter().filter_map(|p| Some((solved(p)?, p.leak.as_ref()?)));
-        let (modulus, yields) = (settings.modulus, answer.hardness.is_some());
+        let modulus = settings.modulus;
         let part = Joint { area: answer.json["nominal_area"].as_f64(), ..joint };
         let mut text = [
             text::cleaning(origin.cleaned()),

@@ -123,7 +123,7 @@ impl PerFile for Stats {
         let subject = Subject { path, surface, cleaned, fill: self.input.how.reading.fill.name() };
         let found = front_end::statistics(&subject, &request)?;
         let mut text = text::cleaning(&subject.cleaned)
-            + &text::all_findings(&found.findings)
+            + &found.findings.iter().map(text::finding_line).collect::<String>()
             + &self.describe(&found.statistics);
         text += &against::lines(subject.surface.origin.pair(), None);
         if let Some(iso) = &found.iso {

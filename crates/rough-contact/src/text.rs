@@ -40,7 +40,7 @@ impl fmt::Display for TwoColumns {
 
 /// One line for each step of cleaning; nothing if there was none.
 pub(crate) fn cleaning(records: &[Record]) -> String {
-    records.iter().map(|record| format!("cleaned: {record}\n")).collect::<Vec<_>>().concat()
+    records.iter().map(|record| format!("cleaned: {record}\n")).collect()
 }
 
 pub(crate) const MOMENTS: &str = "moments of the models: finite differences\n";
@@ -65,7 +65,7 @@ pub(crate) fn findings(found: &[Finding]) -> String {
     let asked = |f: &&&Finding| matches!(f.fact, Fact::Adhesion(_));
     let shown: Vec<&&Finding> =
         open.iter().take(MOST).chain(open.iter().skip(MOST).filter(asked)).collect();
-    let text = shown.iter().map(|f| finding_line(f)).collect::<Vec<_>>().concat();
+    let text: String = shown.iter().map(|f| finding_line(f)).collect();
     match open.len() - shown.len() {
         0 => text,
         more => format!("{text}and {more} more: --json has all findings\n"),
@@ -78,11 +78,7 @@ pub(crate) fn materials(used: &[MaterialUse]) -> String {
     used.iter().map(line).collect()
 }
 
-pub(crate) fn all_findings(found: &[Finding]) -> String {
-    found.iter().map(finding_line).collect::<Vec<_>>().concat()
-}
-
-fn finding_line(finding: &Finding) -> String {
+pub(crate) fn finding_line(finding: &Finding) -> String {
     let [claim, text] = report::finding(finding);
     let line = format!("{}: {claim} {text}", finding.weight.name());
     format!("{}\n", plain(&line).trim_end())
@@ -133,10 +129,6 @@ pub(crate) fn relative(
     }
 }
 
-pub(crate) fn moments(m0: f64, m2: f64, m4: f64) -> String {
-    format!("{m0:.4e} m², {m2:.4e}, {m4:.4e} m⁻²")
-}
-
 pub(crate) fn digits(value: f64) -> String {
     significant(value, 3)
 }
@@ -146,6 +138,7 @@ pub(crate) fn number(value: f64) -> String {
 }
 
 /// Columns of equal width under a header; the first is left-aligned, the others are not.
+#[derive(Default)]
 pub(crate) struct Columns {
     rows: Vec<Vec<String>>,
 }
@@ -157,6 +150,15 @@ impl Columns {
 
     pub(crate) fn row(&mut self, cells: impl IntoIterator<Item = String>) {
         self.rows.push(cells.into_iter().collect());
+    }
+
+    /// A column of `cells`, one in each row, right of those that are there.
+    pub(crate) fn column(&mut self, heading: &str, cells: impl IntoIterator<Item = String>) {
+        let column = [heading.to_owned()].into_iter().chain(cells);
+        for (row, cell) in column.enumerate() {
+            self.rows.resize_with(self.rows.len().max(row + 1), Vec::new);
+            self.rows[row].push(cell);
+        }
     }
 
     /// A line across all columns.
