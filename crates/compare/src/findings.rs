@@ -80,13 +80,7 @@ pub fn measured(
     pair: Option<&PairOrigin>,
     adhesion: Option<Adhesion>,
 ) -> Vec<Finding> {
-    let scene = Scene {
-        gradient: Some(s.rms_gradient),
-        rms_height: Some(s.rms_height),
-        radius: s.asperities.map(|a| a.radius),
-        ..Scene::default()
-    };
-    let mut found = scene.findings();
+    let mut found = Scene::of_map(s).findings();
     found.extend(spiky(spikes, None));
     found.extend(s.warnings.iter().copied().map(Finding::warned));
     found.extend(pair.map(of_pair).into_iter().flatten());
@@ -134,16 +128,8 @@ fn scene(surface: &SurfaceComparison) -> Scene {
         let mean = answer.budget.real_pressure()?.value;
         Some(Pressed::of(p.mean_pressure, mean, answer.diagnostics.max_pressure))
     });
-    let s = &surface.statistics;
-    Scene {
-        modulus: surface.inputs.modulus.pascals(),
-        hardness: None, // with one no pressure is beyond it
-        gradient: Some(s.rms_gradient),
-        rms_height: Some(s.rms_height),
-        radius: s.asperities.map(|a| a.radius),
-        pressed: answers.collect(),
-        ..Scene::default() // the statistics say the rest
-    }
+    let (modulus, pressed) = (surface.inputs.modulus.pascals(), answers.collect());
+    Scene { modulus, pressed, ..Scene::of_map(&surface.statistics) }
 }
 
 /// What is known of loads that were solved on one map, without a study.

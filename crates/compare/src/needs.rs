@@ -173,7 +173,7 @@ impl Input {
 }
 
 /// Inputs that together make a model.
-#[derive(Debug, Clone, PartialEq, Eq, Serialize, Deserialize)]
+#[derive(Debug, Clone, PartialEq, Eq, Serialize)]
 pub struct InputSet {
     /// All of these.
     pub required: Vec<Input>,
@@ -211,7 +211,7 @@ pub(crate) fn in_words(sets: &[InputSet]) -> String {
 }
 
 /// What a map must be read for, beside the moments, before the model can be made from it.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Default, Serialize, Deserialize)]
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default, Serialize)]
 #[serde(rename_all = "snake_case")]
 pub enum OfMap {
     /// Nothing, or the model is not made from a map.

@@ -11,7 +11,7 @@ use crate::study::{check_models, check_pressures, headline, loads, nearest};
 use crate::theory::Theory;
 use crate::verdict::{Judged, verdict};
 use crate::{Origin, Registry, Settings, StudyError};
-use contact_types::{Clock, ContactModulus, ContactState, SpectralMoments};
+use contact_types::{Clock, ContactModulus, SpectralMoments};
 use surface_stats::profile::{
     ProfileOptions, ProfileStatistics, SettingSource, Trace, TraceSpectrum,
 };
@@ -200,20 +200,9 @@ impl ProfileComparison {
     /// What is asked of elasticity: of the answers, those of the first model that has some.
     fn scene(&self) -> Scene {
         let answers = self.models.iter().find_map(|m| m.outcome.as_ref().ok());
-        let pressed = |state: &ContactState| {
-            let mean = state.real_pressure()?;
-            Some(Pressed { nominal: state.mean_pressure, mean, highest: None })
-        };
-        Scene {
-            modulus: self.inputs.modulus.pascals(),
-            gradient: self.inputs.moments.map(|m| m.rms_gradient()),
-            rms_height: self.inputs.moments.map(|m| m.rms_height()),
-            radius: self.inputs.asperities().map(|a| a.radius),
-            pressed: answers
-                .map(|c| c.points.iter().flatten().filter_map(pressed).collect())
-                .unwrap_or_default(),
-            ..Scene::default()
-        }
+        let states = answers.into_iter().flat_map(|curve| curve.points.iter().flatten());
+        let pressed = states.filter_map(Pressed::of_state).collect();
+        Scene { pressed, ..Scene::of(&self.inputs) }
     }
 }
 

@@ -1,7 +1,8 @@
 //! Is the question one that an elastic half-space can answer? Slopes, units and pressures.
 
 use crate::finding::{Fact, Finding, Pressed};
-use surface_stats::Warning;
+use crate::inputs::Inputs;
+use surface_stats::{SurfaceStatistics, Warning};
 
 /// Rms gradient from which small-slope elasticity strains: errors of the slopes squared.
 const STEEP: f64 = 0.3;
@@ -54,6 +55,27 @@ pub struct Scene {
 }
 
 impl Scene {
+    /// Of these moments and asperities, before anything presses.
+    pub fn of(inputs: &Inputs) -> Self {
+        Self {
+            modulus: inputs.modulus.pascals(),
+            gradient: inputs.m2().map(|_| inputs.rms_gradient()),
+            rms_height: inputs.moments.map(|m| m.rms_height()),
+            radius: inputs.asperities().map(|a| a.radius),
+            ..Self::default()
+        }
+    }
+
+    /// Of a map with these statistics, which say the rest.
+    pub(crate) fn of_map(s: &SurfaceStatistics) -> Self {
+        Self {
+            gradient: Some(s.rms_gradient),
+            rms_height: Some(s.rms_height),
+            radius: s.asperities.map(|a| a.radius),
+            ..Self::default()
+        }
+    }
+
     /// What is said before any number: units, yield, slopes.
     pub(crate) fn findings(&self) -> Vec<Finding> {
         let found = [self.unit(), self.rounding(), self.beyond_yield(), self.steep()];

@@ -3,7 +3,7 @@
 use crate::inputs::Inputs;
 use crate::needs::{Input, InputSet, OfMap};
 use contact_types::{Citation, ContactModel, ModelError, SeparationModel};
-use serde::{Deserialize, Serialize};
+use serde::Serialize;
 use std::borrow::Cow;
 
 /// A theory of rough contact that can stand in a study: one row of the [`Registry`](crate::Registry).
@@ -28,7 +28,7 @@ pub trait Theory: Send + Sync {
 }
 
 /// What a theory is, in words that a report shows and a file keeps.
-#[derive(Debug, Clone, PartialEq, Eq, Serialize, Deserialize)]
+#[derive(Debug, Clone, PartialEq, Eq, Serialize)]
 #[non_exhaustive]
 #[expect(
     clippy::struct_excessive_bools,
@@ -44,29 +44,24 @@ pub struct Card {
     /// What it needs, in words.
     pub needs: Cow<'static, str>,
     /// Sets of numbers that it can be made from, the usual one first.
-    #[serde(default)]
     pub inputs: Vec<InputSet>,
     /// What a map is read for, beside the moments.
-    #[serde(default)]
     pub of_map: OfMap,
     /// Where the theory holds.
     pub domain: Cow<'static, str>,
     /// The paper.
     pub citation: Citation,
     /// Its formula, if that fits on a line; empty otherwise.
-    #[serde(default)]
     pub formula: Cow<'static, str>,
     /// What it assumes of a surface, for the verdict.
     pub assumes: Assumes,
     /// True if a height map gives all it needs.
     pub from_map: bool,
     /// True if its bodies yield: it needs a hardness beside the map.
-    #[serde(default)]
     pub yields: bool,
     /// True if it answers at a separation of the undeformed planes too.
     pub has_separation: bool,
     /// True if its bodies have no elasticity: it is made without a modulus.
-    #[serde(default)]
     pub is_rigid: bool,
 }
 
@@ -106,7 +101,7 @@ impl Card {
 }
 
 /// What a theory assumes of a surface.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize)]
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize)]
 #[serde(rename_all = "snake_case")]
 pub enum Assumes {
     /// Isotropic Gaussian surface, summits that do not feel each other: light contact only.
@@ -122,7 +117,7 @@ pub enum Assumes {
 }
 
 /// Why a model could not be made.
-#[derive(Debug, Clone, PartialEq, thiserror::Error, Serialize, Deserialize)]
+#[derive(Debug, Clone, PartialEq, thiserror::Error, Serialize)]
 #[serde(rename_all = "snake_case")]
 pub enum BuildError {
     /// An input it needs is absent.

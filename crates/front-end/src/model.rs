@@ -108,27 +108,12 @@ fn results(
 
 /// What is asked of elasticity, with the results by rising load.
 fn scene(card: &Card, inputs: &Inputs, points: &[ModelPoint], rows: Option<Warning>) -> Scene {
-    let pressed = |point: &ModelPoint| {
-        let state = &point.answer.as_ref().ok()?.state;
-        let mean = state.real_pressure()?;
-        Some(Pressed { nominal: state.mean_pressure, mean, highest: None })
-    };
-    let mut pressed: Vec<Pressed> = points.iter().filter_map(pressed).collect();
     // Bodies that yield bear what presses them.
-    pressed.retain(|_| !card.yields);
+    let answers = points.iter().filter_map(|p| p.answer.as_ref().ok()).filter(|_| !card.yields);
+    let mut pressed: Vec<Pressed> =
+        answers.filter_map(|said| Pressed::of_state(&said.state)).collect();
     pressed.sort_by(|a, b| a.nominal.total_cmp(&b.nominal));
-    let moments = inputs.moments;
-    let gradient = inputs.m2().map(|_| inputs.rms_gradient());
-    Scene {
-        rows,
-        modulus: inputs.modulus.pascals(),
-        gradient,
-        hardness: inputs.hardness,
-        rms_height: moments.map(|m| m.m0.sqrt()),
-        radius: inputs.asperities().map(|a| a.radius),
-        pressed,
-        ..Scene::default()
-    }
+    Scene { rows, pressed, hardness: inputs.hardness, ..Scene::of(inputs) }
 }
 
 /// What is known of the surface that a model is asked about.

@@ -65,21 +65,19 @@ pub fn statistics(subject: &Subject<'_>, asked: &StatisticsRequest) -> Result<St
     let mut json = contact_report::statistics_json(&s);
     json["cleaning"] = contact_report::cleaning_json(&subject.cleaned);
     json["pair"] = origin.pair().map_or(Value::Null, contact_report::pair_json);
+    let (mut iso, mut scales, mut adhesion) = (None, None, None);
     let is_used = asked.iso || asked.scales || asked.adhesion.is_some();
     let levelled = is_used.then(|| level(map, s.level)).transpose().map_err(refused)?;
-    let mut iso = None;
     if let Some(map) = levelled.as_ref().filter(|_| asked.iso) {
         let found = iso25178::parameters(map, options.edges).map_err(refused)?;
         json["iso25178"] = found.iter().map(|p| (p.symbol.to_owned(), json!(p.value))).collect();
         iso = Some(found);
     }
-    let mut scales = None;
     if let Some(map) = levelled.as_ref().filter(|_| asked.scales) {
-        let [along_x, along_y] = by_distance(map);
-        json["scales"] = json!({ "x": along_x, "y": along_y });
-        scales = Some([along_x, along_y]);
+        let found = by_distance(map);
+        json["scales"] = json!({ "x": found[0], "y": found[1] });
+        scales = Some(found);
     }
-    let mut adhesion = None;
     if let (Some(map), Some((given, modulus))) = (&levelled, asked.adhesion) {
         let found = scene::adhesion(given, map, modulus, &[]).map_err(refused)?;
         json["adhesion"] = json!(found);

@@ -17,13 +17,16 @@ use std::sync::{Mutex, PoisonError};
 const SMALL: u64 = 4 << 20;
 
 /// A command that answers for one file at a time.
-pub(crate) trait PerFile: Clone + Debug + Sync {
+pub(crate) trait PerFile: Debug + Sync {
     const NAME: &'static str;
     const SHOWN: &'static [Shown];
 
-    fn on(&self, file: &Path) -> Self;
+    fn answer(&self, file: &Path, common: &CommonOptions) -> Result<Reply, Failure>;
 
-    fn answer(&self, common: &CommonOptions) -> Result<Reply, Failure>;
+    /// Everything that is asked, whatever the files.
+    fn asked(&self) -> String {
+        format!("{self:?}")
+    }
 
     /// Content of other files that an answer depends on, as a hash.
     fn beside(&self) -> String {
@@ -60,7 +63,7 @@ pub(crate) fn run<C: PerFile>(
         return Err(Failure::refused("usage", message));
     }
     if let Some(file) = files.only() {
-        return command.on(file).answer(common);
+        return command.answer(file, common);
     }
     let names = ["table.csv", "results.json"];
     let open = |out: &PathBuf| Store::at(out, &names, files.resume, common.force);
@@ -113,10 +116,10 @@ pub(crate) fn outcomes<C: PerFile>(
     let files = expand(paths)?;
     let threads = common.threads();
     let settings = format!(
-        "{} {} {:?} {}",
+        "{} {} {} {}",
         env!("CARGO_PKG_VERSION"),
         C::NAME,
-        command.on(Path::new("")),
+        command.asked(),
         command.beside()
     );
     let done: Vec<Mutex<Option<FileOutcome>>> = files.iter().map(|_| Mutex::new(None)).collect();
@@ -187,7 +190,7 @@ fn one<C: PerFile>(
         |result, kept_as| FileOutcome { file: file.to_owned(), result, is_kept: false, kept_as };
     let digest = |reply: Reply| (C::digest(reply.json), reply.trouble);
     let Some(store) = store else {
-        return outcome(command.on(file).answer(common).map(digest), None);
+        return outcome(command.answer(file, common).map(digest), None);
     };
     let content = match std::fs::read(file) {
         Ok(content) => sha256_hex(&content),
@@ -200,7 +203,7 @@ fn one<C: PerFile>(
         let kept = outcome(Ok((C::digest(answer), trouble)), Some(name));
         return FileOutcome { is_kept: true, ..kept };
     }
-    let result = command.on(file).answer(common).and_then(|reply| {
+    let result = command.answer(file, common).and_then(|reply| {
         store.keep(&name, &reply)?;
         Ok(digest(reply))
     });

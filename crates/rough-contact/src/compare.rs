@@ -65,7 +65,7 @@ pub(crate) struct Compare {
     /// Each file by itself, and a page of distributions in place of a section for each [default: for
     /// a folder, or more than 10 files]
     #[arg(long)]
-    summary: bool,
+    pub(crate) summary: bool,
     /// Go on with a summary in --out: answers to the same content and the same options are kept
     #[arg(long)]
     pub(crate) resume: bool,
@@ -166,12 +166,6 @@ impl Compare {
 
     pub(crate) fn read(&self, path: &Path) -> Result<One, Failure> {
         self.against.measured(path, &self.how, self.contact.level, true)
-    }
-
-    /// The same command with no file and no folder: what every answer depends on.
-    pub(crate) fn on(&self, file: &Path) -> Self {
-        let files = vec![file.to_owned()];
-        Self { files, out: PathBuf::new(), summary: false, resume: false, ..self.clone() }
     }
 
     /// What is in the files. One that cannot be read costs the others nothing: it goes to `unread`.

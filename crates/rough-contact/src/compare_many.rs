@@ -37,16 +37,18 @@ impl PerFile for Compare {
         Shown { head: "to check", at: &["/to_check"], how: How::Count },
     ];
 
-    fn on(&self, file: &Path) -> Self {
-        self.on(file)
+    fn asked(&self) -> String {
+        let mut asked = self.clone();
+        asked.files.clear();
+        (asked.out, asked.summary, asked.resume) = (PathBuf::new(), false, false);
+        format!("{asked:?}")
     }
 
     fn beside(&self) -> String {
         self.against.content()
     }
 
-    fn answer(&self, common: &CommonOptions) -> Result<Reply, Failure> {
-        let path = self.files.first().map_or(Path::new(""), PathBuf::as_path);
+    fn answer(&self, path: &Path, common: &CommonOptions) -> Result<Reply, Failure> {
         let One::Map(map) = self.read(path)? else {
             return Err(unfit(path, "profile", PROFILE));
         };

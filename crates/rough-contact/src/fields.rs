@@ -117,14 +117,14 @@ pub(crate) struct FieldFolder {
 impl FieldFolder {
     /// Nothing without `--maps`. Looks for what is in the way, before any work is done.
     pub(crate) fn prepare(
-        fields: &FieldOptions,
+        fields: FieldOptions,
         loads: usize,
         repeats: bool,
         force: bool,
     ) -> Result<Option<Self>, Failure> {
         let Some(path) = &fields.maps else { return Ok(None) };
         let folder = Folder::prepare(path, &fields.names(loads), force)?;
-        Ok(Some(Self { folder, fields: fields.clone(), surface: None, repeats }))
+        Ok(Some(Self { folder, fields, surface: None, repeats }))
     }
 
     /// Writes what was asked for of one load.

@@ -12,15 +12,12 @@ use clap::Args;
 use rough_contact::front_end;
 use rough_contact::surface_io::{FORMATS, Measurement, Need};
 use serde_json::{Value, json};
-use std::path::{Path, PathBuf};
+use std::path::Path;
 
 #[derive(Args, Clone, Debug)]
 pub(crate) struct Info {
     #[command(flatten)]
     files: Files,
-    /// The one that is answered for.
-    #[arg(skip)]
-    file: PathBuf,
     /// The formats that can be read
     #[arg(long, conflicts_with_all = ["paths", "out", "resume"])]
     list: bool,
@@ -46,12 +43,7 @@ impl PerFile for Info {
         Shown { head: "channel", at: &["/channel"], how: How::Word },
     ];
 
-    fn on(&self, file: &Path) -> Self {
-        Self { file: file.to_owned(), ..self.clone() }
-    }
-
-    fn answer(&self, _: &CommonOptions) -> Result<Reply, Failure> {
-        let file = &self.file;
+    fn answer(&self, file: &Path, _: &CommonOptions) -> Result<Reply, Failure> {
         match self.reading.measurement(file) {
             Ok(measurement) => {
                 let mut json = front_end::info(&measurement);

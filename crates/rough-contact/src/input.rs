@@ -2,7 +2,6 @@
 
 use crate::args;
 use crate::cleaning::CleaningOptions;
-use crate::files::Files;
 use crate::needs;
 use crate::outcome::{self, Failure};
 use crate::profiles;
@@ -13,7 +12,7 @@ use rough_contact::compare::{FileOrigin, Origin, ProfileSurface, Surface, sha256
 use rough_contact::contact_types::Named;
 use rough_contact::surface_io::{Cut, DecimalMark, Fill, Layout, Measurement, Need};
 use rough_contact::{front_end, surface_io};
-use std::path::{Path, PathBuf};
+use std::path::Path;
 
 /// How missing points can be filled: a rule by its name.
 fn fills() -> impl TypedValueParser<Value = Fill> {
@@ -194,26 +193,4 @@ fn measurements(
 
 fn tell_of(path: &Path, what: &str) {
     outcome::tell(&format!("rough-contact: {}: {what}", path.display()));
-}
-
-#[derive(Args, Clone, Debug)]
-pub(crate) struct InputFiles {
-    #[command(flatten)]
-    pub(crate) files: Files,
-    /// The one that is answered for.
-    #[arg(skip)]
-    pub(crate) file: PathBuf,
-    #[command(flatten)]
-    pub(crate) how: FileOptions,
-}
-
-impl InputFiles {
-    pub(crate) fn on(&self, file: &Path) -> Self {
-        Self { file: file.to_owned(), ..self.clone() }
-    }
-
-    /// The surface, complete, or the traces of one.
-    pub(crate) fn measured(&self) -> Result<One, Failure> {
-        self.how.measured(&self.file, false)
-    }
 }

@@ -7,9 +7,9 @@ use crate::cells::{notes, table};
 use crate::conduction;
 use crate::contact::ContactOptions;
 use crate::fields::{Field, FieldFolder, FieldOptions};
-use crate::files::folder_name;
+use crate::files::{Files, folder_name};
 use crate::hardness;
-use crate::input::{InputFiles, One};
+use crate::input::{FileOptions, One};
 use crate::leak;
 use crate::loads::{Loads, carried, shown};
 use crate::outcome::{Failure, Reply, unfit};
@@ -56,7 +56,9 @@ pub(crate) struct Solve {
     #[command(flatten)]
     against: Against,
     #[command(flatten)]
-    input: InputFiles,
+    files: Files,
+    #[command(flatten)]
+    how: FileOptions,
 }
 
 const PLANE_STRAIN: &str = "plane strain: the trace is the cross-section of parallel ridges that are \
@@ -76,7 +78,7 @@ const FREE_MIRRORED: &str = "--edges mirrored puts mirror images beyond the edge
 
 impl Solve {
     pub(crate) fn run(&self, common: &CommonOptions) -> Result<Reply, Failure> {
-        batch::run(self, &self.input.files, common)
+        batch::run(self, &self.files, common)
     }
 }
 
@@ -94,15 +96,6 @@ impl PerFile for Solve {
         Shown { head: "to check", at: &["/findings"], how: How::Checks },
     ];
 
-    /// Maps of several files are kept apart in folders with the names of the files.
-    fn on(&self, file: &Path) -> Self {
-        let only = self.input.files.only().is_some();
-        let apart = |maps: &PathBuf| if only { maps.clone() } else { maps.join(folder_name(file)) };
-        let maps = self.fields.maps.as_ref().map(apart);
-        let fields = self.fields.to(maps);
-        Self { input: self.input.on(file), fields, ..self.clone() }
-    }
-
     fn beside(&self) -> String {
         self.against.content()
     }
@@ -118,10 +111,10 @@ impl PerFile for Solve {
         let loads = self.loads.count().unwrap_or(0);
         let names = self.fields.names(loads);
         let all = |maps: &PathBuf| names.iter().all(|name| maps.join(name).exists());
-        self.on(file).fields.maps.as_ref().is_none_or(all)
+        self.maps_of(file).as_ref().is_none_or(all)
     }
 
-    fn answer(&self, common: &CommonOptions) -> Result<Reply, Failure> {
+    fn answer(&self, path: &Path, common: &CommonOptions) -> Result<Reply, Failure> {
         let settings = self.contact.settings(self.bodies()?, &self.loads.forces)?;
         let count = self.loads.count()?;
         let is_free = self.boundary == Boundary::Free;
@@ -136,8 +129,9 @@ impl PerFile for Solve {
         if self.contact.chooses_grid() && self.fields.needs(Field::Heights) {
             return Err(Failure::refused("combination", CHOSEN_GRID));
         }
-        let surface = self.section(&settings)?;
-        let maps = FieldFolder::prepare(&self.fields, count, repeats, common.force)?;
+        let surface = self.section(path, &settings)?;
+        let maps =
+            FieldFolder::prepare(self.fields.to(self.maps_of(path)), count, repeats, common.force)?;
         let spread = self.loads.forces.spread([surface.heights.grid().area()])?;
         let question = SolveRequest {
             loads: self.loads.each(spread.as_ref()),
@@ -151,8 +145,8 @@ impl PerFile for Solve {
             keep_gap: self.fields.needs(Field::Gap),
         };
         let origin = surface.origin.clone();
-        let (path, cleaned) = (&self.input.file, origin.cleaned().to_vec());
-        let subject = Subject { path, surface, cleaned, fill: self.input.how.reading.fill.name() };
+        let cleaned = origin.cleaned().to_vec();
+        let subject = Subject { path, surface, cleaned, fill: self.how.reading.fill.name() };
         let progress = ProgressDisplay::new(common.quiet, question.loads.len());
         let mut terminal =
             Terminal { progress, maps, needs_heights: self.fields.needs(Field::Heights) };
@@ -201,16 +195,22 @@ impl Watch for Terminal {
 }
 
 impl Solve {
+    /// The folder of its maps; those of several files are kept apart in folders with their names.
+    fn maps_of(&self, file: &Path) -> Option<PathBuf> {
+        let only = self.files.only().is_some();
+        let apart = |maps: &PathBuf| if only { maps.clone() } else { maps.join(folder_name(file)) };
+        self.fields.maps.as_ref().map(apart)
+    }
+
     fn bodies(&self) -> Result<Bodies, Failure> {
         self.contact.bodies.required(self.contact.hardness)
     }
 
     /// The map, or the one trace that is to be solved in plane strain.
-    fn section(&self, settings: &Settings) -> Result<Surface, Failure> {
-        let path = &self.input.file;
+    fn section(&self, path: &Path, settings: &Settings) -> Result<Surface, Failure> {
         let refused = |why: &str| unfit(path, "profile", why);
         if !self.plane_strain {
-            return match self.against.measured(path, &self.input.how, settings.level, false)? {
+            return match self.against.measured(path, &self.how, settings.level, false)? {
                 One::Map(map) => Ok(*map),
                 One::Profile(_) => Err(refused(
                     "this is a profile, and a surface has no deterministic answer from one line of it; give \
@@ -219,7 +219,7 @@ impl Solve {
                 )),
             };
         }
-        let One::Profile(traces) = self.input.measured()? else {
+        let One::Profile(traces) = self.how.measured(path, false)? else {
             return Err(refused(
                 "this is a map, and --plane-strain is for a profile; leave it out, or cut out a row with \
                  --crop Y0,0,1,NX",

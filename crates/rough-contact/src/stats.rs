@@ -5,9 +5,9 @@ use crate::against::{self, Against};
 use crate::args::{self, CommonOptions};
 use crate::batch::{self, PerFile};
 use crate::bodies::BodyOptions;
-use crate::files::expand;
+use crate::files::{Files, expand};
 use crate::hardness;
-use crate::input::{InputFiles, One};
+use crate::input::{FileOptions, One};
 use crate::outcome::{Failure, Reply, unfit};
 use crate::rows::{How, Shown};
 use crate::text::{self, Columns, TwoColumns};
@@ -49,17 +49,19 @@ pub(crate) struct Stats {
     #[command(flatten)]
     against: Against,
     #[command(flatten)]
-    input: InputFiles,
+    files: Files,
+    #[command(flatten)]
+    how: FileOptions,
 }
 
 impl Stats {
     pub(crate) fn run(&self, common: &CommonOptions) -> Result<Reply, Failure> {
-        if self.pool { self.pooled() } else { batch::run(self, &self.input.files, common) }
+        if self.pool { self.pooled() } else { batch::run(self, &self.files, common) }
     }
 
     fn pooled(&self) -> Result<Reply, Failure> {
-        let mut files = expand(&self.input.files.paths)?.into_iter();
-        let profile = |file: &Path| match self.input.on(file).measured()? {
+        let mut files = expand(&self.files.paths)?.into_iter();
+        let profile = |file: &Path| match self.how.measured(file, false)? {
             One::Profile(traces) => Ok(*traces),
             One::Map(_) => {
                 let why =
@@ -92,18 +94,13 @@ impl PerFile for Stats {
         Shown { head: "to check", at: &["/findings"], how: How::Checks },
     ];
 
-    fn on(&self, file: &Path) -> Self {
-        Self { input: self.input.on(file), ..self.clone() }
-    }
-
     fn beside(&self) -> String {
         self.against.content()
     }
 
-    fn answer(&self, _: &CommonOptions) -> Result<Reply, Failure> {
-        let asked = self.asked()?; // refused before any work
-        let path = &self.input.file;
-        let surface = match self.against.measured(path, &self.input.how, self.level, false)? {
+    fn answer(&self, path: &Path, _: &CommonOptions) -> Result<Reply, Failure> {
+        let asked = self.bodies()?; // refused before any work
+        let surface = match self.against.measured(path, &self.how, self.level, false)? {
             One::Map(surface) => *surface,
             One::Profile(_) if asked.is_some() => {
                 let message = "modulus and hardness are for maps; of a profile leave them out";
@@ -120,7 +117,7 @@ impl PerFile for Stats {
             adhesion: asked.as_ref().and_then(sticking),
         };
         let cleaned = surface.origin.cleaned().to_vec();
-        let subject = Subject { path, surface, cleaned, fill: self.input.how.reading.fill.name() };
+        let subject = Subject { path, surface, cleaned, fill: self.how.reading.fill.name() };
         let found = front_end::statistics(&subject, &request)?;
         let mut text = text::cleaning(&subject.cleaned)
             + &found.findings.iter().map(text::finding_line).collect::<String>()
@@ -171,7 +168,7 @@ fn scales(list: &[ByDistance]) -> Columns {
 
 impl Stats {
     /// The bodies and their work of adhesion, if anything was given of them.
-    fn asked(&self) -> Result<Option<(Bodies, Option<WorkOfAdhesion>)>, Failure> {
+    fn bodies(&self) -> Result<Option<(Bodies, Option<WorkOfAdhesion>)>, Failure> {
         let adhesion = self.adhesion.asked()?;
         let is_asked = self.hardness.is_some() || adhesion.is_some();
         let made_of = match self.bodies.given(self.hardness)? {
