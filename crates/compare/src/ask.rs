@@ -55,9 +55,6 @@ fn timed(
 }
 
 /// A theory's answers at nominal pressures (Pa). One that refuses every load does not apply: its reason is the outcome.
-///
-/// # Errors
-/// [`BuildError`].
 pub(crate) fn curve_of(
     theory: &dyn Theory,
     inputs: &Inputs,

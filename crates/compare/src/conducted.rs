@@ -72,16 +72,11 @@ impl Joint {
         let [electrical, thermal] = self.factors().map(|f| f.map(|f| contact.times(f)));
         let gas = self.gas.and_then(|of| Some(gas?.times(of.conductivity())));
         let joint = thermal.zip(gas).map(|(contact, gas)| contact.plus(gas));
-        let force = self.area.zip(self.hardness).map(|(area, h)| (pressure * area, h));
-        let one_spot = force.map_or([None; 2], |(force, h)| self.one_spot(force, h));
+        // Of one spot as large as the hardness makes it, π a² H = F: (ρ₁ + ρ₂)/(4a).
+        let radius = |(area, h): (f64, f64)| (pressure * area / (PI * h)).sqrt();
+        let radius = self.area.zip(self.hardness).map(radius);
+        let one_spot = self.sums().map(|sum| Some(sum? / (4.0 * radius?)));
         Conducted { electrical, thermal, gas, joint, area: self.area, one_spot }
-    }
-
-    /// Holm's resistances (Ω and K/W) of one spot under this force (N), as large as the hardness (Pa) makes it:
-    /// `(ρ₁ + ρ₂)/(4a)` with `π a² H = F`.
-    fn one_spot(&self, force: f64, hardness: f64) -> [Option<f64>; 2] {
-        let radius = (force / (PI * hardness)).sqrt();
-        self.sums().map(|sum| sum.map(|sum| sum / (4.0 * radius)))
     }
 }
 

@@ -161,7 +161,7 @@ pub(crate) fn remove_octaves(
 ) {
     let start = Clock::now();
     let octaves = octaves(surface, settings, watch);
-    if let Some(conduction) = surface.conduction.as_mut().filter(|_| watch.go_on().is_ok()) {
+    if let Some(conduction) = surface.conduction.as_mut().filter(|_| !watch.is_stopped) {
         conduction.octaves = octaves;
         conduction.seconds = start.elapsed().as_secs_f64();
     }

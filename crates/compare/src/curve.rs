@@ -2,11 +2,11 @@
 
 use crate::EdgesName;
 use crate::distribution::Distributions;
-use crate::first_contact::FirstContact;
+use crate::distribution::contact_spots;
+use crate::pressure_maps::FirstContact;
 use crate::pressure_maps::PressureMaps;
 use crate::progress::{Listener, Progress};
 use crate::result::{DeterministicAnswer, DeterministicPoint, SurfaceComparison};
-use crate::spots::contact_spots;
 use contact_accuracy::{Answered, Leaks, Map, Sink};
 use contact_types::HeightMap;
 use fft_bem_solver::{Iteration, Solution, SolverError};

@@ -84,11 +84,7 @@ impl GapGas {
         Self { gas, temperature: room(), pressure: atmosphere(), accommodation: full() }
     }
 
-    /// Refuses what is no state of the gas.
-    ///
-    /// # Errors
-    /// [`ModelError`] of a temperature that the table does not reach, of a pressure that is not positive, of an
-    /// accommodation outside (0, 1].
+    /// Refuses a temperature that the table does not reach, a pressure that is not positive, an accommodation outside (0, 1].
     pub(crate) fn check(&self) -> Result<(), ModelError> {
         const MODEL: &str = "gas in the gap";
         require::positive(MODEL, "temperature", self.temperature)?;

@@ -4,15 +4,12 @@ mod adhesion;
 mod ask;
 mod cleaning;
 mod closer;
-mod coarser;
 mod conducted;
 mod conduction;
 mod curve;
-mod describe;
 mod distribution;
 mod finding;
 mod findings;
-mod first_contact;
 mod gas;
 mod inputs;
 mod materials;
@@ -29,7 +26,6 @@ mod scene;
 mod sections;
 mod settings;
 mod spikes;
-mod spots;
 mod study;
 mod surface;
 pub mod survey;
@@ -51,20 +47,21 @@ pub use contact_types::{
     Caveat, Citation, ContactModel, ContactModulus, ContactState, Grid, HeightMap, ModelError,
     SeparationModel, SpectralMoments, SurfaceError,
 };
-pub use distribution::{Distributions, GapDistribution, PressureHistogram, SpotDistribution};
+pub use distribution::{
+    Distributions, GapDistribution, PressureHistogram, Spot, SpotDistribution, contact_spots,
+};
 pub use fft_bem_solver::{
     Diagnostics, End, Iteration, Load, Method, ObserverResult, Precision, Section, Solution,
     Solver, SolverError, Yielded,
 };
 pub use finding::{Fact, Finding, Passed, Pressed, Seam, Unevenness, Weight, Yielding};
 pub use findings::{Solved, findings, measured, seam};
-pub use first_contact::FirstContact;
 pub use gas::{GapGas, Gas};
 pub use grid_fft::parallel::on_threads;
 pub use inputs::Inputs;
 pub use materials::{Listed, Material, MaterialUse, Property, material, materials, spreads};
 pub use needs::{INPUTS, Input, InputFact, InputSet, InputUnit, OfMap};
-pub use pressure_maps::{PressureMap, PressureMaps, pressure_class, pressure_top};
+pub use pressure_maps::{FirstContact, PressureMap, PressureMaps, pressure_class, pressure_top};
 pub use profile::{
     ProfileComparison, ProfileSurface, area_interval, profile_findings, profile_inputs,
 };
@@ -80,7 +77,6 @@ pub use run_file::{RunFile, RunSurface};
 pub use scene::{Scene, is_steep, typical_hardness};
 pub use settings::{Along, Body, EdgesName, LeakRequest, STEEL, Seal, Settings, poisson};
 pub use spikes::{SPIKE_THRESHOLD, Spikes};
-pub use spots::{Spot, contact_spots};
 pub use study::loads as loads_of_study;
 pub use surface::{FileOrigin, GivenOrigin, Origin, PairOrigin, Surface, sha256_hex};
 pub use surface_stats::Level;

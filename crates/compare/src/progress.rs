@@ -49,28 +49,18 @@ pub enum Progress<'a> {
 
 /// A listener that is told of the iterations at one load, and whether it has asked to stop.
 pub(crate) struct LoadListener<'a, 'b> {
-    listener: &'a mut Listener<'b>,
-    index: usize,
-    is_stopped: bool,
+    pub(crate) listener: &'a mut Listener<'b>,
+    /// Of the load, by rising pressure.
+    pub(crate) index: usize,
+    pub(crate) is_stopped: bool,
 }
 
-impl<'a, 'b> LoadListener<'a, 'b> {
-    /// At the load of this index, by rising pressure.
-    pub(crate) fn new(listener: &'a mut Listener<'b>, index: usize) -> Self {
-        Self { listener, index, is_stopped: false }
-    }
-
+impl LoadListener<'_, '_> {
     /// Tells of an iteration; what was stopped stays stopped.
     pub(crate) fn iteration(&mut self, now: &Iteration<'_>) -> ControlFlow<()> {
         let wish = (self.listener)(Progress::Iterated { index: self.index, now: *now });
         self.is_stopped |= wish.is_break();
         if self.is_stopped { ControlFlow::Break(()) } else { ControlFlow::Continue(()) }
-    }
-
-    /// # Errors
-    /// [`StudyError::Stopped`] if the listener has asked for it.
-    pub(crate) fn go_on(&self) -> Result<(), StudyError> {
-        if self.is_stopped { Err(StudyError::Stopped) } else { Ok(()) }
     }
 }
 

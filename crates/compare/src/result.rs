@@ -3,8 +3,8 @@
 use crate::adhesion::Adhesion;
 use crate::conducted::Conduction;
 use crate::distribution::Distributions;
-use crate::first_contact::FirstContact;
 use crate::inputs::Inputs;
+use crate::pressure_maps::FirstContact;
 use crate::pressure_maps::PressureMaps;
 use crate::reason::Verdict;
 use crate::theory::{BuildError, Card};

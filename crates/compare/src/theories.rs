@@ -30,9 +30,8 @@ const OF_RECORD: Set = (&[Hurst, Rolloff, Cutoff, M0], &[Longest, RecordLength])
 
 /// One theory; see [`Card`] for the words. `needs` are the sets of numbers it can be made from, the usual first.
 struct ModelDescriptor {
-    name: &'static str,
-    label: &'static str,
-    title: &'static str,
+    /// Its key, its label in figures, and its name in full.
+    names: [&'static str; 3],
     needs: &'static [Set],
     /// What a map is read for beside the moments; `None` where a map does not give all it needs.
     of_map: Option<OfMap>,
@@ -53,9 +52,7 @@ enum Build {
 
 const ROWS: &[ModelDescriptor] = &[
     ModelDescriptor {
-        name: "gw",
-        label: "GW",
-        title: "Greenwood–Williamson, exact",
+        names: ["gw", "GW", "Greenwood–Williamson, exact"],
         needs: &[
             MOMENTS,
             (&[AsperityDensity, AsperityRadius, AsperityHeightStd], &[MeanOffset]),
@@ -73,9 +70,7 @@ const ROWS: &[ModelDescriptor] = &[
         }),
     },
     ModelDescriptor {
-        name: "bgt",
-        label: "BGT",
-        title: "Bush–Gibson–Thomas",
+        names: ["bgt", "BGT", "Bush–Gibson–Thomas"],
         needs: &[MOMENTS, SELF_AFFINE],
         of_map: Some(OfMap::Moments),
         domain: "isotropic Gaussian surface with bandwidth of at least 1.5, light contact",
@@ -86,9 +81,7 @@ const ROWS: &[ModelDescriptor] = &[
         }),
     },
     ModelDescriptor {
-        name: "greenwood-elliptical",
-        label: "Elliptical",
-        title: "Greenwood simplified elliptical",
+        names: ["greenwood-elliptical", "Elliptical", "Greenwood simplified elliptical"],
         needs: &[MOMENTS, SELF_AFFINE],
         of_map: Some(OfMap::Moments),
         domain: "isotropic Gaussian surface with bandwidth of at least 1.5, light contact",
@@ -99,9 +92,7 @@ const ROWS: &[ModelDescriptor] = &[
         }),
     },
     ModelDescriptor {
-        name: "persson",
-        label: "Persson",
-        title: "Persson",
+        names: ["persson", "Persson", "Persson"],
         needs: &[(&[Hurst, Rolloff, Cutoff, M0], &[Longest, Gamma]), (&[M2], &[M0, M4])],
         of_map: Some(OfMap::Spectrum),
         domain: "isotropic Gaussian surface, any load; reads low at light load; the mean gap needs a spectrum",
@@ -109,9 +100,7 @@ const ROWS: &[ModelDescriptor] = &[
         build: Build::Pressure(persson),
     },
     ModelDescriptor {
-        name: "stacked",
-        label: "Stacked",
-        title: "Stacked multiscale",
+        names: ["stacked", "Stacked", "Stacked multiscale"],
         needs: &[(&[MaxAmplitudeRatio], &[]), OF_RECORD],
         of_map: Some(OfMap::Amplitudes),
         domain: "depends on the record length and on the direction of the rows",
@@ -125,9 +114,7 @@ const ROWS: &[ModelDescriptor] = &[
         }),
     },
     ModelDescriptor {
-        name: "multiscale",
-        label: "Multiscale",
-        title: "Jackson–Streator multiscale",
+        names: ["multiscale", "Multiscale", "Jackson–Streator multiscale"],
         needs: &[OF_RECORD],
         of_map: Some(OfMap::Amplitudes),
         domain: "depends on the record length and on the direction of the rows",
@@ -138,9 +125,7 @@ const ROWS: &[ModelDescriptor] = &[
         }),
     },
     ModelDescriptor {
-        name: "archard",
-        label: "Archard",
-        title: "Archard, spheres on spheres",
+        names: ["archard", "Archard", "Archard, spheres on spheres"],
         needs: &[(&[SphereRadius, SphereDensity], &[])],
         of_map: None,
         domain: "many spheres per contact of the level above, and far apart",
@@ -152,9 +137,7 @@ const ROWS: &[ModelDescriptor] = &[
         }),
     },
     ModelDescriptor {
-        name: "majumdar-bhushan",
-        label: "MB",
-        title: "Majumdar–Bhushan",
+        names: ["majumdar-bhushan", "MB", "Majumdar–Bhushan"],
         needs: &[
             (&[Dimension, Roughness, Area], &[CriticalArea]),
             (&[Dimension, Roughness, Area, Hardness], &[]),
@@ -168,9 +151,7 @@ const ROWS: &[ModelDescriptor] = &[
         }),
     },
     ModelDescriptor {
-        name: "yan-komvopoulos",
-        label: "YK",
-        title: "Yan–Komvopoulos",
+        names: ["yan-komvopoulos", "YK", "Yan–Komvopoulos"],
         needs: &[
             (&[Dimension, Roughness, Area], &[CriticalArea]),
             (&[Dimension, Roughness, Area, Hardness], &[]),
@@ -186,9 +167,7 @@ const ROWS: &[ModelDescriptor] = &[
         }),
     },
     ModelDescriptor {
-        name: "equation",
-        label: "Equation",
-        title: "The equation (fitted)",
+        names: ["equation", "Equation", "The equation (fitted)"],
         needs: &[MOMENTS, SELF_AFFINE],
         of_map: Some(OfMap::Moments),
         domain: "isotropic Gaussian surface, area from 0.1 %: within 15 % at light load, 5 % at heavy load",
@@ -199,9 +178,7 @@ const ROWS: &[ModelDescriptor] = &[
         }),
     },
     ModelDescriptor {
-        name: "ceb",
-        label: "CEB",
-        title: "Chang–Etsion–Bogy",
+        names: ["ceb", "CEB", "Chang–Etsion–Bogy"],
         needs: &[
             (&[Hardness, M0, M2, M4], &[]),
             (&[Hardness, AsperityDensity, AsperityRadius, AsperityHeightStd], &[MeanOffset]),
@@ -220,9 +197,7 @@ const ROWS: &[ModelDescriptor] = &[
         }),
     },
     ModelDescriptor {
-        name: "persson-yield",
-        label: "Persson, H",
-        title: "Persson with yield",
+        names: ["persson-yield", "Persson, H", "Persson with yield"],
         needs: &[
             (&[Hardness, M2], &[M0, M4]),
             (&[Hardness, Hurst, Rolloff, Cutoff, M0], &[Longest]),
@@ -239,9 +214,7 @@ const ROWS: &[ModelDescriptor] = &[
         }),
     },
     ModelDescriptor {
-        name: "cmy",
-        label: "CMY",
-        title: "Cooper–Mikic–Yovanovich conductance",
+        names: ["cmy", "CMY", "Cooper–Mikic–Yovanovich conductance"],
         needs: &[(&[RmsHeight, MeanSlope, Hardness], &[]), (&[Ra, MeanSlope, Hardness], &[])],
         of_map: None,
         domain: "Gaussian heights that yield at once, load over hardness from 1e-6 to 0.02",
@@ -254,9 +227,7 @@ const ROWS: &[ModelDescriptor] = &[
         }),
     },
     ModelDescriptor {
-        name: "mikic",
-        label: "Mikic",
-        title: "Mikic conductance, elastic",
+        names: ["mikic", "Mikic", "Mikic conductance, elastic"],
         needs: &[(&[RmsHeight, MeanSlope], &[]), (&[Ra, MeanSlope], &[])],
         of_map: None,
         domain: "Gaussian heights, elastic, light contact",
@@ -360,9 +331,10 @@ impl ModelDescriptor {
             optional: optional.to_vec(),
         };
         let inputs: Vec<InputSet> = self.needs.iter().map(set).collect();
-        let mut card = Card::new(self.name, self.title, example.citation());
+        let [name, label, title] = self.names;
+        let mut card = Card::new(name, title, example.citation());
         card.formula = example.formula().unwrap_or_default().into();
-        card.label = self.label.into();
+        card.label = label.into();
         card.needs = in_words(&inputs).into();
         card.inputs = inputs;
         card.of_map = self.of_map.unwrap_or_default();

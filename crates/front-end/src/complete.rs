@@ -186,9 +186,6 @@ pub fn traces(
 }
 
 /// A measurement after cleaning, with what each step did.
-///
-/// # Errors
-/// [`Incomplete::Cleaning`], [`Incomplete::Clean`].
 fn clean(
     measurement: Measurement,
     cleaning: Cleaning,

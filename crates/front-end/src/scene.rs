@@ -7,9 +7,6 @@ use surface_stats::profile::{self, Trace};
 use surface_stats::{Edges, HeightStatistics, StatsError, moments, spectral_scales};
 
 /// The scene of a map, or of the section of ridges.
-///
-/// # Errors
-/// [`StatsError`] of a map that is too small.
 pub(crate) fn of(
     map: &HeightMap,
     modulus: ContactModulus,
@@ -36,9 +33,6 @@ pub(crate) fn of(
 
 /// Whether the bodies stick, of a levelled map and of the contacts that were solved on it, `[mean pressure (Pa), area
 /// fraction]`.
-///
-/// # Errors
-/// [`StatsError`] of a map that is too small.
 pub(crate) fn adhesion(
     given: WorkOfAdhesion,
     map: &HeightMap,

@@ -3,12 +3,12 @@
 use crate::complete::Subject;
 use crate::failure::Failure;
 use crate::loads::Spread;
-use crate::point::Point;
 use crate::scene;
 use crate::shown::unusual_hardness;
 use crate::study::unmet;
-use crate::watch::Watch;
+use crate::work::Point;
 use crate::work::SolvedLoads;
+use crate::work::Watch;
 use contact_accuracy::{Aim, Ladder, LadderError, Setup, Sink, Task, climb};
 use contact_compare::{
     AccuracyRequest, Adhesion, EdgesName, Finding, Hardness, Joint, Level, PairOrigin, Reached,

@@ -1,4 +1,4 @@
-//! Roughness statistics: what `rough-contact stats` answers.
+//! What a file holds, and roughness statistics: what `rough-contact info` and `stats` answer.
 
 use crate::complete::Subject;
 use crate::failure::Failure;
@@ -8,6 +8,7 @@ use contact_types::ContactModulus;
 use serde::Deserialize;
 use serde_json::{Value, json};
 use std::path::Path;
+use surface_io::Measurement;
 use surface_stats::iso25178::{self, IsoParameter};
 use surface_stats::profile::ProfileStatistics;
 use surface_stats::{
@@ -105,4 +106,34 @@ pub fn profile_statistics(
     json["uneven"] = contact_report::unevenness_json(traces.uneven);
     json["cleaning"] = contact_report::cleaning_json(traces.origin.cleaned());
     Ok((found, json))
+}
+
+/// Points, unit, channels and what else the file says, without the heights.
+pub fn info(m: &Measurement) -> Value {
+    let summary = m.height_summary();
+    let channels: Vec<Value> = m
+        .channels
+        .iter()
+        .map(|c| {
+            json!({
+                "name": c.name, "unit": c.unit, "is_height": c.is_height, "shape": c.shape,
+                "pixel": c.pixel, "is_trace": c.is_trace, "fault": c.fault,
+            })
+        })
+        .collect();
+    json!({
+        "format": m.format,
+        "shape": m.grid().shape(),
+        "pixel": m.grid().pixel(),
+        "missing": m.missing(),
+        "height_min": summary.map(|s| s.0),
+        "height_max": summary.map(|s| s.1),
+        "height_mean": summary.map(|s| s.2),
+        "channel": m.channel,
+        "channels": channels,
+        "is_profile": m.is_profile(),
+        "uneven_steps": m.uneven,
+        "ambiguity": m.ambiguity.map(|a| a.what),
+        "metadata": m.metadata,
+    })
 }

@@ -49,12 +49,8 @@ pub(crate) fn head(stream: &mut TcpStream) -> Result<Option<Head>, HttpRefusal> 
         if bytes.len() >= MOST_HEAD {
             return Err(HttpRefusal(431, "The question has too long a head."));
         }
-        let left = end.saturating_duration_since(Instant::now());
-        if left.is_zero() || stream.set_read_timeout(Some(left)).is_err() {
-            return Err(late);
-        }
         let mut piece = [0; 4096];
-        match stream.read(&mut piece) {
+        match read_until(stream, end, &mut piece) {
             Err(e) if e.kind() == ErrorKind::Interrupted => {}
             Ok(0) | Err(_) if bytes.is_empty() => return Ok(None),
             Ok(0) => return Err(MALFORMED),
@@ -62,6 +58,14 @@ pub(crate) fn head(stream: &mut TcpStream) -> Result<Option<Head>, HttpRefusal> 
             Err(_) => return Err(late),
         }
     }
+}
+
+/// Reads what comes before `end`.
+fn read_until(stream: &mut TcpStream, end: Instant, into: &mut [u8]) -> std::io::Result<usize> {
+    let left = end.saturating_duration_since(Instant::now());
+    // Refuses a time of nothing.
+    stream.set_read_timeout(Some(left))?;
+    stream.read(into)
 }
 
 /// The head, if it is complete.
@@ -152,21 +156,8 @@ pub(crate) fn refuse(
     stream.shutdown(Shutdown::Write)?;
     let end = Instant::now() + LINGER;
     let mut ignored = [0; 1 << 12];
-    loop {
-        let left = end.saturating_duration_since(Instant::now());
-        if left.is_zero() {
-            return Ok(());
-        }
-        stream.set_read_timeout(Some(left))?;
-        match stream.read(&mut ignored) {
-            Ok(0) => return Ok(()),
-            Ok(_) => {}
-            Err(e) if matches!(e.kind(), ErrorKind::WouldBlock | ErrorKind::TimedOut) => {
-                return Ok(());
-            }
-            Err(e) => return Err(e),
-        }
-    }
+    while read_until(stream, end, &mut ignored).is_ok_and(|count| count > 0) {}
+    Ok(())
 }
 
 #[cfg(test)]

@@ -3,8 +3,7 @@
 use crate::args::CommonOptions;
 use crate::batch::{self, PerFile};
 use crate::files::Files;
-use crate::input::ReadingOptions;
-use crate::needs;
+use crate::input::{self, ReadingOptions};
 use crate::outcome::{Failure, Reply};
 use crate::rows::{How, Shown};
 use crate::text::{self, TwoColumns};
@@ -47,7 +46,7 @@ impl PerFile for Info {
         match self.reading.measurement(file) {
             Ok(measurement) => {
                 let mut json = front_end::info(&measurement);
-                json["ambiguity"] = json!(measurement.ambiguity.map(needs::reading));
+                json["ambiguity"] = json!(measurement.ambiguity.map(input::reading));
                 Ok(Reply::new(describe(&measurement), json))
             }
             Err(failure) => {
@@ -125,7 +124,7 @@ fn describe(m: &Measurement) -> String {
         table.row("note", format!("points not evenly spaced: up to {uneven:.2} steps off"));
     }
     if let Some(reading) = m.ambiguity {
-        table.row("note", needs::reading(reading));
+        table.row("note", input::reading(reading));
     }
     for channel in &m.channels {
         let unit = channel.unit.as_deref().unwrap_or("no unit");

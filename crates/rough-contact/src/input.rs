@@ -1,16 +1,17 @@
 //! A surface file and how to read it: the options every command with a FILE takes.
 
-use crate::args;
-use crate::cleaning::CleaningOptions;
-use crate::needs;
-use crate::outcome::{self, Failure};
-use crate::profiles;
-use crate::quantity;
+use crate::outcome::{self, Failure, unfit};
+use crate::units::Dimension::{self, Length};
+use crate::{args, profiles, quantity};
 use clap::Args;
 use clap::builder::{PossibleValue, PossibleValuesParser, TypedValueParser};
-use rough_contact::compare::{FileOrigin, Origin, ProfileSurface, Surface, sha256_hex};
+use rough_contact::compare::{Cleaning, FileOrigin, Origin, ProfileSurface, Surface, sha256_hex};
 use rough_contact::contact_types::Named;
-use rough_contact::surface_io::{Cut, DecimalMark, Fill, Layout, Measurement, Need};
+use rough_contact::front_end::Incomplete;
+use rough_contact::surface_io::{
+    Ambiguity, Cut, DecimalMark, Fill, FillError, Layout, Measurement, Need, ReadError,
+};
+use rough_contact::surface_stats::clean::Form;
 use rough_contact::{front_end, surface_io};
 use std::path::Path;
 
@@ -142,8 +143,8 @@ pub(crate) fn from_file(
         let bytes = std::fs::read(path).map_err(|e| Failure::refused("io", e.to_string()))?;
         file.sha256 = sha256_hex(&bytes);
     }
-    if let Some(reading) = all[0].ambiguity {
-        tell_of(path, &needs::reading(reading));
+    if let Some(ambiguity) = all[0].ambiguity {
+        tell_of(path, &reading(ambiguity));
     }
     let made = if all[0].is_profile() {
         profiles::refuse(path, file.cleaning)?;
@@ -151,7 +152,7 @@ pub(crate) fn from_file(
     } else {
         front_end::complete(all.swap_remove(0), file, fill).map(|map| One::Map(Box::new(map)))
     };
-    made.map_err(|e| needs::unmade(path, &e))
+    made.map_err(|e| unmade(path, &e))
 }
 
 /// Every trace of a file of several, one measurement of any other, cropped; and how missing points are filled.
@@ -161,7 +162,7 @@ fn measurements(
     crop: Option<Cut>,
 ) -> Result<(Vec<Measurement>, Fill), Failure> {
     let (options, fill) = front_end::reading(file)?;
-    let all = surface_io::read_traces(path, &options).map_err(|e| needs::unread(path, &e))?;
+    let all = surface_io::read_traces(path, &options).map_err(|e| unread(path, &e))?;
     let Some(measurement) = all.first() else {
         return Err(outcome::unfit(path, "empty", "nothing is there"));
     };
@@ -183,7 +184,7 @@ fn measurements(
         tell_of(path, &what);
     }
     let Some(crop) = crop else { return Ok((all, fill)) };
-    let cut = |m: Measurement| m.crop(crop).map_err(|e| needs::unread(path, &e));
+    let cut = |m: Measurement| m.crop(crop).map_err(|e| unread(path, &e));
     let all: Vec<Measurement> = all.into_iter().map(cut).collect::<Result<_, _>>()?;
     if let (Some(part), false) = (all[0].cropped, matches!(crop, Cut::Rectangle(_))) {
         tell_of(path, &format!("--crop {crop} is --crop {}", Cut::Rectangle(part)));
@@ -193,4 +194,124 @@ fn measurements(
 
 fn tell_of(path: &Path, what: &str) {
     outcome::tell(&format!("rough-contact: {}: {what}", path.display()));
+}
+
+/// Done in this order on the valid points, before missing points are filled.
+#[derive(Args, Clone, Copy, Debug, Default)]
+pub(crate) struct CleaningOptions {
+    /// Put rows in line that stand at heights of their own, by the median of their differences
+    #[arg(long)]
+    align_rows: bool,
+    /// Make spikes missing points: those more than so many robust standard deviations from their
+    /// neighbours; 8 is usual
+    #[arg(long, value_name = "THRESHOLD", value_parser = threshold, allow_hyphen_values = true)]
+    outliers: Option<f64>,
+    /// Take a form off by least squares: plane, quadratic, polynomial:N, sphere or cylinder
+    #[arg(long, value_name = "FORM", value_parser = str::parse::<Form>)]
+    form: Option<Form>,
+    /// Take waves shorter than this off (Gaussian, ISO 16610-61)
+    #[arg(long, value_name = "CUTOFF", value_parser = args::one(Length), allow_hyphen_values = true)]
+    s_filter: Option<f64>,
+    /// Take waves longer than this off (Gaussian, ISO 16610-61)
+    #[arg(long, value_name = "CUTOFF", value_parser = args::one(Length), allow_hyphen_values = true)]
+    l_filter: Option<f64>,
+}
+
+fn threshold(text: &str) -> Result<f64, String> {
+    match quantity::parse(text, Dimension::Number) {
+        Ok(value) if value > 0.0 => Ok(value),
+        Ok(value) => Err(format!("the threshold {value} must be greater than 0; 8 is usual")),
+        Err(error) => Err(error.to_string()),
+    }
+}
+
+impl CleaningOptions {
+    pub(crate) fn asked(self) -> Cleaning {
+        let Self { align_rows, outliers, form, s_filter, l_filter } = self;
+        Cleaning { align_rows, outliers, form, s_filter, l_filter }
+    }
+
+    /// Refuses cleaning where there is no file to be cleaned.
+    pub(crate) fn refuse_without_file(self) -> Result<(), Failure> {
+        if self.asked() == Cleaning::default() {
+            return Ok(());
+        }
+        let message = "--align-rows, --outliers, --form, --s-filter and --l-filter clean a surface FILE, and \
+                       none is given; name a FILE or leave them out";
+        Err(Failure::refused("usage", message))
+    }
+}
+
+/// The refusal of a file, with the options that would let it be read.
+pub(crate) fn unread(path: &Path, error: &ReadError) -> Failure {
+    let way_out = match error {
+        ReadError::UnknownFormat { .. } => "`rough-contact info --list` lists them".to_owned(),
+        ReadError::PixelContradicts { .. } => "give --pixel DX,DY in that ratio".to_owned(),
+        ReadError::BadLayout { .. } => "leave out --layout, or give the other one".to_owned(),
+        ReadError::Limit { .. } => return Failure::in_file(path, error), // no option raises it
+        _ => options(&error.needs()),
+    };
+    Failure::in_file(path, error).adding(&way_out)
+}
+
+/// The refusal of a measurement, with the options that would let it be answered.
+pub(crate) fn unmade(path: &Path, error: &Incomplete) -> Failure {
+    match error {
+        Incomplete::Line(_) => {
+            let row = "and no profile, which is one row (`rough-contact info` still reads it)";
+            unfit(path, "profile", format!("{error}, {row}"))
+        }
+        Incomplete::Spikes(spikes) => {
+            let ending = if *spikes == 1 { "" } else { "s" };
+            let why = format!(
+                "--outliers made {spikes} spike{ending} missing points, and --fill refuse keeps none; add --fill \
+                 harmonic or --fill nearest, or raise the threshold"
+            );
+            unfit(path, "missing", why)
+        }
+        Incomplete::Cleaning(e) => Failure::in_file(path, e),
+        Incomplete::Clean(e) => Failure::in_file(path, e),
+        Incomplete::Short(e) => Failure::in_file(path, e).adding("measure a longer trace"),
+        Incomplete::Fill(e @ FillError::NotConverged { .. }) => {
+            Failure::in_file(path, e).adding("use --fill nearest")
+        }
+        Incomplete::Fill(e) => Failure::in_file(path, e).adding(&options(&e.needs())),
+    }
+}
+
+/// How a text was read that could mean something else, and the option that settles it.
+pub(crate) fn reading(ambiguity: Ambiguity) -> String {
+    format!("{}; {}", ambiguity.what, options(ambiguity.needs))
+}
+
+fn options(needs: &[Need]) -> String {
+    let is_scale =
+        |need: &&Need| matches!(need, Need::PixelSize | Need::LateralUnit | Need::HeightUnit);
+    let scales: Vec<&str> = needs.iter().filter(is_scale).map(|need| option(*need)).collect();
+    if scales.is_empty() {
+        return needs.iter().map(|need| option(*need)).collect::<Vec<_>>().join("; ");
+    }
+    format!("add {}", scales.join(" and "))
+}
+
+fn option(need: Need) -> &'static str {
+    match need {
+        Need::PixelSize => "--pixel DX[,DY]",
+        Need::LateralUnit => "--lateral-unit U",
+        Need::HeightUnit => "--height-unit U",
+        Need::Channel => "choose one with --channel NAME",
+        Need::Layout(Layout::Matrix) => "if they are heights, give --layout matrix",
+        Need::Layout(Layout::List) => "if they are coordinates, give --layout list",
+        Need::Layout(Layout::Traces) => "if they are traces of a stylus, give --layout traces",
+        Need::DecimalMark => "give --decimal point or --decimal comma",
+        Need::MissingMark => "if it marks missing points, give --missing MARK",
+        Need::OtherHeightUnit => {
+            "if they are heights in another unit, give --override-height-unit U"
+        }
+        Need::Fill => {
+            "fill them with --fill harmonic or --fill nearest, or cut out the largest complete \
+             part with --crop complete"
+        }
+        _ => "",
+    }
 }

@@ -2,24 +2,18 @@
 //! numbers, and exit status 0 (all answers given), 1 (something did not converge or could not
 //! be written) or 2 (refused).
 
-mod adhesion;
 mod against;
 #[cfg(feature = "app")]
 mod app;
 mod args;
 mod batch;
 mod bodies;
-mod cells;
-mod cleaning;
 mod compare;
 mod compare_many;
 mod compare_profiles;
-#[cfg(feature = "shell")]
-mod completions;
 mod conduction;
 mod contact;
 mod convert;
-mod export;
 mod fields;
 mod files;
 mod hardness;
@@ -34,16 +28,12 @@ mod loads;
 mod manual;
 mod materials;
 mod model;
-mod needs;
 mod outcome;
 mod output;
-mod profile_stats;
 mod profiles;
 mod progress;
 mod roughness;
 mod rows;
-#[cfg(feature = "app")]
-mod serve;
 mod solve;
 mod stats;
 mod surfaces;
@@ -103,7 +93,7 @@ enum Command {
     Validate(validate::Validate),
     /// What a shell needs to complete this command, its options and their values
     #[cfg(feature = "shell")]
-    Completions(completions::Completions),
+    Completions(manual::Completions),
     /// The manual page, of this command or of one below it
     #[cfg(feature = "shell")]
     Man(manual::Man),

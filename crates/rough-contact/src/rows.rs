@@ -91,8 +91,8 @@ fn cell(answer: &Value, shown: &Shown, load: usize) -> Option<String> {
 pub(crate) fn table(outcomes: &[FileOutcome], shown: &[Shown]) -> String {
     let folder = common_folder(outcomes);
     let answers = || outcomes.iter().filter_map(|o| Some((o, &o.result.as_ref().ok()?.0)));
-    let mut heads = vec!["file".to_owned()];
-    let mut cells: Vec<Vec<String>> = answers().map(|(o, _)| vec![o.name_in(&folder)]).collect();
+    let mut columns = Columns::default();
+    columns.column("file", answers().map(|(o, _)| o.name_in(&folder)));
     let loads = |answer: &Value| answer["points"].as_array().map_or(1, Vec::len);
     let most = answers().map(|(_, answer)| loads(answer)).max().unwrap_or(1);
     for load in 0..most {
@@ -102,21 +102,13 @@ pub(crate) fn table(outcomes: &[FileOutcome], shown: &[Shown]) -> String {
                 continue;
             }
             let values: Vec<_> = answers().map(|(_, answer)| cell(answer, column, load)).collect();
-            if values.iter().all(Option::is_none) {
-                continue;
-            }
-            heads.push(column.head.to_owned());
-            for (row, value) in cells.iter_mut().zip(values) {
-                row.push(value.unwrap_or_else(|| "–".to_owned()));
+            if values.iter().any(Option::is_some) {
+                let cells = values.into_iter().map(|value| text::or_dash(value, |cell| cell));
+                columns.column(column.head, cells);
             }
         }
     }
-    let heads: Vec<&str> = heads.iter().map(String::as_str).collect();
-    let mut columns = Columns::new(&heads);
-    let any = !cells.is_empty();
-    for row in cells {
-        columns.row(row);
-    }
+    let any = answers().next().is_some();
     let mut out = if any { columns.to_string() } else { String::new() };
     if !folder.as_os_str().is_empty() {
         out = format!("in {}:\n{out}", folder.display());

@@ -1,17 +1,17 @@
 //! `rough-contact stats`: roughness statistics, each with its unit.
 
-use crate::adhesion::AdhesionOptions;
 use crate::against::{self, Against};
 use crate::args::{self, CommonOptions};
 use crate::batch::{self, PerFile};
 use crate::bodies::BodyOptions;
+use crate::contact::AdhesionOptions;
 use crate::files::{Files, expand};
 use crate::hardness;
 use crate::input::{FileOptions, One};
 use crate::outcome::{Failure, Reply, unfit};
+use crate::profiles;
 use crate::rows::{How, Shown};
 use crate::text::{self, Columns, TwoColumns};
-use crate::{profile_stats, profiles};
 use clap::Args;
 use rough_contact::compare::{Level, WorkOfAdhesion};
 use rough_contact::contact_types::Named;
@@ -74,7 +74,7 @@ impl Stats {
         for file in files {
             profiles::add(&mut all, profile(&file)?, &first, &file)?;
         }
-        profile_stats::run(&first, &all, self.level)
+        profiles::statistics(&first, &all, self.level)
     }
 }
 
@@ -106,7 +106,7 @@ impl PerFile for Stats {
                 let message = "modulus and hardness are for maps; of a profile leave them out";
                 return Err(Failure::refused("profile", message));
             }
-            One::Profile(traces) => return profile_stats::run(path, &traces, self.level),
+            One::Profile(traces) => return profiles::statistics(path, &traces, self.level),
         };
         let sticking = |(made_of, given): &(Bodies, Option<_>)| Some(((*given)?, made_of.modulus));
         let request = StatisticsRequest {

@@ -1,7 +1,7 @@
 //! `rough-contact synth`: a random self-affine surface from a recipe and a seed.
 
 use crate::args::{self, CommonOptions};
-use crate::export::MapFormat;
+use crate::convert::MapFormat;
 use crate::outcome::{Failure, Reply};
 use crate::output;
 use crate::text::{self, TwoColumns};
