@@ -8,11 +8,24 @@ use crate::{EdgesName, Listener, Origin, Settings, StudyError};
 use contact_accuracy::{Ladder, Setup, regrid, thinned};
 use contact_types::HeightMap;
 use fft_bem_solver::{Load, Maps, Solution, Solver};
-use grid_fft::parallel;
 use grid_fft::parallel::on_threads;
 use std::borrow::Cow;
 use surface_stats::clean::mirrored;
 use surface_stats::{Level, level};
+
+/// Point spacings tried, in spacings of the map. Together they have
+/// 1/4 + 1/16 + 1/64 = 33 % of its points.
+pub(crate) const COARSER: [usize; 3] = [2, 4, 8];
+
+/// Points along the shorter side below which a grid is not tried, nor a choice.
+const FEWEST_POINTS: usize = 16;
+
+/// A short solution is repeated this often, so that its time is its own and not that of what else
+/// the machine did just then.
+const REPEATS: usize = 5;
+
+/// Seconds after which a solution is not repeated.
+const SHORT: f64 = 0.05;
 
 /// Points a side above which the choices are compared on a coarser grid.
 const MOST_POINTS: usize = 1024;
@@ -129,12 +142,12 @@ fn choices(
     let repeats = surface.map.repeats;
     let on = |map: &HeightMap, shape: [usize; 2]| regrid(map, shape, repeats).ok();
     let shape = surface.surface.grid().shape();
-    if shape[0].min(shape[1]) < 16 {
+    if shape[0].min(shape[1]) < FEWEST_POINTS {
         return Vec::new(); // profiles, and maps too small to lose a wave
     }
     let factor = shape[0].max(shape[1]).div_ceil(MOST_POINTS);
     let used = if factor > 1 {
-        on(&surface.surface, shape.map(|n| (n / factor).max(16))).map(Cow::Owned)
+        on(&surface.surface, shape.map(|n| (n / factor).max(FEWEST_POINTS))).map(Cow::Owned)
     } else {
         Some(Cow::Borrowed(&surface.surface))
     };
@@ -163,7 +176,7 @@ fn choices(
     let [dy, dx] = used.grid().pixel();
     let shortest = surface.statistics.cutoff.unwrap_or(0.0).max(2.0 * dy.max(dx));
     let waves = used.grid().size().map(|side| (side / shortest).floor() as usize);
-    if waves[0].min(waves[1]) >= 16 {
+    if waves[0].min(waves[1]) >= FEWEST_POINTS {
         let smooth = on(used, waves).and_then(|coarse| on(&coarse, used.grid().shape()));
         add(ChoiceKind::Cutoff(2.0 * shortest), effect(smooth));
     }
@@ -178,20 +191,6 @@ fn choices(
     list
 }
 
-/// Point spacings tried, in spacings of the map. Together they have
-/// 1/4 + 1/16 + 1/64 = 33 % of its points.
-pub(crate) const COARSER: [usize; 3] = [2, 4, 8];
-
-/// Points along the shorter side below which a grid is not tried.
-const FEWEST_POINTS: usize = 16;
-
-/// A short solution is repeated this often, so that its time is its own and not that of what else
-/// the machine did just then.
-const REPEATS: usize = 5;
-
-/// Seconds after which a solution is not repeated.
-const SHORT: f64 = 0.05;
-
 /// The headline load on every coarser grid. One without a converged solution, or with fewer than 16 points a side, is left out;
 /// a grid that was chosen for an accuracy says itself what a coarser one would leave.
 pub(crate) fn solve_coarser(
@@ -202,12 +201,14 @@ pub(crate) fn solve_coarser(
     if surface.plan.is_some() {
         return;
     }
-    // All maps first: nothing else runs while a solution is timed.
-    let maps = parallel::map(&COARSER, |factor| coarsened(&surface.surface, *factor));
-    for (factor, map) in COARSER.into_iter().zip(maps) {
-        let found = map.and_then(|map| solve(surface, settings, (factor, &map), watch));
-        surface.coarser.extend(found);
+    let [ny, nx] = surface.surface.grid().shape();
+    let (mut map, mut found) = (Cow::Borrowed(&surface.surface), Vec::new());
+    for factor in COARSER.into_iter().filter(|factor| ny.min(nx) / factor >= FEWEST_POINTS) {
+        let Ok(every_second) = thinned(&map, [0, 0]) else { break };
+        found.extend(solve(surface, settings, (factor, &every_second), watch));
+        map = Cow::Owned(every_second);
     }
+    surface.coarser = found;
 }
 
 fn solve(
@@ -239,22 +240,10 @@ fn solve(
     })
 }
 
-/// Every point of `factor` along each side; `None` if too few are left.
-fn coarsened(map: &HeightMap, factor: usize) -> Option<HeightMap> {
-    if map.grid().shape().into_iter().any(|n| n / factor < FEWEST_POINTS) {
-        return None;
-    }
-    let mut map = thinned(map, [0, 0]).ok()?;
-    for _ in 1..factor.ilog2() {
-        map = thinned(&map, [0, 0]).ok()?;
-    }
-    Some(map)
-}
-
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::{Comparison, built_in, built_in_recipes};
+    use crate::{built_in, built_in_recipes};
     use std::ops::ControlFlow;
 
     /// The error is against the map's own answer. A map whose shortest wave is 8 points long has 4 at half the points:

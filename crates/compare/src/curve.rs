@@ -1,10 +1,8 @@
 //! The deterministic curve while it is solved.
 
 use crate::EdgesName;
-use crate::distribution::Distributions;
-use crate::distribution::contact_spots;
-use crate::pressure_maps::FirstContact;
-use crate::pressure_maps::PressureMaps;
+use crate::distribution::{Distributions, contact_spots};
+use crate::pressure_maps::{FirstContact, PressureMaps};
 use crate::progress::{Listener, Progress};
 use crate::result::{DeterministicAnswer, DeterministicPoint, SurfaceComparison};
 use contact_accuracy::{Answered, Leaks, Map, Sink};

@@ -107,24 +107,19 @@ impl PressureHistogram {
             above.push(left as f64 / all);
         }
         let mean = sum / count as f64;
+        // A density p^s has below p a share that goes as p^(s + 1).
+        let [few, more] =
+            [0.1, 0.3].map(|part| touching.iter().filter(|p| **p < part * mean).count());
+        let enough = count >= 1000 && few > 0;
         Some(Self {
             apart: (pressure.len() - count) as f64 / all,
             mean,
             edges: (0..=CLASSES).map(|i| i as f64 * width).collect(),
             density: counts.iter().map(|&n| n as f64 / all / width).collect(),
             above,
-            exponent_at_zero: exponent(count, |part| {
-                touching.iter().filter(|p| **p < part * mean).count()
-            }),
+            exponent_at_zero: enough.then(|| (more as f64 / few as f64).ln() / 3.0_f64.ln() - 1.0),
         })
     }
-}
-
-/// A density `p^s` has below p a share that goes as `p^(s + 1)`.
-fn exponent(count: usize, below: impl Fn(f64) -> usize) -> Option<f64> {
-    let (few, more) = (below(0.1), below(0.3));
-    let enough = count >= 1000 && few > 0;
-    enough.then(|| (more as f64 / few as f64).ln() / 3.0_f64.ln() - 1.0)
 }
 
 impl GapDistribution {

@@ -2,7 +2,6 @@
 
 mod adhesion;
 mod ask;
-mod cleaning;
 mod closer;
 mod conducted;
 mod conduction;
@@ -17,13 +16,9 @@ mod needs;
 mod pressure_maps;
 mod profile;
 mod progress;
-mod reason;
-mod recipe;
 mod registry;
 mod result;
-mod run_file;
 mod scene;
-mod sections;
 mod settings;
 mod spikes;
 mod study;
@@ -37,7 +32,6 @@ mod yielding;
 
 pub use adhesion::{Adhesion, NO_PULL_OFF, WorkOfAdhesion};
 pub use ask::possible;
-pub use cleaning::Cleaning;
 pub use conducted::{
     Conductance, Conducted, Conduction, Joint, Octave, Resistance, TheoryStiffness,
 };
@@ -54,7 +48,9 @@ pub use fft_bem_solver::{
     Diagnostics, End, Iteration, Load, Method, ObserverResult, Precision, Section, Solution,
     Solver, SolverError, Yielded,
 };
-pub use finding::{Fact, Finding, Passed, Pressed, Seam, Unevenness, Weight, Yielding};
+pub use finding::{
+    Applies, Fact, Finding, Passed, Pressed, Reason, Seam, Unevenness, Verdict, Weight, Yielding,
+};
 pub use findings::{Solved, findings, measured, seam};
 pub use gas::{GapGas, Gas};
 pub use grid_fft::parallel::on_threads;
@@ -66,19 +62,21 @@ pub use profile::{
     ProfileComparison, ProfileSurface, area_interval, profile_findings, profile_inputs,
 };
 pub use progress::{Listener, Progress, StudyError};
-pub use reason::{Applies, Reason, Verdict};
-pub use recipe::{Recipe, built_in_recipes};
 pub use registry::{Registry, built_in, find};
 pub use result::{
     ChoiceKind, Coarser, Comparison, DeterministicAnswer, DeterministicPoint, ModelComparison,
     ModelCurve, Refused, Spectral, SurfaceComparison,
 };
-pub use run_file::{RunFile, RunSurface};
 pub use scene::{Scene, is_steep, typical_hardness};
-pub use settings::{Along, Body, EdgesName, LeakRequest, STEEL, Seal, Settings, poisson};
+pub use settings::{
+    Along, Body, EdgesName, LeakRequest, RunFile, RunSurface, STEEL, Seal, Settings, poisson,
+};
 pub use spikes::{SPIKE_THRESHOLD, Spikes};
 pub use study::loads as loads_of_study;
-pub use surface::{FileOrigin, GivenOrigin, Origin, PairOrigin, Surface, sha256_hex};
+pub use surface::{
+    Cleaning, FileOrigin, GivenOrigin, Origin, PairOrigin, Recipe, Surface, built_in_recipes,
+    sha256_hex,
+};
 pub use surface_stats::Level;
 pub use surface_stats::pair::{Flip, Independence, Placed, Placing};
 pub use tabulated::{CurvePoint, Tabulated};

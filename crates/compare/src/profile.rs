@@ -7,7 +7,7 @@ use crate::findings::cleaned;
 use crate::inputs::Inputs;
 use crate::result::{ModelComparison, ModelCurve};
 use crate::scene::Scene;
-use crate::study::{check_models, check_pressures, headline, loads, nearest};
+use crate::study::{check_asked, headline, loads, nearest};
 use crate::theory::Theory;
 use crate::verdict::{Judged, verdict};
 use crate::{Origin, Registry, Settings, StudyError};
@@ -143,8 +143,7 @@ impl ProfileComparison {
     ) -> Result<Self, StudyError> {
         let start = Clock::now();
         let modulus = ContactModulus::from_pascals(settings.modulus)?;
-        check_pressures(&settings)?;
-        check_models(&settings, registry)?;
+        check_asked(&settings, registry)?;
         if settings.joint().is_asked() {
             return Err(StudyError::NoConductance);
         }

@@ -3,10 +3,9 @@
 use crate::adhesion::Adhesion;
 use crate::conducted::Conduction;
 use crate::distribution::Distributions;
+use crate::finding::Verdict;
 use crate::inputs::Inputs;
-use crate::pressure_maps::FirstContact;
-use crate::pressure_maps::PressureMaps;
-use crate::reason::Verdict;
+use crate::pressure_maps::{FirstContact, PressureMaps};
 use crate::theory::{BuildError, Card};
 use crate::{EdgesName, Origin, Settings, Spikes};
 use contact_accuracy::{Answered, Budget, Leaks, Map, Numbers, Reached};

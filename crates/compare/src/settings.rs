@@ -1,6 +1,8 @@
-//! Everything a user can choose about a study.
+//! Everything a user can choose about a study, and `run.toml`, from which it can be repeated.
 
-use crate::{Card, GapGas, Joint, MaterialUse, Registry, Theory, WorkOfAdhesion};
+use crate::{
+    Card, GapGas, Joint, MaterialUse, Origin, Registry, StudyError, Theory, WorkOfAdhesion,
+};
 use contact_accuracy::Axis;
 use contact_types::{HeightMap, Named};
 use fft_bem_solver::{Method, Precision, Solver, SolverBuilder};
@@ -289,6 +291,55 @@ pub(crate) fn default_pressures(modulus: f64, rms_gradient: f64) -> Vec<f64> {
         .flat_map(|decade| R5.iter().filter_map(move |&mantissa| decimal(mantissa, decade)))
         .filter(|p| (4e-4 * scale..0.4 * scale).contains(p))
         .collect()
+}
+
+/// The content of `run.toml`.
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+#[serde(deny_unknown_fields)]
+pub struct RunFile {
+    /// Version of the program that wrote it.
+    pub program: String,
+    /// Settings of the study.
+    pub settings: Settings,
+    /// The surfaces in order.
+    #[serde(rename = "surface")]
+    pub surfaces: Vec<RunSurface>,
+}
+
+/// One surface of `run.toml`.
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+#[serde(deny_unknown_fields)]
+pub struct RunSurface {
+    /// Name in the report.
+    pub name: String,
+    /// Where it comes from.
+    pub origin: Origin,
+}
+
+impl RunFile {
+    /// Reads a run file.
+    ///
+    /// # Errors
+    /// [`StudyError::Syntax`], [`StudyError::Given`] and [`StudyError::NoSurface`].
+    pub fn parse(text: &str) -> Result<Self, StudyError> {
+        let file: Self = toml::from_str(text)?;
+        if file.surfaces.is_empty() {
+            return Err(StudyError::NoSurface);
+        }
+        let is_given = |s: &&RunSurface| s.origin.is_given();
+        if let Some(given) = file.surfaces.iter().find(is_given) {
+            return Err(StudyError::Given(given.name.clone()));
+        }
+        Ok(file)
+    }
+
+    /// The file as text.
+    ///
+    /// # Errors
+    /// If a value has no TOML form, as an integer beyond 2^63 - 1 for a seed.
+    pub fn to_toml(&self) -> Result<String, toml::ser::Error> {
+        toml::to_string(self)
+    }
 }
 
 #[cfg(test)]

@@ -3,7 +3,7 @@
 use crate::{Origin, PairOrigin};
 use contact_types::HeightMap;
 use serde::Serialize;
-use surface_stats::clean::{Record, find_outliers};
+use surface_stats::clean::{Outliers, Record, find_outliers};
 
 /// Robust standard deviations beyond which a point is a spike; the advice names the same number.
 pub const SPIKE_THRESHOLD: f64 = 8.0;
@@ -28,15 +28,9 @@ pub struct Spikes {
 impl Spikes {
     /// Those of `map`; none in a map whose heights cannot be compared.
     pub(crate) fn of(map: &HeightMap) -> Self {
-        find_outliers(map.grid(), map.heights(), SPIKE_THRESHOLD).map_or_else(
-            |_| Self::default(),
-            |found| Self {
-                indices: found.indices,
-                largest: found.largest,
-                points: map.heights().len(),
-                taken: 0,
-            },
-        )
+        let found = find_outliers(map.grid(), map.heights(), SPIKE_THRESHOLD);
+        let Ok(Outliers { indices, largest, .. }) = found else { return Self::default() };
+        Self { indices, largest, points: map.heights().len(), taken: 0 }
     }
 
     /// Those that are left of `map` after these steps of cleaning; of a sum of two bodies, after those of either.

@@ -11,7 +11,6 @@ use crate::result::{
     Comparison, DeterministicPoint, ModelComparison, ModelCurve, Refused, Spectral,
     SurfaceComparison,
 };
-use crate::sections::telling_row;
 use crate::settings::default_pressures;
 use crate::theory::{Assumes, Theory};
 use crate::verdict::{Judged, verdict};
@@ -23,9 +22,7 @@ use crate::{
 use contact_accuracy::{
     AccuracyRequest, Aim, Ladder, LadderError, Map, Setup, Task, climb, round_to_digits,
 };
-use contact_types::{
-    AmplitudeSpectrum, Clock, ContactModulus, ContactState, HeightMap, ModelError,
-};
+use contact_types::{AmplitudeSpectrum, Clock, ContactModulus, ContactState, HeightMap};
 use fft_bem_solver::{Load, Maps, SolverBuilder, SolverError};
 use grid_fft::parallel::{join, on_threads};
 use std::f64::consts::TAU;
@@ -53,8 +50,7 @@ impl Comparison {
             return Err(StudyError::NoSurface);
         }
         let modulus = ContactModulus::from_pascals(settings.modulus)?;
-        check_pressures(&settings)?;
-        check_models(&settings, registry)?;
+        check_asked(&settings, registry)?;
         check_combinations(&settings)?;
         let asked = (&settings, registry);
         let (done, refused) =
@@ -103,18 +99,14 @@ fn check_combinations(settings: &Settings) -> Result<(), StudyError> {
     }
 }
 
-pub(crate) fn check_pressures(settings: &Settings) -> Result<(), StudyError> {
+/// Refuses loads that are none, and models that there are not.
+pub(crate) fn check_asked(settings: &Settings, registry: &Registry) -> Result<(), StudyError> {
     let given = settings.pressures.iter().flatten().chain(&settings.headline);
-    match given.copied().find(|p| !(p.is_finite() && *p > 0.0)) {
-        Some(value) => Err(StudyError::BadPressure(value)),
-        None if settings.pressures.as_ref().is_some_and(Vec::is_empty) => {
-            Err(StudyError::BadPressure(0.0))
-        }
-        None => Ok(()),
+    let is_empty = settings.pressures.as_ref().is_some_and(Vec::is_empty).then_some(0.0);
+    let wrong = given.copied().find(|p| !(p.is_finite() && *p > 0.0)).or(is_empty);
+    if let Some(value) = wrong {
+        return Err(StudyError::BadPressure(value));
     }
-}
-
-pub(crate) fn check_models(settings: &Settings, registry: &Registry) -> Result<(), StudyError> {
     let Some(names) = &settings.models else { return Ok(()) };
     let known: Vec<&str> = registry.of_studies().map(|t| t.card().name.as_ref()).collect();
     let listed = known.join(", ");
@@ -143,8 +135,10 @@ fn compare(
     );
     let (map, statistics, spectra) = described.map_err(refused)?;
     drop(heights);
-    let spectral = spectral(&spectra, statistics.edges);
-    let Spectra { amplitudes, seconds, .. } = spectra;
+    // Under a Hann window, or the jump at the edges would count as roughness.
+    let windowed = statistics.edges == Edges::Open;
+    let Spectra { amplitudes, seconds, moments, resolved, rings, .. } = spectra;
+    let spectral = Spectral { moments, resolved, windowed, psd: thinned(&rings) };
     let mut inputs = model_inputs(&map, &statistics, amplitudes, modulus, asked);
     inputs.surface = Some(name.clone());
     let setup_seconds = setup.elapsed().as_secs_f64();
@@ -347,23 +341,21 @@ fn ask(
         };
     let pressures: Vec<f64> = deterministic.iter().map(|p| p.mean_pressure).collect();
     let outcome = curve_of(theory, &asked, &pressures).map(|curve| {
-        let errors = curve.points.iter().zip(loads).map(|(m, d)| error(m, d)).collect();
+        let error = |(model, solved): (&Result<ContactState, _>, &DeterministicPoint)| {
+            let area = model.as_ref().ok()?.area_fraction;
+            let truth = solved.answer.as_ref()?.area_fraction;
+            (truth > 0.0).then(|| area / truth - 1.0)
+        };
+        let errors = curve.points.iter().zip(loads).map(error).collect();
         ModelCurve { preparation, errors, ..curve }
     });
     let verdict = verdict(&card, inputs, &outcome, &pressures, judged);
     ModelComparison { card, outcome, verdict }
 }
 
-/// Signed relative error of an area.
-fn error(model: &Result<ContactState, ModelError>, reference: &DeterministicPoint) -> Option<f64> {
-    let area = model.as_ref().ok()?.area_fraction;
-    let truth = reference.answer.as_ref()?.area_fraction;
-    (truth > 0.0).then(|| area / truth - 1.0)
-}
-
 /// Removes the form and takes the statistics. A map made from a recipe repeats; a measured one
 /// does not; one that was given, only if who gave it says so.
-pub(crate) fn describe(
+fn describe(
     heights: &HeightMap,
     origin: &Origin,
     settings: &Settings,
@@ -379,7 +371,7 @@ pub(crate) fn describe(
 /// map that does not repeat brings no jump at its edges, and they see less of the noise near two
 /// points than the spectrum does. Amplitudes are kept if a
 /// model that is asked needs them, or may need them.
-pub(crate) fn model_inputs(
+fn model_inputs(
     map: &HeightMap,
     statistics: &SurfaceStatistics,
     amplitudes: AmplitudeSpectrum,
@@ -405,14 +397,6 @@ pub(crate) fn model_inputs(
     }
 }
 
-/// Moments and radial PSD by the spectrum: of the map as it repeats if it does, under a Hann
-/// window otherwise, or the jump at the edges would count as roughness.
-pub(crate) fn spectral(found: &Spectra, edges: Edges) -> Spectral {
-    let Spectra { moments, resolved, rings, .. } = found;
-    let (moments, resolved, windowed) = (*moments, *resolved, edges == Edges::Open);
-    Spectral { moments, resolved, windowed, psd: thinned(rings) }
-}
-
 /// The PSD in about 12 bins per octave of wavenumber, `[wavelength, C]`: what a figure can show.
 fn thinned(rings: &[Ring]) -> Vec<[f64; 2]> {
     let rings: Vec<&Ring> = rings.iter().filter(|r| r.wavenumber > 0.0).collect();
@@ -425,4 +409,65 @@ fn thinned(rings: &[Ring]) -> Vec<[f64; 2]> {
         [TAU / of(|r| r.wavenumber.ln()).exp(), of(|r| r.psd)]
     };
     rings.chunk_by(|a, b| bin(a) == bin(b)).map(mean).collect()
+}
+
+/// Share of the points that counts as high: about what touches at a typical load.
+const HIGH: f64 = 0.02;
+/// Classes of height by which the high points are found.
+const CLASSES: usize = 4096;
+
+/// The row of the middle four fifths of a map that has the most high points, where contact is soonest and
+/// longest seen; the first of several.
+pub(crate) fn telling_row(map: &HeightMap) -> usize {
+    let [ny, nx] = map.grid().shape();
+    let (low, high) = map.range();
+    if high <= low {
+        return ny / 2;
+    }
+    let class = |h: f64| (((h - low) / (high - low) * CLASSES as f64) as usize).min(CLASSES - 1);
+    let rows = ny / 10..ny - ny / 10;
+    let middle = &map.heights()[rows.start * nx..rows.end * nx];
+    let mut counts = vec![0_usize; CLASSES];
+    for h in middle {
+        counts[class(*h)] += 1;
+    }
+    let wanted = (HIGH * middle.len() as f64).ceil() as usize;
+    let mut above = 0;
+    let level = (0..CLASSES).rev().find(|k| {
+        above += counts[*k];
+        above >= wanted
+    });
+    let level = level.unwrap_or(0);
+    let count = |row: usize| {
+        let row = &map.heights()[row * nx..(row + 1) * nx];
+        row.iter().filter(|h| class(**h) >= level).count()
+    };
+    rows.map(|row| (count(row), row))
+        .max_by_key(|(count, row)| (*count, ny - row))
+        .map_or(0, |m| m.1)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use contact_types::Grid;
+
+    #[test]
+    fn the_row_crosses_the_most_summits_away_from_the_edges() {
+        let grid = Grid::new([50, 60], [1e-6, 1e-6]).unwrap();
+        let mut heights: Vec<f64> = (0..3000).map(|i| f64::from((i * 37) % 101) * 1e-9).collect();
+        for x in 0..60 {
+            heights[2 * 60 + x] = 3e-7; // too near the edge
+        }
+        for x in 10..35 {
+            heights[31 * 60 + x] = 2e-7;
+            heights[40 * 60 + x - 5] = if x < 15 { 0.0 } else { 2e-7 };
+        }
+        let map = HeightMap::new(grid, heights).unwrap();
+        assert_eq!(telling_row(&map), 31);
+        let flat = HeightMap::from_fn(grid, |_, _| 1.0).unwrap();
+        assert_eq!(telling_row(&flat), 25);
+        let line = Grid::new([1, 60], [1e-6, 1e-6]).unwrap();
+        assert_eq!(telling_row(&HeightMap::from_fn(line, |_, x| x).unwrap()), 0);
+    }
 }

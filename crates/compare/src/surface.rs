@@ -1,12 +1,13 @@
-//! A height map with a name and where it came from.
+//! A height map with a name and where it came from: a file, a program, or one of the recipes of `data/surfaces.toml`.
 
-use crate::{Cleaning, Recipe, StudyError};
-use contact_types::HeightMap;
+use crate::StudyError;
+use contact_types::{Grid, HeightMap};
 use serde::{Deserialize, Serialize};
 use sha2::{Digest, Sha256};
 use std::fmt::Write as _;
-use surface_stats::clean::Record;
+use surface_stats::clean::{Form, Record, Step};
 use surface_stats::pair::{Composite, Independence, Placed, Placing};
+use surface_stats::synthesis::{Scale, SelfAffine};
 use surface_stats::{Edges, Level, StatsError, StatsOptions};
 
 /// One surface of a study.
@@ -18,18 +19,6 @@ pub struct Surface {
     pub origin: Origin,
     /// The heights as made, or as read, cleaned and filled; before they are levelled.
     pub heights: HeightMap,
-}
-
-impl Recipe {
-    /// Makes the surface.
-    ///
-    /// # Errors
-    /// [`StudyError::Scale`] unless exactly one of rms height and rms gradient is given;
-    /// [`StudyError::Impossible`] if a value is out of its range.
-    pub fn make(&self) -> Result<Surface, StudyError> {
-        let heights = self.heights()?;
-        Ok(Surface { name: self.name.clone(), origin: Origin::Recipe(self.clone()), heights })
-    }
 }
 
 /// Where a surface came from.
@@ -309,6 +298,135 @@ fn hexadecimal(digest: &[u8]) -> String {
     })
 }
 
+/// A random self-affine surface: everything its heights depend on. SI units.
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+#[serde(deny_unknown_fields)]
+pub struct Recipe {
+    /// Short name.
+    pub name: String,
+    /// What real surface it stands for.
+    #[serde(default)]
+    pub description: String,
+    /// `[ny, nx]` points.
+    pub shape: [usize; 2],
+    /// `[dy, dx]` in metres.
+    pub pixel: [f64; 2],
+    /// Hurst exponent H, above 0 and at most 1.
+    pub hurst: f64,
+    /// Wavelength above which the spectrum is flat (m).
+    pub rolloff: f64,
+    /// Shortest wavelength (m).
+    pub cutoff: f64,
+    /// Rms height (m); exactly one of this and `rms_gradient`.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub rms_height: Option<f64>,
+    /// Rms gradient [-].
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub rms_gradient: Option<f64>,
+    /// Seed of the random phases.
+    pub seed: u64,
+    /// Height step to round to (m); absent: not rounded.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub quantise: Option<f64>,
+}
+
+impl Recipe {
+    /// Makes the surface.
+    ///
+    /// # Errors
+    /// [`StudyError::Scale`] unless exactly one of rms height and rms gradient is given;
+    /// [`StudyError::Impossible`] if a value is out of its range.
+    pub fn make(&self) -> Result<Surface, StudyError> {
+        let name = || self.name.clone();
+        let scale = match (self.rms_height, self.rms_gradient) {
+            (Some(height), None) => Scale::RmsHeight(height),
+            (None, Some(gradient)) => Scale::RmsGradient(gradient),
+            (height, _) => {
+                let found = if height.is_some() { 2 } else { 0 };
+                return Err(StudyError::Scale { name: name(), found });
+            }
+        };
+        let impossible = |source| StudyError::Impossible { name: name(), source };
+        let grid =
+            Grid::new(self.shape, self.pixel).map_err(|e| impossible(StatsError::from(e)))?;
+        let Self { hurst, rolloff, cutoff, seed, quantise, .. } = *self;
+        let recipe = SelfAffine { grid, hurst, rolloff, cutoff, scale, seed, quantise };
+        let heights = recipe.generate().map_err(impossible)?;
+        Ok(Surface { name: name(), origin: Origin::Recipe(self.clone()), heights })
+    }
+}
+
+/// The surfaces a study takes when none is given: three finishes of steel.
+///
+/// # Panics
+/// Not with the recipes that this program was built with, which a test reads.
+pub fn built_in_recipes() -> Vec<Recipe> {
+    #[derive(Deserialize)]
+    struct RecipeFile {
+        surface: Vec<Recipe>,
+    }
+    let file: Result<RecipeFile, _> = toml::from_str(include_str!("../data/surfaces.toml"));
+    file.expect("a test reads the committed recipes").surface
+}
+
+/// Cleaning asked for. The order is fixed and is that of the fields: rows first, whose
+/// jumps hide spikes and form, then spikes, because they
+/// pull every fit and every mean; form before the filters, whose end effects grow with the slope
+/// at the edges.
+#[derive(Debug, Clone, Copy, PartialEq, Default, Serialize, Deserialize)]
+#[serde(deny_unknown_fields)]
+pub struct Cleaning {
+    /// Rows that stand at heights of their own put in line.
+    #[serde(default, skip_serializing_if = "std::ops::Not::not")]
+    pub align_rows: bool,
+    /// Robust standard deviations beyond which a point is a spike and becomes a missing point.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub outliers: Option<f64>,
+    /// Form taken off by least squares.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub form: Option<Form>,
+    /// Nesting index of the S-filter (m): shorter waves are taken off.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub s_filter: Option<f64>,
+    /// Nesting index of the L-filter (m): longer waves are taken off.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub l_filter: Option<f64>,
+}
+
+impl Cleaning {
+    /// True if nothing is asked for.
+    pub(crate) fn is_empty(&self) -> bool {
+        *self == Self::default()
+    }
+
+    /// The steps in the order in which they are done, on `grid`.
+    ///
+    /// # Errors
+    /// [`StudyError::CutoffTooShort`] and [`StudyError::NothingLeft`] of filters that make no sense there.
+    pub fn steps(&self, grid: Grid) -> Result<Vec<Step>, StudyError> {
+        let [dy, dx] = grid.pixel();
+        let pixel = dy.max(dx);
+        for cutoff in self.s_filter.into_iter().chain(self.l_filter) {
+            if !(cutoff.is_finite() && cutoff >= 2.0 * pixel) {
+                return Err(StudyError::CutoffTooShort { cutoff, pixel });
+            }
+        }
+        if let (Some(s_filter), Some(l_filter)) = (self.s_filter, self.l_filter)
+            && s_filter >= l_filter
+        {
+            return Err(StudyError::NothingLeft { s_filter, l_filter });
+        }
+        let steps = [
+            self.align_rows.then_some(Step::Rows),
+            self.outliers.map(Step::Outliers),
+            self.form.map(Step::Form),
+            self.s_filter.map(Step::SFilter),
+            self.l_filter.map(Step::LFilter),
+        ];
+        Ok(steps.into_iter().flatten().collect())
+    }
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;
@@ -333,5 +451,23 @@ mod tests {
         };
         assert_eq!(given.sha256, sha256_hex(&bytes));
         assert_eq!(given.note, "two points");
+    }
+
+    #[test]
+    fn built_in_recipes_can_be_made_and_what_is_ambiguous_or_impossible_not() {
+        let all = built_in_recipes();
+        for (i, recipe) in all.iter().enumerate() {
+            assert!(!all[..i].iter().any(|other| other.name == recipe.name), "{}", recipe.name);
+            let small = Recipe { shape: [96, 80], ..recipe.clone() };
+            assert_eq!(small.make().unwrap().heights.grid().shape(), [96, 80]);
+            let refused = Recipe { hurst: -1.0, ..small.clone() }.make();
+            assert!(matches!(refused, Err(StudyError::Impossible { .. })));
+            for (found, given) in [(0, None), (2, Some(0.1))] {
+                let (rms_height, rms_gradient) = (given, given);
+                let refused = Recipe { rms_height, rms_gradient, ..small.clone() }.make();
+                let is_told = |e: &StudyError| matches!(e, StudyError::Scale { name, found: n } if *n == found && *name == small.name);
+                assert!(refused.is_err_and(|e| is_told(&e)), "{found}");
+            }
+        }
     }
 }

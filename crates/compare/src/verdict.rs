@@ -1,12 +1,11 @@
 //! Does a theory cover this surface? Yes, with caution, or no, each with the measured reason.
 
-use crate::finding::Fact;
+use crate::finding::{Applies, Fact, Reason, Verdict};
 use crate::inputs::Inputs;
-use crate::reason::{Applies, Reason, Verdict};
 use crate::result::ModelCurve;
 use crate::scene::{is_steep, steep};
 use crate::theory::{Assumes, BuildError, Card};
-use contact_types::{Caveat, ContactState, ModelError};
+use contact_types::{Caveat, ContactState, ModelError, Wave};
 use surface_stats::Warning;
 
 /// What a verdict looks at of a surface.
@@ -80,24 +79,19 @@ fn strains(
     match card.assumes {
         Assumes::Summits => {
             // Summits begin to feel each other well before the caveat at 10 %.
-            let crowded = curve
-                .points
-                .iter()
-                .zip(pressures)
-                .find(|(m, _)| m.as_ref().is_ok_and(|s| s.area_fraction > 0.05));
-            let from = crowded.map(|(_, pressure)| *pressure);
-            reasons.extend(from.map(|from| Reason::Strained { caveat: None, from }));
+            let is_crowded = |state: &ContactState| state.area_fraction > 0.05;
+            let mut loads = curve.points.iter().zip(pressures);
+            let crowded = loads.find(|(point, _)| point.as_ref().is_ok_and(is_crowded));
+            reasons.extend(crowded.map(|(_, &from)| Reason::Strained { caveat: None, from }));
         }
         Assumes::Amplitudes => {
             if let Some(amplitudes) = &inputs.amplitudes {
-                let steepest = amplitudes.waves().iter().max_by(|a, b| {
-                    (a.amplitude * a.frequency).total_cmp(&(b.amplitude * b.frequency))
-                });
-                reasons.push(Reason::Band {
-                    dimension: None,
-                    short: steepest.map(|w| 1.0 / w.frequency),
-                    long: amplitudes.record_length(),
-                });
+                let ratio = |w: &Wave| w.amplitude * w.frequency;
+                let waves = amplitudes.waves().iter();
+                let steepest = waves.max_by(|a, b| ratio(a).total_cmp(&ratio(b)));
+                let (short, long) =
+                    (steepest.map(|w| 1.0 / w.frequency), amplitudes.record_length());
+                reasons.push(Reason::Band { dimension: None, short, long });
             }
         }
         Assumes::Fractal => {

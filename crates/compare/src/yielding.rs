@@ -1,6 +1,6 @@
 //! Bodies that yield: what a hardness means for the elastic answer.
 
-use crate::reason::Reason;
+use crate::finding::Reason;
 use crate::result::{DeterministicPoint, SurfaceComparison};
 use crate::scene::typical_hardness;
 use contact_types::{AsperityStatistics, ContactModulus};

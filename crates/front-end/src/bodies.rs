@@ -59,10 +59,7 @@ impl Bodies {
             );
             return Err(Failure::refused("material", message));
         };
-        let number = |used: &MaterialUse| {
-            let known = known(&used.name)?;
-            known.get(property).map(|l| l.value).ok_or_else(|| missing(known, property))
-        };
+        let number = |used: &MaterialUse| listed(known(&used.name)?, property);
         let both = [number(first)?, number(second)?];
         self.materials.iter_mut().for_each(|used| used.taken.push(property));
         Ok(both)
@@ -129,7 +126,7 @@ impl BodyInput {
     fn elastic(&self, listed: Option<&Material>) -> Result<Body, Failure> {
         let number = |own: Option<f64>, property| match (own, listed) {
             (Some(own), _) => Ok(own),
-            (None, Some(m)) => m.get(property).map(|l| l.value).ok_or_else(|| missing(m, property)),
+            (None, Some(material)) => self::listed(material, property),
             (None, None) => {
                 let message = format!("a body needs a material, or its {}", name_of(property));
                 Err(Failure::refused("material", message))
@@ -149,20 +146,20 @@ impl BodyInput {
 pub fn known(name: &str) -> Result<&'static Material, Failure> {
     material(name).map_err(|near| {
         let near = near.join(", ");
-        Failure::refused(
-            "material",
-            format!("{name} is not in the table of materials; near it: {near}"),
-        )
+        let message = format!("{name} is not in the table of materials; near it: {near}");
+        Failure::refused("material", message)
     })
 }
 
-fn missing(material: &Material, property: Property) -> Failure {
-    let message = format!(
-        "the table has no {} of {} that a source could be named for; give your own",
-        name_of(property),
-        material.name
-    );
-    Failure::refused("material", message)
+/// A number of the table.
+fn listed(material: &Material, property: Property) -> Result<f64, Failure> {
+    material.get(property).map(|listed| listed.value).ok_or_else(|| {
+        let (what, of) = (name_of(property), material.name);
+        let message = format!(
+            "the table has no {what} of {of} that a source could be named for; give your own"
+        );
+        Failure::refused("material", message)
+    })
 }
 
 fn name_of(property: Property) -> &'static str {

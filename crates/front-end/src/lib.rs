@@ -8,7 +8,6 @@ pub mod loads;
 pub mod model;
 mod paths;
 pub mod quantity;
-mod scene;
 pub mod shown;
 mod solve;
 mod statistics;

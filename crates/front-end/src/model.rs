@@ -250,9 +250,20 @@ impl ModelSubject {
         };
         let mut points: Vec<ModelPoint> = asked.iter().zip(answers).map(point).collect();
         let scene = scene(card, &inputs, &points, rows);
-        let mut json = object(card, (&inputs, joint), &points, spread);
-        json["level"] = json!(level.map(Level::name));
-        json["cleaning"] = contact_report::cleaning_json(&cleaned);
+        let objects: Vec<Value> = points.iter().map(point_object).collect();
+        let mut json = json!({
+            "model": card.name,
+            "citation": card.citation,
+            "modulus": (!card.is_rigid).then_some(inputs.modulus.pascals()),
+            "inputs": given(card, &inputs),
+            "load_area": spread.map(|s| s.area),
+            "points": objects,
+            "level": level.map(Level::name),
+            "cleaning": contact_report::cleaning_json(&cleaned),
+        });
+        if let Some(gas) = &joint.gas {
+            json["gas"] = contact_report::gas_json(gas);
+        }
         let findings = if let Some((statistics, origin, uneven)) = &profile {
             for (i, (point, &p)) in points.iter_mut().zip(asked).enumerate().filter(|_| is_load) {
                 let interval = || contact_compare::area_interval(theory, &inputs, statistics, p);
@@ -280,42 +291,6 @@ pub fn described(card: &Card) -> Value {
         "domain": card.domain,
         "separation": card.has_separation,
     })
-}
-
-fn object(
-    card: &Card,
-    (inputs, joint): (&Inputs, &Joint),
-    points: &[ModelPoint],
-    spread: Option<&Spread>,
-) -> Value {
-    let points: Vec<Value> = points.iter().map(point_object).collect();
-    let mut json = json!({
-        "model": card.name,
-        "citation": card.citation,
-        "modulus": (!card.is_rigid).then_some(inputs.modulus.pascals()),
-        "inputs": given(card, inputs),
-        "load_area": spread.map(|s| s.area),
-        "points": points,
-    });
-    if let Some(gas) = &joint.gas {
-        json["gas"] = contact_report::gas_json(gas);
-    }
-    json
-}
-
-/// Adds what the joint conducts to a point, of a correlation also what it is a fit of.
-fn conducts(point: &mut Value, [found, exact]: &[Conducted; 2]) {
-    let Value::Object(keys) = point else { return };
-    keys.extend(contact_report::conducted_keys(found));
-    let both = [
-        ("electrical", found.electrical, exact.electrical),
-        ("thermal", found.thermal, exact.thermal),
-    ];
-    for (name, fit, exact) in both {
-        if let Some(exact) = exact.filter(|_| exact != fit) {
-            keys.insert(format!("{name}_conductance_exact"), json!(exact.value));
-        }
-    }
 }
 
 /// The same with six digits of the value, unless they would move it into the domain.
@@ -356,8 +331,18 @@ fn point_object(point: &ModelPoint) -> Value {
         "caveat": state.and_then(|state| state.caveat.as_ref()).map(caveat),
         "error": point.answer.as_ref().err().map(refusal),
     });
-    if let Some(conducted) = said.and_then(|said| said.conducted.as_ref()) {
-        conducts(&mut json, conducted);
+    if let (Some([found, exact]), Value::Object(keys)) = (said.and_then(|s| s.conducted), &mut json)
+    {
+        keys.extend(contact_report::conducted_keys(&found));
+        // Of a correlation also what it is a fit of.
+        let both = [
+            ("electrical_conductance_exact", found.electrical, exact.electrical),
+            ("thermal_conductance_exact", found.thermal, exact.thermal),
+        ];
+        for (name, fit, exact) in both {
+            let exact = exact.filter(|_| exact != fit);
+            keys.extend(exact.map(|exact| (name.to_owned(), json!(exact.value))));
+        }
     }
     if let Some(force) = point.force {
         json["load"] = json!(force);

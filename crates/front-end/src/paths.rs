@@ -60,10 +60,8 @@ pub fn pressed(
     if first.name == second.name
         && let (Origin::File(a), Origin::File(b)) = (&first.origin, &second.origin)
     {
-        let mut names = told_apart(&[&a.path, &b.path]).into_iter();
-        for body in [&mut first, &mut second] {
-            body.name = names.next().unwrap_or_default();
-        }
+        let mut names = told_apart(&[&a.path, &b.path]);
+        (first.name, second.name) = (names.swap_remove(0), names.swap_remove(0));
     }
     if first.name == second.name {
         second.name += " (2)";

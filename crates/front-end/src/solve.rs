@@ -3,12 +3,10 @@
 use crate::complete::Subject;
 use crate::failure::Failure;
 use crate::loads::Spread;
-use crate::scene;
 use crate::shown::unusual_hardness;
+use crate::statistics::{adhesion, scene};
 use crate::study::unmet;
-use crate::work::Point;
-use crate::work::SolvedLoads;
-use crate::work::Watch;
+use crate::work::{Point, SolvedLoads, Watch};
 use contact_accuracy::{Aim, Ladder, LadderError, Setup, Sink, Task, climb};
 use contact_compare::{
     AccuracyRequest, Adhesion, EdgesName, Finding, Hardness, Joint, Level, PairOrigin, Reached,
@@ -121,7 +119,7 @@ impl SolveRequest {
         let level = asked.on(&heights).map_err(refused)?;
         let surface = surface_stats::level(&heights, level).map_err(refused)?;
         drop(heights);
-        solved.scene = scene::of(&surface, modulus, self.plane_strain).map_err(refused)?;
+        solved.scene = scene(&surface, modulus, self.plane_strain).map_err(refused)?;
         solved.scene.spacing = largest * f64::EPSILON;
         if self.boundary == Boundary::Periodic {
             solved.scene.tilted = surface_stats::tilted(&surface, asked).map_err(refused)?;
@@ -178,16 +176,10 @@ impl SolveRequest {
             }
             *kept = Some(ladder);
         }
-        (solved.loads, solved.indicators) = (work.without_uncertainty(), work.indicators());
-        solved.touching = work.touching();
-        // With a hardness no pressure is beyond it: nothing is left to warn of.
-        if settings.hardness.is_none() {
-            solved.scene.pressed = work.pressed();
-        }
-        solved.spike_share = work.spike_share;
+        work.add_to(&mut solved);
         if let Some((given, map)) = &sticking {
             let contacts = work.contacts();
-            let found = scene::adhesion(*given, map, modulus, &contacts).map_err(refused)?;
+            let found = adhesion(*given, map, modulus, &contacts).map_err(refused)?;
             solved.adhesion = Some(found);
         }
         solved.plan = plan.as_ref();

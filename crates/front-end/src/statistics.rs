@@ -2,17 +2,20 @@
 
 use crate::complete::Subject;
 use crate::failure::Failure;
-use crate::scene;
-use contact_compare::{Finding, Level, ProfileSurface, Settings, Spikes, WorkOfAdhesion};
-use contact_types::ContactModulus;
+use contact_compare::{
+    Adhesion, Finding, Inputs, Level, ProfileSurface, Scene, Settings, Spikes, WorkOfAdhesion,
+};
+use contact_types::{AsperityStatistics, ContactModulus, HeightMap};
 use serde::Deserialize;
 use serde_json::{Value, json};
 use std::path::Path;
 use surface_io::Measurement;
+use surface_stats::clean::row_offsets;
 use surface_stats::iso25178::{self, IsoParameter};
-use surface_stats::profile::ProfileStatistics;
+use surface_stats::profile::{self, ProfileStatistics, Trace};
 use surface_stats::{
-    ByDistance, Edges, StatsError, StatsOptions, SurfaceStatistics, by_distance, level,
+    ByDistance, Edges, HeightStatistics, StatsError, StatsOptions, SurfaceStatistics, by_distance,
+    level, moments, spectral_scales,
 };
 
 /// What is asked of a map.
@@ -80,7 +83,7 @@ pub fn statistics(subject: &Subject<'_>, asked: &StatisticsRequest) -> Result<St
         scales = Some(found);
     }
     if let (Some(map), Some((given, modulus))) = (&levelled, asked.adhesion) {
-        let found = scene::adhesion(given, map, modulus, &[]).map_err(refused)?;
+        let found = self::adhesion(given, map, modulus, &[]).map_err(refused)?;
         json["adhesion"] = json!(found);
         adhesion = Some(found);
     }
@@ -136,4 +139,47 @@ pub fn info(m: &Measurement) -> Value {
         "ambiguity": m.ambiguity.map(|a| a.what),
         "metadata": m.metadata,
     })
+}
+
+/// The scene of a map, or of the section of ridges.
+pub(crate) fn scene(
+    map: &HeightMap,
+    modulus: ContactModulus,
+    plane_strain: bool,
+) -> Result<Scene, StatsError> {
+    let scene = Scene {
+        modulus: modulus.pascals(),
+        rms_height: Some(HeightStatistics::of(map).rms_height),
+        ..Scene::default()
+    };
+    if plane_strain {
+        // Of ridges the slope of the section is the gradient.
+        let trace = Trace::new(map.grid().pixel()[1], map.heights().to_vec())?;
+        return Ok(Scene { gradient: Some(profile::moments(&trace).m2.sqrt()), ..scene });
+    }
+    let moments = moments(map, Edges::Open)?;
+    Ok(Scene {
+        gradient: Some(moments.rms_gradient()),
+        radius: AsperityStatistics::from_moments(moments).ok().map(|a| a.radius),
+        rows: row_offsets(map.grid(), map.heights()).ok().and_then(|rows| rows.warning),
+        ..scene
+    })
+}
+
+/// Whether the bodies stick, of a levelled map and of the contacts that were solved on it, `[mean pressure (Pa), area
+/// fraction]`.
+pub(crate) fn adhesion(
+    given: WorkOfAdhesion,
+    map: &HeightMap,
+    modulus: ContactModulus,
+    contacts: &[[f64; 2]],
+) -> Result<Adhesion, StatsError> {
+    let moments = moments(map, Edges::Open)?;
+    let inputs = Inputs {
+        moments: Some(moments),
+        spectrum: surface_stats::spectrum::radial(map).ok(),
+        ..Inputs::new(modulus)
+    };
+    let ([cutoff, _], _) = spectral_scales(map, Edges::Open)?;
+    Ok(Adhesion::of(given, &inputs, cutoff, contacts))
 }

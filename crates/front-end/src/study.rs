@@ -2,7 +2,9 @@
 
 use crate::failure::Failure;
 use crate::shown;
-use contact_compare::{Comparison, Listener, ProfileComparison, Reached, RunFile, StudyError};
+use contact_compare::{
+    Comparison, DeterministicPoint, Listener, ProfileComparison, Reached, RunFile, StudyError,
+};
 use contact_report::{Provenance, plan_reason};
 
 /// What is computed once the loads are: coarser grids, the shortest octaves taken off, a closer look at the headline.
@@ -18,15 +20,13 @@ pub fn look_around(
 }
 
 fn not_converged(comparison: &Comparison) -> Option<Failure> {
-    let mut lines = Vec::new();
-    for surface in &comparison.surfaces {
-        for point in &surface.deterministic {
-            if let Some(trouble) = &point.trouble {
-                let pressure = shown::pressure(point.mean_pressure);
-                lines.push(format!("{}, {pressure}: {trouble}", surface.name));
-            }
-        }
-    }
+    let points =
+        comparison.surfaces.iter().flat_map(|s| s.deterministic.iter().map(|p| (&s.name, p)));
+    let line = |(name, point): (&String, &DeterministicPoint)| {
+        let pressure = shown::pressure(point.mean_pressure);
+        Some(format!("{name}, {pressure}: {}", point.trouble.as_ref()?))
+    };
+    let lines: Vec<String> = points.filter_map(line).collect();
     (!lines.is_empty()).then(|| Failure::incomplete("not_converged", lines.join("\n")))
 }
 
@@ -37,12 +37,8 @@ pub fn not_met(comparison: &Comparison) -> Option<Failure> {
         .iter()
         .filter_map(|surface| unmet(&surface.name, surface.plan.as_ref()?));
     let refused = comparison.refused.iter().map(|r| {
-        let message = if r.reason.contains(&r.name) {
-            r.reason.clone()
-        } else {
-            format!("{}: {}", r.name, r.reason)
-        };
-        Failure::incomplete("files_failed", format!("no answer: {message}"))
+        let of = if r.reason.contains(&r.name) { String::new() } else { format!("{}: ", r.name) };
+        Failure::incomplete("files_failed", format!("no answer: {of}{}", r.reason))
     });
     refused.chain(not_converged(comparison)).chain(unmet).reduce(Failure::and)
 }

@@ -27,43 +27,32 @@ pub enum Dimension {
     Viscosity,
 }
 
-/// A unit: its name, and a factor and a power of ten that make it one of SI.
+/// A unit: its names, parted by spaces, and a factor and a power of ten that make it one of SI.
 type UnitScale = (&'static str, f64, i32);
 
 const LENGTHS: &[UnitScale] = &[
     ("m", 1.0, 0),
     ("cm", 1.0, -2),
     ("mm", 1.0, -3),
-    ("um", 1.0, -6),
-    ("micron", 1.0, -6),
-    ("microns", 1.0, -6),
+    ("um micron microns", 1.0, -6),
     ("nm", 1.0, -9),
-    ("A", 1.0, -10),
-    ("angstrom", 1.0, -10),
+    ("A angstrom", 1.0, -10),
     ("pm", 1.0, -12),
     ("fm", 1.0, -15),
     ("km", 1.0, 3),
-    ("in", 254.0, -4), // 25.4 mm exactly, since 1959
-    ("inch", 254.0, -4),
-    ("inches", 254.0, -4),
-    ("mil", 254.0, -7),
-    ("mils", 254.0, -7),
-    ("thou", 254.0, -7),
+    ("in inch inches", 254.0, -4), // 25.4 mm exactly, since 1959
+    ("mil mils thou", 254.0, -7),
 ];
 
 const PRESSURES: &[UnitScale] = &[
-    ("Pa", 1.0, 0),
-    ("hPa", 1.0, 2),
+    ("Pa N/m^2", 1.0, 0),
+    ("hPa mbar", 1.0, 2),
     ("kPa", 1.0, 3),
-    ("MPa", 1.0, 6),
-    ("GPa", 1.0, 9),
+    ("MPa N/mm^2", 1.0, 6),
+    ("GPa kN/mm^2", 1.0, 9),
     ("TPa", 1.0, 12),
     ("mPa", 1.0, -3),
     ("uPa", 1.0, -6),
-    ("N/m^2", 1.0, 0),
-    ("N/mm^2", 1.0, 6),
-    ("kN/mm^2", 1.0, 9),
-    ("mbar", 1.0, 2),
     ("bar", 1.0, 5),
     ("kbar", 1.0, 8),
     ("kgf/mm^2", 980_665.0, 1), // standard gravity, 9.80665 m/s^2
@@ -97,32 +86,15 @@ const RESISTIVITIES: &[UnitScale] = &[
 ];
 
 /// Units of thermal conductivity, likewise.
-const CONDUCTIVITIES: &[UnitScale] = &[
-    ("W/m/K", 1.0, 0),
-    ("W/mK", 1.0, 0),
-    ("mW/m/K", 1.0, -3),
-    ("mW/mK", 1.0, -3),
-    ("W/cm/K", 1.0, 2),
-];
+const CONDUCTIVITIES: &[UnitScale] =
+    &[("W/m/K W/mK", 1.0, 0), ("mW/m/K mW/mK", 1.0, -3), ("W/cm/K", 1.0, 2)];
 
-const ADHESIONS: &[UnitScale] = &[
-    ("J/m^2", 1.0, 0),
-    ("mJ/m^2", 1.0, -3),
-    ("uJ/m^2", 1.0, -6),
-    ("N/m", 1.0, 0),
-    ("mN/m", 1.0, -3),
-    ("erg/cm^2", 1.0, -3),
-];
+const ADHESIONS: &[UnitScale] =
+    &[("J/m^2 N/m", 1.0, 0), ("mJ/m^2 mN/m erg/cm^2", 1.0, -3), ("uJ/m^2", 1.0, -6)];
 
 /// Units of viscosity, written without what stands between their parts.
-const VISCOSITIES: &[UnitScale] = &[
-    ("Pas", 1.0, 0),
-    ("mPas", 1.0, -3),
-    ("uPas", 1.0, -6),
-    ("P", 1.0, -1),
-    ("cP", 1.0, -3),
-    ("kg/ms", 1.0, 0),
-];
+const VISCOSITIES: &[UnitScale] =
+    &[("Pas kg/ms", 1.0, 0), ("mPas cP", 1.0, -3), ("uPas", 1.0, -6), ("P", 1.0, -1)];
 
 /// What people write who mean a unit of the table: kilograms and pounds are masses.
 const MEANT: &[(Dimension, &str, &str)] = &[
@@ -179,7 +151,8 @@ impl Dimension {
     /// Factor and power of ten of a unit; `None` if it is not a unit of this dimension.
     pub(crate) fn scale(self, unit: &str) -> Option<(f64, i32)> {
         let find = |table: &[UnitScale], unit: &str| {
-            table.iter().find(|(name, _, _)| *name == unit).map(|&(_, f, e)| (f, e))
+            let named = |(names, ..): &&UnitScale| names.split(' ').any(|name| name == unit);
+            table.iter().find(named).map(|&(_, f, e)| (f, e))
         };
         match self {
             Self::Number => match unit {
@@ -218,7 +191,7 @@ impl Dimension {
         if let Some((_, _, meant)) = MEANT.iter().find(is_meant) {
             return vec![meant];
         }
-        let names = table.iter().map(|(name, _, _)| *name);
+        let names = table.iter().flat_map(|(names, ..)| names.split(' '));
         let near: Vec<&str> = names.filter(|name| name.eq_ignore_ascii_case(unit)).collect();
         let capital = unit.get(..1).filter(|first| first.starts_with(char::is_uppercase));
         match near.iter().find(|name| capital.is_some_and(|first| name.starts_with(first))) {

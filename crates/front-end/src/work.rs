@@ -4,8 +4,8 @@ use crate::failure::{Failure, variant};
 use crate::loads::{rising, shown};
 use contact_accuracy::{Answered, Leaks, Map, Numbers, Sink};
 use contact_compare::{
-    Conducted, DeterministicAnswer, Distributions, Joint, NoUncertainty, Pressed, Settings, Spikes,
-    contact_spots, spreads,
+    Conducted, DeterministicAnswer, Distributions, Joint, NoUncertainty, Pressed, Settings, Solved,
+    Spikes, contact_spots, spreads,
 };
 use contact_types::{ContactModulus, Grid, HeightMap};
 use fft_bem_solver::{Iteration, Load, SetStiffness, Solution, SolverError};
@@ -33,7 +33,7 @@ pub(crate) struct SolvedLoads<'a> {
     given: Grid,
     /// Spikes of the map as given, and the largest share of the load they carry on it.
     spikes: Spikes,
-    pub(crate) spike_share: Option<f64>,
+    spike_share: Option<f64>,
 }
 
 impl<'a> SolvedLoads<'a> {
@@ -62,29 +62,8 @@ impl<'a> SolvedLoads<'a> {
         }
     }
 
-    /// Every load taken.
-    fn taken(&self) -> impl Iterator<Item = &Point> {
-        self.points.iter().flatten()
-    }
-
     fn answers(&self) -> impl Iterator<Item = &DeterministicAnswer> {
-        self.taken().filter_map(|point| point.answer.as_ref())
-    }
-
-    /// Of each load taken: why its area has no uncertainty, if it has none.
-    pub(crate) fn without_uncertainty(&self) -> Vec<Option<NoUncertainty>> {
-        self.taken().map(|point| point.without_uncertainty).collect()
-    }
-
-    /// Of each load taken: its indicator, and its area on twice the points.
-    pub(crate) fn indicators(&self) -> Vec<(Option<f64>, Option<f64>)> {
-        let of = |a: &DeterministicAnswer| (a.budget.indicator, a.finer.as_ref().map(|n| n.area));
-        self.taken().map(|point| point.answer.as_ref().map_or((None, None), of)).collect()
-    }
-
-    /// Touching fraction and contact perimeter of each load that was solved.
-    pub(crate) fn touching(&self) -> Vec<[f64; 2]> {
-        self.answers().map(|a| [a.touching_fraction, a.diagnostics.contact_perimeter]).collect()
+        self.points.iter().flatten().filter_map(|point| point.answer.as_ref())
     }
 
     /// Mean pressure and area fraction of each load that converged.
@@ -93,16 +72,27 @@ impl<'a> SolvedLoads<'a> {
         converged.map(|a| [a.budget.mean_pressure.value, a.area_fraction]).collect()
     }
 
-    /// What presses at each load that converged, by rising load.
-    pub(crate) fn pressed(&self) -> Vec<Pressed> {
-        let pressed = |a: &DeterministicAnswer| {
-            let (load, mean) = (a.budget.mean_pressure.value, a.budget.real_pressure()?.value);
-            Some(Pressed::of(load, mean, a.diagnostics.max_pressure))
-        };
-        let converged = self.answers().filter(|a| a.converged);
-        let mut all: Vec<Pressed> = converged.filter_map(pressed).collect();
-        all.sort_by(|a, b| a.nominal.total_cmp(&b.nominal));
-        all
+    /// Adds what was found of the loads taken.
+    pub(crate) fn add_to(&self, solved: &mut Solved<'_>) {
+        let of = |a: &DeterministicAnswer| (a.budget.indicator, a.finer.as_ref().map(|n| n.area));
+        for point in self.points.iter().flatten() {
+            solved.loads.push(point.without_uncertainty);
+            solved.indicators.push(point.answer.as_ref().map_or((None, None), of));
+        }
+        let touching =
+            |a: &DeterministicAnswer| [a.touching_fraction, a.diagnostics.contact_perimeter];
+        solved.touching = self.answers().map(touching).collect();
+        solved.spike_share = self.spike_share;
+        // With a hardness no pressure is beyond it: nothing is left to warn of.
+        if self.settings.hardness.is_none() {
+            let pressed = |a: &DeterministicAnswer| {
+                let (load, mean) = (a.budget.mean_pressure.value, a.budget.real_pressure()?.value);
+                Some(Pressed::of(load, mean, a.diagnostics.max_pressure))
+            };
+            let all = &mut solved.scene.pressed;
+            all.extend(self.answers().filter(|a| a.converged).filter_map(pressed));
+            all.sort_by(|a, b| a.nominal.total_cmp(&b.nominal));
+        }
     }
 
     fn report(&mut self, failure: Failure) {
@@ -153,7 +143,7 @@ impl Sink for SolvedLoads<'_> {
         }
         let materials = spreads(&settings.materials);
         let (answer, solution) = DeterministicAnswer::of(result, materials, &known).unzip();
-        let mut json = object(load, answer.as_ref(), error);
+        let mut json = object(load, answer.as_ref(), error.as_ref());
         if let Some(answer) = answer.as_ref().filter(|a| a.converged) {
             without_uncertainty = answer.budget.area.half_width().err();
         }
@@ -236,7 +226,7 @@ fn numbers(found: &Numbers) -> Value {
 pub(crate) fn object(
     load: Load,
     found: Option<&DeterministicAnswer>,
-    error: Option<Value>,
+    error: Option<&Value>,
 ) -> Value {
     let (pressure, gap) = match (found, load) {
         (Some(a), _) => (Some(a.budget.mean_pressure.value), a.mean_gap),
@@ -261,16 +251,8 @@ pub(crate) fn object(
         }
         return json;
     }
-    for key in [
-        "touching_fraction",
-        "approach",
-        "max_pressure",
-        "iterations",
-        "transforms",
-        "seconds",
-        "residuals",
-        "duality_gap",
-    ] {
+    let none = "touching_fraction approach max_pressure iterations transforms seconds residuals duality_gap";
+    for key in none.split(' ') {
         json[key] = Value::Null;
     }
     json["stopped_at_rounding"] = json!(false);

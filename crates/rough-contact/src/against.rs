@@ -82,14 +82,11 @@ impl Against {
             ("--shift", self.shift.is_some()),
             ("--against-options", self.own.is_some()),
         ];
-        match (&self.second, alone.iter().find(|(_, is_given)| *is_given)) {
-            (Some(path), _) => Ok(Some(path)),
-            (None, None) => Ok(None),
-            (None, Some((name, _))) => {
-                let message = format!("{name} is for a second body; give --against FILE too");
-                Err(Failure::refused("usage", message))
-            }
+        if let (None, Some((name, _))) = (&self.second, alone.iter().find(|(_, given)| *given)) {
+            let message = format!("{name} is for a second body; give --against FILE too");
+            return Err(Failure::refused("usage", message));
         }
+        Ok(self.second.as_deref())
     }
 
     /// What is in the file, with the second body on it if there is one; with its hash, for a run that is to be repeated.

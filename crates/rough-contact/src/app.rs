@@ -27,13 +27,13 @@ impl App {
         };
         let listener = TcpListener::bind((Ipv4Addr::LOCALHOST, 0)).map_err(refused)?;
         let port = listener.local_addr().map_err(refused)?.port();
-        let site = Site::new(port, secret()?, common.threads(), common.quiet);
-        let address = site.address();
-        if common.json {
-            outcome::show(&format!("{}\n", json!({ "address": address })));
-        } else {
-            outcome::show(&format!("{address}\n"));
-        }
+        let (token, place) = (secret()?, Host::machine(common.threads()));
+        let host = format!("127.0.0.1:{port}");
+        let origin = format!("http://{host}");
+        let address = format!("{origin}/{token}/");
+        let line =
+            if common.json { json!({ "address": address }).to_string() } else { address.clone() };
+        outcome::show(&format!("{line}\n"));
         if !common.quiet {
             tell(
                 "The page at this address computes with this program, on this machine only. Ctrl-C ends it.",
@@ -42,7 +42,8 @@ impl App {
         if !self.no_open && !open(&address) {
             tell("rough-contact: no browser could be opened; open the address above in one");
         }
-        site.serve(&listener)
+        let (page, quiet) = (page_of_program(place), common.quiet);
+        Site { host, origin, token, place, page, quiet }.serve(&listener)
     }
 }
 
@@ -81,7 +82,7 @@ const AGAIN: Duration = Duration::from_millis(20);
 const MOST_REQUEST: usize = 1 << 20;
 
 /// Who may ask, and what is served.
-pub(crate) struct Site {
+struct Site {
     /// What a browser that asks us names as its host; another name that leads here is another's.
     host: String,
     /// What it says where a question comes from: our page.
@@ -95,20 +96,9 @@ pub(crate) struct Site {
 }
 
 impl Site {
-    pub(crate) fn new(port: u16, token: String, threads: usize, quiet: bool) -> Self {
-        let place = Host::machine(threads);
-        let host = format!("127.0.0.1:{port}");
-        let origin = format!("http://{host}");
-        Self { host, origin, token, place, page: page_of_program(place), quiet }
-    }
-
-    pub(crate) fn address(&self) -> String {
-        format!("{}/{}/", self.origin, self.token)
-    }
-
     /// Answers until the program is ended. What keeps a connection from being taken passes: the other side has gone, or
     /// there are too many open files until others time out.
-    pub(crate) fn serve(self, listener: &TcpListener) -> ! {
+    fn serve(self, listener: &TcpListener) -> ! {
         // One clone for each connection that is open.
         let (site, open) = (Arc::new(self), Arc::new(()));
         loop {

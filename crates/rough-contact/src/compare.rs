@@ -1,23 +1,23 @@
-//! `rough-contact compare`: the study and its report.
+//! `rough-contact compare`: the study and its report, of maps and of profiles.
 
 use crate::against::{self, Against};
 use crate::args::{self, CommonOptions, List};
-use crate::compare_profiles;
 use crate::contact::ContactOptions;
 use crate::input::{FileOptions, One};
 use crate::leak;
 use crate::loads::Forces;
-use crate::outcome::{Failure, Reply};
-use crate::output::Folder;
+use crate::outcome::{Failure, Folder, Reply};
+use crate::profiles::uneven_line;
 use crate::progress::ProgressDisplay;
 use crate::surfaces::{distinct, parted, repeat};
 use crate::text::{self, Columns, plain};
 use crate::units::Dimension::{Number, Pressure};
 use clap::Args;
 use rough_contact::compare::{
-    Comparison, ModelCurve, Refused, RunFile, RunSurface, Settings, Surface, built_in, on_threads,
+    Comparison, EdgesName, ModelCurve, ProfileComparison, ProfileSurface, Refused, RunFile,
+    RunSurface, Settings, Surface, built_in, on_threads,
 };
-use rough_contact::contact_types::Named;
+use rough_contact::contact_types::{ContactState, Named};
 pub(crate) use rough_contact::front_end::not_met;
 use rough_contact::front_end::run_file_in;
 use rough_contact::report::Provenance;
@@ -102,7 +102,7 @@ impl Compare {
         let (surfaces, profiles) = parted(surfaces)?;
         if !profiles.is_empty() {
             let out = &self.out;
-            return compare_profiles::run(profiles, &settings, &run_file, out, &repeat, common);
+            return run_profiles(profiles, &settings, &run_file, out, &repeat, common);
         }
         let names = front_end::document_names(None);
         let folder = Folder::prepare(&self.out, &names, common.force)?;
@@ -111,7 +111,7 @@ impl Compare {
             comparison.refused.extend(unread);
             let provenance = Provenance::here(repeat);
             let mut reply = Reply::new(
-                describe(&comparison, folder.path()),
+                describe(&comparison, &folder.path),
                 report::comparison_json(&comparison, &provenance),
             );
             reply.trouble = not_met(&comparison);
@@ -150,18 +150,13 @@ impl Compare {
     /// With --load, its pressures on the area that carries it.
     pub(crate) fn loaded(
         &self,
-        settings: Settings,
+        mut settings: Settings,
         areas: impl IntoIterator<Item = f64>,
     ) -> Result<Settings, Failure> {
-        let spread = self.forces.spread(areas)?;
-        Ok(match spread {
-            None => settings,
-            Some(spread) => Settings {
-                pressures: Some(spread.pressures),
-                load_area: Some(spread.area),
-                ..settings
-            },
-        })
+        if let Some(spread) = self.forces.spread(areas)? {
+            (settings.pressures, settings.load_area) = (Some(spread.pressures), Some(spread.area));
+        }
+        Ok(settings)
     }
 
     pub(crate) fn read(&self, path: &Path) -> Result<One, Failure> {
@@ -339,6 +334,82 @@ fn models(reference: &report::Reference<'_>) -> Columns {
         columns.row(["Deterministic".into(), dash(), dash(), text::seconds(mean), dash()]);
     }
     columns
+}
+
+/// Options that say how to solve for a map.
+fn refuse_solver(settings: &Settings) -> Result<(), Failure> {
+    let option = match (settings.accuracy, settings.edges) {
+        _ if settings.fast => "--fast",
+        _ if settings.leak.is_some() => "--leak",
+        (Some(_), _) => "--accuracy",
+        (None, EdgesName::Mirrored) => "--edges mirrored",
+        _ => return Ok(()),
+    };
+    let message = format!(
+        "{option} says how to solve for a map, and a profile has no deterministic answer here; leave it \
+         out, or see `solve --plane-strain`"
+    );
+    Err(Failure::refused("combination", message))
+}
+
+fn run_profiles(
+    surfaces: Vec<ProfileSurface>,
+    settings: &Settings,
+    run_file: &RunFile,
+    out: &Path,
+    repeat: &str,
+    common: &CommonOptions,
+) -> Result<Reply, Failure> {
+    refuse_solver(settings)?;
+    let names = front_end::document_names(Some(surfaces.len()));
+    let folder = Folder::prepare(out, &names, common.force)?;
+    let study = |surface| ProfileComparison::run(surface, settings.clone(), built_in());
+    let studies = surfaces.into_iter().map(study).collect::<Result<Vec<_>, _>>();
+    let studies = studies.map_err(|e| Failure::from(&e))?;
+    let provenance = Provenance::here(repeat);
+    let mut reply = Reply::new(
+        describe_profiles(&studies, &folder.path),
+        report::profile_comparison_json(&studies, &provenance),
+    );
+    let documents = front_end::profile_documents(&studies, &provenance, run_file);
+    // What was computed is printed even if it cannot be written.
+    reply.trouble = documents.and_then(|files| folder.write_all(files)).err();
+    Ok(reply)
+}
+
+fn describe_profiles(studies: &[ProfileComparison], folder: &Path) -> String {
+    let mut out = String::new();
+    if let Some(ProfileComparison { settings, .. }) = studies.first() {
+        let made_of = (settings.modulus, settings.bodies.clone());
+        out.push_str(&against::lines(None, Some(made_of)));
+    }
+    for study in studies {
+        let headline = plain(&report::profile_headline(study));
+        let _ = writeln!(out, "{}: {headline}", study.surface.name);
+        out.push_str(&text::cleaning(study.surface.origin.cleaned()));
+        out.push_str(&uneven_line(study.surface.uneven));
+        out.push_str(&text::findings(&study.findings()));
+        out.push('\n');
+        let mut columns =
+            Columns::new(&["model", "area", "95 % interval", "real pressure", "applies"]);
+        for model in &study.models {
+            let curve = model.outcome.as_ref().ok();
+            let state = curve.and_then(|c| c.points[study.headline].as_ref().ok());
+            let interval = curve.and_then(|c| c.intervals[study.headline]);
+            columns.row([
+                model.card.title.to_string(),
+                text::or_dash(state, |s| text::percent(s.area_fraction)),
+                text::or_dash(interval, |[low, high]| {
+                    format!("{} to {}", text::percent(low), text::percent(high))
+                }),
+                text::or_dash(state.and_then(ContactState::real_pressure), text::pressure),
+                model.verdict.answer.name().to_owned(),
+            ]);
+        }
+        let _ = writeln!(out, "{columns}");
+    }
+    let _ = writeln!(out, "report: {}", folder.join("report.html").display());
+    out
 }
 
 #[cfg(test)]

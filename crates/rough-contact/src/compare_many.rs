@@ -1,11 +1,10 @@
 //! `rough-contact compare` of many maps: each by itself, and a page of how they are spread.
 
 use crate::args::CommonOptions;
-use crate::batch::{self, PerFile, Store};
+use crate::batch::{self, FileOutcome, How, PerFile, Shown, Store};
 use crate::compare::{Compare, quoted};
 use crate::input::One;
 use crate::outcome::{Failure, Reply, unfit};
-use crate::rows::{self, FileOutcome, How, Shown};
 use rough_contact::compare::{Comparison, Settings, Surface, built_in};
 use rough_contact::report::{Provenance, Summary};
 use rough_contact::{compare, report};
@@ -80,7 +79,7 @@ pub(crate) fn run(command: &Compare, common: &CommonOptions) -> Result<Reply, Fa
     let store = Store::at(&command.out, &OUTPUTS, command.resume, common.force)?;
     let outcomes = batch::outcomes(command, &command.files, Some(&store), common)?;
     let mut reply = Reply::new(
-        rows::table(&outcomes, Compare::SHOWN),
+        batch::table(&outcomes, Compare::SHOWN),
         json!({ "files": batch::objects(&outcomes), "settings": settings }),
     );
     reply.trouble = batch::trouble(&outcomes);
@@ -91,13 +90,13 @@ pub(crate) fn run(command: &Compare, common: &CommonOptions) -> Result<Reply, Fa
     if let Err(failure) = write(&store, &outcomes, &summary, &provenance) {
         reply.trouble = Some(failure);
     }
-    let page = store.folder.path().join("report.html");
+    let page = store.folder.path.join("report.html");
     let _ = writeln!(reply.text, "report: {}", page.display());
     Ok(reply)
 }
 
 fn summary<'a>(outcomes: &'a [FileOutcome], settings: &'a Settings, seconds: f64) -> Summary<'a> {
-    let folder = rows::common_folder(outcomes);
+    let folder = batch::common_folder(outcomes);
     let map = |o: &'a FileOutcome| Some((o.name_in(&folder), &o.result.as_ref().ok()?.0));
     let failed = |o: &FileOutcome| {
         o.result.is_err().then(|| (o.name_in(&folder), o.why().unwrap_or_default()))
@@ -119,7 +118,7 @@ fn write(
     let folder = &store.folder;
     let page = report::summary_html(summary, provenance);
     folder.write("report.html", |out| out.write_all(page.as_bytes()))?;
-    folder.write("table.csv", |out| rows::csv(outcomes, out))?;
+    folder.write("table.csv", |out| batch::csv(outcomes, out))?;
     // The answers go through one by one: together they may be more than the memory holds.
     folder.write("results.json", |out| {
         let mut before = "{\n\"surfaces\": [\n";

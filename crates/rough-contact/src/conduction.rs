@@ -1,11 +1,9 @@
 //! `--resistivity`, `--conductivity`, `--gas`: what a joint conducts.
 
-use crate::args;
 use crate::loads::Forces;
 use crate::outcome::Failure;
-use crate::quantity;
-use crate::text;
 use crate::units::Dimension::{self, Conductivity, Pressure, Resistivity};
+use crate::{args, quantity, text};
 use clap::Args;
 use rough_contact::compare::{Conductance, Conducted, Estimate, GapGas, Gas, Joint, Property};
 use rough_contact::contact_types::Named;
@@ -133,19 +131,24 @@ fn temperature(text: &str) -> Result<f64, String> {
 }
 
 fn accommodation(text: &str) -> Result<[f64; 2], Failure> {
-    let refused = |why| Failure::refused("not_these", format!("'{text}': {why}"));
-    let values = quantity::parse_list(text, Dimension::Number)?;
-    if values.iter().any(|a| !(*a > 0.0 && *a <= 1.0)) {
-        return Err(refused("an accommodation coefficient is above 0 and at most 1"));
-    }
-    pair(&values).ok_or_else(|| refused("give one number for both walls, or two, one for each"))
+    let limit = "an accommodation coefficient is above 0 and at most 1";
+    let count = "give one number for both walls, or two, one for each";
+    pair(text, Dimension::Number, |a| !(a > 0.0 && a <= 1.0), [limit, count])
 }
 
-fn pair(values: &[f64]) -> Option<[f64; 2]> {
-    match *values {
-        [both] => Some([both, both]),
-        [first, second] => Some([first, second]),
-        _ => None,
+/// One number for both, or two; refused where one is wrong, or there are more.
+fn pair(
+    text: &str,
+    dimension: Dimension,
+    is_wrong: fn(f64) -> bool,
+    [limit, count]: [&str; 2],
+) -> Result<[f64; 2], Failure> {
+    let refused = |why| Err(Failure::refused("not_these", format!("'{text}': {why}")));
+    match quantity::parse_list(text, dimension)?[..] {
+        ref values if values.iter().any(|value| is_wrong(*value)) => refused(limit),
+        [both] => Ok([both, both]),
+        [first, second] => Ok([first, second]),
+        _ => refused(count),
     }
 }
 
@@ -156,13 +159,9 @@ fn both(
         if text.trim().eq_ignore_ascii_case("table") {
             return Ok(Both::Table);
         }
-        let refused = |why| Failure::refused("not_these", format!("'{text}': {why}"));
-        let values = quantity::parse_list(text, dimension)?;
-        if values.iter().any(|v| *v < 0.0) {
-            return Err(refused("it must not be negative; 0 is a limit that is allowed"));
-        }
-        let given = pair(&values).map(Both::Given);
-        given.ok_or_else(|| refused("give one number for both bodies, or two, one for each"))
+        let limit = "it must not be negative; 0 is a limit that is allowed";
+        let count = "give one number for both bodies, or two, one for each";
+        pair(text, dimension, |value| value < 0.0, [limit, count]).map(Both::Given)
     }
 }
 

@@ -2,8 +2,7 @@
 
 use crate::args::{self, CommonOptions};
 use crate::input::{FileOptions, One};
-use crate::outcome::{Failure, Reply, unfit};
-use crate::output;
+use crate::outcome::{self, Failure, Reply, unfit};
 use crate::text::{self, TwoColumns};
 use clap::Args;
 use rough_contact::compare::Level;
@@ -33,7 +32,7 @@ pub(crate) struct Convert {
 impl Convert {
     pub(crate) fn run(&self, common: &CommonOptions) -> Result<Reply, Failure> {
         let format = MapFormat::of(&self.out)?;
-        output::check(&self.out, common.force)?;
+        outcome::check(&self.out, common.force)?;
         let shown = self.file.display().to_string();
         let One::Map(surface) = self.how.measured(&self.file, false)? else {
             let why = "a profile is no map, and maps are what is written";
@@ -49,7 +48,7 @@ impl Convert {
             form.name(),
             if steps.is_empty() { "nothing".to_owned() } else { steps.join("; ") }
         );
-        output::write(&self.out, |writer| format.write(writer, &map, &comment))?;
+        outcome::write(&self.out, |writer| format.write(writer, &map, &comment))?;
         let [ny, nx] = map.grid().shape();
         let [dy, dx] = map.grid().pixel();
         let (low, high) = map.range();

@@ -1,7 +1,6 @@
 //! What `solve` writes for each load: fields on the grid, and the table of spots.
 
-use crate::outcome::Failure;
-use crate::output::Folder;
+use crate::outcome::{Failure, Folder};
 use clap::{Args, ValueEnum};
 use rough_contact::compare::contact_spots;
 use rough_contact::contact_types::{Grid, HeightMap};

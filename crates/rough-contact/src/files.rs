@@ -48,23 +48,20 @@ pub(crate) fn expand(paths: &[PathBuf]) -> Result<Vec<PathBuf>, Failure> {
             found.push(path.clone());
         }
     }
+    let names = |paths: &[PathBuf]| {
+        paths.iter().map(|path| path.display().to_string()).collect::<Vec<_>>().join(", ")
+    };
     if !left_out.is_empty() {
-        let names: Vec<String> = left_out.iter().take(5).map(|p| p.display().to_string()).collect();
-        let more = if left_out.len() > 5 { ", …" } else { "" };
+        let (count, some) = (left_out.len(), names(&left_out[..left_out.len().min(5)]));
+        let more = if count > 5 { ", …" } else { "" };
         tell(&format!(
-            "rough-contact: left out, for their names end like no format: {}{more} ({} in all); name \
-             a file to have it read",
-            names.join(", "),
-            left_out.len()
+            "rough-contact: left out, for their names end like no format: {some}{more} ({count} in all); name \
+             a file to have it read"
         ));
     }
     if found.is_empty() {
-        let names: Vec<String> = paths.iter().map(|p| p.display().to_string()).collect();
-        let message = format!(
-            "{}: no surface file is there; `rough-contact info --list` lists the formats",
-            names.join(", ")
-        );
-        return Err(Failure::refused("empty", message));
+        let why = "no surface file is there; `rough-contact info --list` lists the formats";
+        return Err(Failure::refused("empty", format!("{}: {why}", names(paths))));
     }
     Ok(found)
 }

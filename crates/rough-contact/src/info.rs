@@ -1,11 +1,10 @@
 //! `rough-contact info`: what a surface file holds.
 
 use crate::args::CommonOptions;
-use crate::batch::{self, PerFile};
+use crate::batch::{self, How, PerFile, Shown};
 use crate::files::Files;
 use crate::input::{self, ReadingOptions};
 use crate::outcome::{Failure, Reply};
-use crate::rows::{How, Shown};
 use crate::text::{self, TwoColumns};
 use clap::Args;
 use rough_contact::front_end;

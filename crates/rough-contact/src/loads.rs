@@ -87,21 +87,18 @@ pub(crate) fn spread(
     let area = match (given, maps.next()) {
         (Some(area), _) => area,
         (None, None) => {
-            return refused(
-                "--load presses on an area, and no map says how large it is; give --area, such as \
-                 --area 2mm2, or --pressure"
-                    .to_owned(),
-            );
+            let message = "--load presses on an area, and no map says how large it is; give --area, such as \
+                           --area 2mm2, or --pressure";
+            return refused(message.to_owned());
         }
         (None, Some(area)) => match maps.find(|other| (other / area - 1.0).abs() > 1e-9) {
             // Areas that differ by rounding are one.
             None => area,
             Some(other) => {
+                let [area, other] = [area, other].map(text::area);
                 return refused(format!(
-                    "the maps have areas of {} and {}, so that --load is another pressure on each; give \
-                     --area, the nominal area that carries the load, or --pressure",
-                    text::area(area),
-                    text::area(other)
+                    "the maps have areas of {area} and {other}, so that --load is another pressure on each; give \
+                     --area, the nominal area that carries the load, or --pressure"
                 ));
             }
         },

@@ -10,14 +10,11 @@ mod batch;
 mod bodies;
 mod compare;
 mod compare_many;
-mod compare_profiles;
 mod conduction;
 mod contact;
 mod convert;
 mod fields;
 mod files;
-mod hardness;
-mod help;
 #[cfg(feature = "app")]
 mod http;
 mod info;
@@ -26,14 +23,11 @@ mod leak;
 mod loads;
 #[cfg(feature = "shell")]
 mod manual;
-mod materials;
 mod model;
 mod outcome;
-mod output;
 mod profiles;
 mod progress;
 mod roughness;
-mod rows;
 mod solve;
 mod stats;
 mod surfaces;
@@ -85,7 +79,7 @@ enum Command {
     /// The heights of a file, cleaned and levelled as asked, in another format
     Convert(convert::Convert),
     /// The table of materials that --material takes names of
-    Materials(materials::Materials),
+    Materials(bodies::Materials),
     /// The page in a browser, computed by this program: drop a measurement, read the report
     #[cfg(feature = "app")]
     App(app::App),
@@ -104,7 +98,7 @@ fn main() -> ExitCode {
     let words: Vec<String> =
         std::env::args_os().map(|word| word.to_string_lossy().into_owned()).collect();
     let wants_json = words.iter().any(|word| word == "--json");
-    let parsed = help::grouped(Cli::command(), &words)
+    let parsed = args::grouped(Cli::command(), &words)
         .try_get_matches()
         .and_then(|mut matches| Cli::from_arg_matches_mut(&mut matches));
     let cli = match parsed {
@@ -140,8 +134,8 @@ fn run(cli: &Cli) -> Result<Reply, Failure> {
         Command::App(app) => app.run(common),
         Command::Validate(validate) => validate.run(common),
         #[cfg(feature = "shell")]
-        Command::Completions(completions) => completions.run(help::grouped(Cli::command(), &[])),
+        Command::Completions(completions) => completions.run(args::grouped(Cli::command(), &[])),
         #[cfg(feature = "shell")]
-        Command::Man(man) => man.run(help::grouped(Cli::command(), &[]), common),
+        Command::Man(man) => man.run(args::grouped(Cli::command(), &[]), common),
     }
 }

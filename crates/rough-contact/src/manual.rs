@@ -1,8 +1,7 @@
 //! `rough-contact man` and `completions`: what a reader and a shell need, from the same table as `--help`.
 
 use crate::args::CommonOptions;
-use crate::outcome::{Failure, Reply};
-use crate::output::Folder;
+use crate::outcome::{Failure, Folder, Reply};
 use clap::builder::{PossibleValuesParser, TypedValueParser};
 use clap::{Args, Command, ValueEnum};
 use clap_complete::{Shell, generate};

@@ -4,7 +4,7 @@ use crate::outcome::{Failure, Reply, unfit};
 use crate::text::{self, Columns, TwoColumns, plain};
 use rough_contact::compare::{Cleaning, Level, Origin, ProfileSurface, Surface, Unevenness};
 use rough_contact::surface_stats::clean::Form;
-use rough_contact::surface_stats::profile::ProfileStatistics;
+use rough_contact::surface_stats::profile::{ProfileStatistics, Trace};
 use rough_contact::{HeightMap, SpectralMoments, front_end, report};
 use std::fmt::Write as _;
 use std::path::Path;
@@ -19,14 +19,15 @@ pub(crate) fn add(
     if let (Some(a), Some(b)) = (all.traces.first(), other.traces.first()) {
         let same = (b.spacing() / a.spacing() - 1.0).abs() < 1e-6;
         if a.heights().len() != b.heights().len() || !same {
+            let shown = |trace: &Trace| {
+                format!("{} points {} apart", trace.heights().len(), text::length(trace.spacing()))
+            };
             let why = format!(
-                "{} points {} apart, and {} has {} points {} apart; traces of one sample are alike: \
-                 cut them to one length with --crop 0,X0,1,NX, or leave --pool out",
-                b.heights().len(),
-                text::length(b.spacing()),
+                "{}, and {} has {}; traces of one sample are alike: cut them to one length with --crop \
+                 0,X0,1,NX, or leave --pool out",
+                shown(b),
                 first.display(),
-                a.heights().len(),
-                text::length(a.spacing())
+                shown(a)
             );
             return Err(unfit(file, "profile", why));
         }
@@ -71,12 +72,8 @@ pub(crate) fn refuse(path: &Path, cleaning: Cleaning) -> Result<(), Failure> {
 /// A line for every trace that was put at equal distances.
 pub(crate) fn uneven_line(uneven: Option<Unevenness>) -> String {
     uneven.map_or_else(String::new, |u| {
-        format!(
-            "points {} to {} apart were put {} apart, on straight lines between neighbours\n",
-            text::length(u.steps[0]),
-            text::length(u.steps[1]),
-            text::length(u.spacing)
-        )
+        let [least, most, now] = [u.steps[0], u.steps[1], u.spacing].map(text::length);
+        format!("points {least} to {most} apart were put {now} apart, on straight lines between neighbours\n")
     })
 }
 

@@ -2,7 +2,7 @@
 
 use crate::against::{self, Against};
 use crate::args::{self, CommonOptions};
-use crate::batch::{self, PerFile};
+use crate::batch::{self, How, PerFile, Shown};
 use crate::contact::ContactOptions;
 use crate::fields::{Field, FieldFolder, FieldOptions};
 use crate::files::{Files, folder_name};
@@ -10,17 +10,18 @@ use crate::input::{FileOptions, One};
 use crate::loads::{Loads, carried, rising, shown};
 use crate::outcome::{Failure, Reply, unfit};
 use crate::progress::ProgressDisplay;
-use crate::rows::{How, Shown};
 use crate::text::{self, Columns};
-use crate::{conduction, hardness, leak, profiles};
+use crate::{conduction, leak, profiles};
 use clap::Args;
 use rough_contact::compare::{
-    DeterministicAnswer, EdgesName, Joint, Origin, Settings, Surface, on_threads,
+    BULK_YIELD, DeterministicAnswer, EdgesName, Hardness, Joint, Origin, Settings, Surface,
+    on_threads,
 };
 use rough_contact::contact_accuracy::{Estimate, NoUncertainty};
 use rough_contact::contact_types::{Grid, HeightMap, Named};
 use rough_contact::fft_bem_solver::{Boundary, Iteration, Load, Solution};
 use rough_contact::front_end::bodies::Bodies;
+use rough_contact::front_end::shown::unusual_hardness;
 use rough_contact::front_end::{Point, SolveRequest, SolveResult, Subject, Watch};
 use rough_contact::report;
 use std::fmt::Write as _;
@@ -291,7 +292,7 @@ impl Solve {
         }
         if let Some(given) = answer.hardness {
             let highest = answer.points.iter().filter_map(solved).fold(0.0, f64::max);
-            text += &hardness::lines(given, highest);
+            text += &yield_lines(given, highest);
         }
         if let Some(reached) = &answer.plan {
             text += &(report::plan_explanation(reached) + "\n");
@@ -390,4 +391,28 @@ pub(crate) fn notes(points: &[Point]) -> String {
         let _ = writeln!(notes, "no ± at {}: {why}", loads.join(", "));
     }
     notes
+}
+
+/// What is said of a contact that yields, below the table; `highest` is the largest mean pressure that was solved for (Pa).
+fn yield_lines(given: Hardness, highest: f64) -> String {
+    let mut out = format!("hardness {}", text::pressure(given.pascals));
+    if let Some(ratio) = given.indices(None).modulus_gradient_over_hardness {
+        let _ = write!(
+            out,
+            ": E* g/H = {}; the area of elastic contact holds while that is below about 1",
+            text::number(ratio)
+        );
+    }
+    out.push('\n');
+    if let Some(said) = unusual_hardness(given) {
+        let _ = writeln!(out, "check the hardness: {said}");
+    }
+    if highest > BULK_YIELD * given.pascals {
+        let _ = writeln!(
+            out,
+            "beyond {} of the hardness the body yields in its volume, which is not modelled",
+            text::percent(BULK_YIELD)
+        );
+    }
+    out + "one hardness at every scale; nothing hardens or piles up; loading only, no friction\n"
 }

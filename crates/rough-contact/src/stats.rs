@@ -2,23 +2,24 @@
 
 use crate::against::{self, Against};
 use crate::args::{self, CommonOptions};
-use crate::batch::{self, PerFile};
+use crate::batch::{self, How, PerFile, Shown};
 use crate::bodies::BodyOptions;
 use crate::contact::AdhesionOptions;
 use crate::files::{Files, expand};
-use crate::hardness;
 use crate::input::{FileOptions, One};
 use crate::outcome::{Failure, Reply, unfit};
 use crate::profiles;
-use crate::rows::{How, Shown};
 use crate::text::{self, Columns, TwoColumns};
 use clap::Args;
-use rough_contact::compare::{Level, WorkOfAdhesion};
+use rough_contact::compare::{Hardness, Level, WorkOfAdhesion, typical_hardness};
 use rough_contact::contact_types::Named;
 use rough_contact::front_end::bodies::Bodies;
+use rough_contact::front_end::shown::unusual_hardness;
 use rough_contact::front_end::{IsoParameter, StatisticsRequest, Subject};
 use rough_contact::surface_stats::{ByDistance, Edges, STATISTICS, Statistic, SurfaceStatistics};
 use rough_contact::{front_end, report};
+use serde_json::{Value, json};
+use std::fmt::Write as _;
 use std::path::Path;
 
 #[derive(Args, Clone, Debug)]
@@ -132,7 +133,7 @@ impl PerFile for Stats {
         let mut json = found.json;
         if let Some((made_of, _)) = asked {
             let modulus = made_of.modulus.pascals();
-            let (said, object) = hardness::forecast(modulus, made_of.hardness, &found.statistics);
+            let (said, object) = forecast(modulus, made_of.hardness, &found.statistics);
             text += &(said + &text::materials(&made_of.materials));
             json["plasticity"] = object;
             if !made_of.materials.is_empty() {
@@ -214,4 +215,49 @@ fn with_unit(value: f64, unit: &str) -> String {
         "°" => format!("{}° from x", text::digits(value)),
         unit => format!("{value:.4e} {unit}"),
     }
+}
+
+/// Whether the contact of heights with these statistics will yield: text and object. Nothing is solved for.
+fn forecast(modulus: f64, hardness: Option<f64>, s: &SurfaceStatistics) -> (String, Value) {
+    let limit = modulus * s.rms_gradient;
+    let yields = typical_hardness(modulus).is_some();
+    let mut object = json!({
+        "modulus": modulus,
+        "hardness": hardness,
+        "elastic_limit": (yields && limit > 0.0).then_some(limit),
+    });
+    let Some(pascals) = hardness else {
+        let text = if yields {
+            format!(
+                "E* g = {}: for a hardness of that or more the area of elastic contact is right to 2 %\n",
+                text::pressure(limit)
+            )
+        } else {
+            "solids of this contact modulus do not yield in a contact\n".to_owned()
+        };
+        return (text, object);
+    };
+    let given = Hardness { pascals, modulus, gradient: Some(s.rms_gradient) };
+    let found = given.indices(s.asperities);
+    object["modulus_gradient_over_hardness"] = json!(found.modulus_gradient_over_hardness);
+    object["greenwood_williamson"] = json!(found.greenwood_williamson);
+    object["mikic"] = json!(found.mikic);
+    object["warning"] = json!(unusual_hardness(given));
+    let number = |value: Option<f64>| text::or_dash(value, text::number);
+    let verdict = if found.modulus_gradient_over_hardness.is_some_and(|r| r <= 1.0) {
+        "the area of elastic contact is right to 2 % at any load"
+    } else {
+        "the contact yields: solve and compare take --hardness"
+    };
+    let mut text = format!(
+        "E* g/H = {}: {verdict}\nplasticity indices: Greenwood–Williamson {} (summits elastic below 0.6, plastic above 1: \
+         1966), Mikic {} (E* m/H, = E* g/H over √π; no limit of it could be read)\n",
+        number(found.modulus_gradient_over_hardness),
+        number(found.greenwood_williamson),
+        number(found.mikic)
+    );
+    if let Some(said) = unusual_hardness(given) {
+        let _ = writeln!(text, "check the hardness: {said}");
+    }
+    (text, object)
 }

@@ -2,9 +2,9 @@
 
 use crate::input::{One, from_file};
 use crate::outcome::{Failure, unfit};
-use rough_contact::compare;
 use rough_contact::compare::{
-    FileOrigin, Level, Origin, PairOrigin, ProfileSurface, RunFile, RunSurface, Settings, Surface,
+    FileOrigin, Level, Origin, PairOrigin, ProfileSurface, RunFile, RunSurface, Settings,
+    StudyError, Surface,
 };
 use rough_contact::front_end::{self, told_apart};
 use rough_contact::surface_io::Cut;
@@ -46,10 +46,7 @@ pub(crate) fn repeat(path: &Path) -> Result<(Settings, Vec<One>), Failure> {
 fn made_again(path: &Path, name: &str, origin: Origin, level: Level) -> Result<One, Failure> {
     Ok(match origin {
         Origin::Recipe(recipe) => One::Map(Box::new(recipe.make().map_err(|e| Failure::from(&e))?)),
-        Origin::Given(_) => {
-            let error = compare::StudyError::Given(name.to_owned());
-            return Err(Failure::from(&error));
-        }
+        Origin::Given(_) => return Err(Failure::from(&StudyError::Given(name.to_owned()))),
         Origin::File(file) => again(path, &file)?,
         Origin::Pair(PairOrigin { names, placing, bodies, .. }) => {
             let body = |name: String, origin| match made_again(path, &name, origin, level)? {

@@ -2,8 +2,7 @@
 
 use crate::args::{self, CommonOptions};
 use crate::convert::MapFormat;
-use crate::outcome::{Failure, Reply};
-use crate::output;
+use crate::outcome::{self, Failure, Reply};
 use crate::text::{self, TwoColumns};
 use crate::units::Dimension::{Length, Number};
 use clap::Args;
@@ -51,13 +50,13 @@ pub(crate) struct Synth {
 impl Synth {
     pub(crate) fn run(&self, common: &CommonOptions) -> Result<Reply, Failure> {
         let format = MapFormat::of(&self.out)?;
-        output::check(&self.out, common.force)?;
+        outcome::check(&self.out, common.force)?;
         let (map, rolloff) = self.surface()?;
         let comment = format!(
             "rough-contact synth: Hurst {}, roll-off {rolloff} m, cut-off {} m, seed {}",
             self.hurst, self.cutoff, self.seed
         );
-        output::write(&self.out, |writer| format.write(writer, &map, &comment))?;
+        outcome::write(&self.out, |writer| format.write(writer, &map, &comment))?;
         Ok(self.reply(&map, rolloff))
     }
 

@@ -40,7 +40,7 @@ impl fmt::Display for TwoColumns {
 
 /// One line for each step of cleaning; nothing if there was none.
 pub(crate) fn cleaning(records: &[Record]) -> String {
-    records.iter().map(|record| format!("cleaned: {record}\n")).collect()
+    records.iter().map(|record| format!("cleaned: {record}\n")).collect::<Vec<_>>().concat()
 }
 
 pub(crate) const MOMENTS: &str = "moments of the models: finite differences\n";
