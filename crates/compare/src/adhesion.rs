@@ -1,6 +1,6 @@
 //! Whether the bodies stick: a verdict, where a work of adhesion was given. Nothing here solves a contact that does.
 
-use crate::inputs::Inputs;
+use crate::needs::Inputs;
 use asperity_models::adhesion::{LIGHT, STICKY, Stickiness};
 use serde::{Deserialize, Serialize};
 

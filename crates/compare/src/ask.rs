@@ -1,6 +1,6 @@
 //! The answers of a model over the loads, whichever model it is.
 
-use crate::inputs::Inputs;
+use crate::needs::Inputs;
 use crate::result::ModelCurve;
 use crate::theory::{BuildError, Theory};
 use contact_types::{Clock, ContactModel, ContactState, ModelError};

@@ -5,8 +5,7 @@ use crate::finding::{
     Fact, Finding, Passed, Pressed, Seam, Unevenness, Weight, Yielding, is_unsolved,
 };
 use crate::result::{DeterministicPoint, SurfaceComparison};
-use crate::scene::{Scene, is_steep};
-use crate::yielding::{BULK_YIELD, hardness_of};
+use crate::scene::{BULK_YIELD, Scene, hardness_of, is_steep};
 use crate::{Independence, PairOrigin, Spikes};
 use contact_accuracy::{EdgeShare, INDICATOR_LIMIT, NoUncertainty, Reached};
 use fft_bem_solver::End;

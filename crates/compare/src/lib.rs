@@ -10,7 +10,6 @@ mod distribution;
 mod finding;
 mod findings;
 mod gas;
-mod inputs;
 mod materials;
 mod needs;
 mod pressure_maps;
@@ -28,7 +27,6 @@ mod tabulated;
 mod theories;
 mod theory;
 mod verdict;
-mod yielding;
 
 pub use adhesion::{Adhesion, NO_PULL_OFF, WorkOfAdhesion};
 pub use ask::possible;
@@ -54,9 +52,8 @@ pub use finding::{
 pub use findings::{Solved, findings, measured, seam};
 pub use gas::{GapGas, Gas};
 pub use grid_fft::parallel::on_threads;
-pub use inputs::Inputs;
 pub use materials::{Listed, Material, MaterialUse, Property, material, materials, spreads};
-pub use needs::{INPUTS, Input, InputFact, InputSet, InputUnit, OfMap};
+pub use needs::{INPUTS, Input, InputFact, InputSet, InputUnit, Inputs, OfMap};
 pub use pressure_maps::{FirstContact, PressureMap, PressureMaps, pressure_class, pressure_top};
 pub use profile::{
     ProfileComparison, ProfileSurface, area_interval, profile_findings, profile_inputs,
@@ -67,7 +64,10 @@ pub use result::{
     ChoiceKind, Coarser, Comparison, DeterministicAnswer, DeterministicPoint, ModelComparison,
     ModelCurve, Refused, Spectral, SurfaceComparison,
 };
-pub use scene::{Scene, is_steep, typical_hardness};
+pub use scene::{
+    BULK_YIELD, Hardness, PlasticityIndices, Scene, elastic_holds, elastic_limit, hardness_of,
+    is_steep, typical_hardness,
+};
 pub use settings::{
     Along, Body, EdgesName, LeakRequest, RunFile, RunSurface, STEEL, Seal, Settings, poisson,
 };
@@ -81,6 +81,3 @@ pub use surface_stats::Level;
 pub use surface_stats::pair::{Flip, Independence, Placed, Placing};
 pub use tabulated::{CurvePoint, Tabulated};
 pub use theory::{Assumes, BuildError, Card, Theory};
-pub use yielding::{
-    BULK_YIELD, Hardness, PlasticityIndices, elastic_holds, elastic_limit, hardness_of,
-};

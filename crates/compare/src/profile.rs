@@ -4,7 +4,7 @@
 use crate::ask::{curve_of, possible};
 use crate::finding::{Fact, Finding, Pressed, Unevenness};
 use crate::findings::cleaned;
-use crate::inputs::Inputs;
+use crate::needs::Inputs;
 use crate::result::{ModelComparison, ModelCurve};
 use crate::scene::Scene;
 use crate::study::{check_asked, headline, loads, nearest};

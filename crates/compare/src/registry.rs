@@ -73,7 +73,7 @@ impl Registry {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::inputs::Inputs;
+    use crate::needs::Inputs;
     use crate::tabulated::{CurvePoint, Tabulated};
     use crate::theory::BuildError;
     use contact_types::{Citation, ContactModulus};

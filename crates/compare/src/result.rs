@@ -4,7 +4,7 @@ use crate::adhesion::Adhesion;
 use crate::conducted::Conduction;
 use crate::distribution::Distributions;
 use crate::finding::Verdict;
-use crate::inputs::Inputs;
+use crate::needs::Inputs;
 use crate::pressure_maps::{FirstContact, PressureMaps};
 use crate::theory::{BuildError, Card};
 use crate::{EdgesName, Origin, Settings, Spikes};

@@ -4,17 +4,17 @@ use crate::ask::curve_of;
 use crate::conducted::Conduction;
 use crate::curve::{Curve, solved};
 use crate::findings::rows_jump;
-use crate::inputs::Inputs;
 use crate::materials::spreads;
+use crate::needs::Inputs;
 use crate::progress::{Listener, Progress, StudyError};
 use crate::result::{
     Comparison, DeterministicPoint, ModelComparison, ModelCurve, Refused, Spectral,
     SurfaceComparison,
 };
+use crate::scene::{excess, gradient_of_loads};
 use crate::settings::default_pressures;
 use crate::theory::{Assumes, Theory};
 use crate::verdict::{Judged, verdict};
-use crate::yielding::{excess, gradient_of_loads};
 use crate::{
     Adhesion, EdgesName, OfMap, Origin, Registry, Settings, Spikes, Surface, WorkOfAdhesion,
     poisson,

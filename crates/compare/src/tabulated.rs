@@ -1,6 +1,6 @@
 //! A model computed elsewhere: its curve as data, with name and citation.
 
-use crate::inputs::Inputs;
+use crate::needs::Inputs;
 use crate::progress::StudyError;
 use crate::theory::{BuildError, Card, Theory};
 use contact_types::{Citation, ContactModel, ContactState, ModelError};

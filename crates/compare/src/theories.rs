@@ -1,7 +1,6 @@
 //! The built-in theories: one row each, in the order of tables and figures. A new one is a row here.
 
-use crate::inputs::Inputs;
-use crate::needs::{Input, InputSet, OfMap, in_words};
+use crate::needs::{Input, InputSet, Inputs, OfMap, in_words};
 use crate::theory::{Assumes, BuildError, Card, Theory};
 use Input::{
     Area, AsperityDensity, AsperityHeightStd, AsperityRadius, CriticalArea, Cutoff, Dimension,

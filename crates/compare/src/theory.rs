@@ -1,7 +1,6 @@
 //! What a study asks of a model: a card that says what it is, and a way to make it.
 
-use crate::inputs::Inputs;
-use crate::needs::{Input, InputSet, OfMap};
+use crate::needs::{Input, InputSet, Inputs, OfMap};
 use contact_types::{Citation, ContactModel, ModelError, SeparationModel};
 use serde::Serialize;
 use std::borrow::Cow;

@@ -1,7 +1,7 @@
 //! Does a theory cover this surface? Yes, with caution, or no, each with the measured reason.
 
 use crate::finding::{Applies, Fact, Reason, Verdict};
-use crate::inputs::Inputs;
+use crate::needs::Inputs;
 use crate::result::ModelCurve;
 use crate::scene::{is_steep, steep};
 use crate::theory::{Assumes, BuildError, Card};

@@ -81,11 +81,8 @@ fn walk(
     found: &mut Vec<PathBuf>,
     left_out: &mut Vec<PathBuf>,
 ) -> Result<(), Failure> {
-    let unreadable = |e: std::io::Error| unfit(folder, "io", e);
-    let mut entries = Vec::new();
-    for entry in std::fs::read_dir(folder).map_err(unreadable)? {
-        entries.push(entry.map_err(unreadable)?);
-    }
+    let entries = std::fs::read_dir(folder).and_then(Iterator::collect::<Result<Vec<_>, _>>);
+    let mut entries = entries.map_err(|e| unfit(folder, "io", e))?;
     entries.sort_by_cached_key(|entry| natural(&entry.file_name().to_string_lossy()));
     for entry in entries {
         let path = entry.path();

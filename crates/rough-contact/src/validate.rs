@@ -31,16 +31,12 @@ impl Validate {
                 last = now;
             }
         })
-        .map_err(|error| failure(&error))?;
+        .map_err(|error| match &error {
+            ValidationError::TooCoarse(_) => Failure::from(&error),
+            _ => Failure { status: 1, ..Failure::from(&error) },
+        })?;
         drop(progress);
         Ok(Reply::new(table(&rows), json!({ "rows": rows })))
-    }
-}
-
-fn failure(error: &ValidationError) -> Failure {
-    match error {
-        ValidationError::TooCoarse(_) => Failure::from(error),
-        _ => Failure { status: 1, ..Failure::from(error) },
     }
 }
 
