@@ -219,11 +219,14 @@ pub(crate) fn line(asked: &Joint, gaps: &[f64]) -> String {
 
 /// A conductance, with what is stated of it.
 pub(crate) fn cell(found: Option<Conductance>, unit: &str) -> String {
-    let Some(h) = found else { return "–".to_owned() };
+    let Some(h) = found else { return String::new() };
     if !h.value.is_finite() {
         return "∞".to_owned();
     }
     let stated = h.estimate.as_ref().and_then(Estimate::stated);
-    let bar = text::relative(h.value, stated, |v| format!("{v:.2e}"));
-    format!("{:.3e} {unit} {bar}", h.value).trim_end_matches(" –").to_owned()
+    let value = format!("{:.3e} {unit}", h.value);
+    match text::relative(h.value, stated, |v| format!("{v:.2e}")) {
+        dash if dash == "–" => value,
+        bar => format!("{value} {bar}"),
+    }
 }

@@ -246,7 +246,7 @@ fn describe(card: &Card, found: &ModelReply, joint: &Joint, spread: Option<&Spre
         add("error", &|p| text::or_dash(said(p).and_then(|s| s.survey), range));
     }
     for (heading, of, unit) in conduction::columns(joint) {
-        add(heading, &|p| conduction::cell(conducted(p, 0).as_ref().and_then(of), unit));
+        add(heading, &|p| text::or_dash(conducted(p, 0), |fit| conduction::cell(of(&fit), unit)));
     }
     if any(|said| said.conducted.is_some_and(|[fit, exact]| fit != exact)) {
         let columns = conduction::columns(&Joint { gas: None, ..*joint });
