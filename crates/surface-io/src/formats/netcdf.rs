@@ -42,7 +42,8 @@ struct Variable {
     name: String,
     dimensions: Vec<usize>,
     attributes: Attributes,
-    sample: Sample,
+    /// None of a text, which can be a coordinate all the same: it has a unit and a length.
+    sample: Option<Sample>,
     at: usize,
 }
 
@@ -58,11 +59,12 @@ impl Variable {
     fn values<'a>(
         &self,
         b: Bytes<'a>,
+        sample: Sample,
         count: usize,
     ) -> impl Fn() -> Result<Vec<f64>, ReadError> + use<'a> {
         let numbers = |key: &str| self.attributes.get(key).map(|a| &a.numbers[..]);
         let packing = Packing::of(|key| numbers(key).filter(|numbers| !numbers.is_empty()));
-        let (at, sample) = (self.at, self.sample);
+        let at = self.at;
         move || {
             let mut values = b.samples(at, count, sample)?;
             packing.unpack(&mut values);
@@ -70,8 +72,8 @@ impl Variable {
         }
     }
 
-    fn positions(&self, b: Bytes<'_>, count: usize) -> Result<Line, ReadError> {
-        let line = Line::new(&self.values(b, count)()?, Digits::NONE);
+    fn positions(&self, b: Bytes<'_>, sample: Sample, count: usize) -> Result<Line, ReadError> {
+        let line = Line::new(&self.values(b, sample, count)()?, Digits::NONE);
         line.map_err(|what| b.field(format!("coordinate {}", self.name), what))
     }
 }
@@ -98,25 +100,25 @@ pub(crate) fn parse(b: Bytes<'_>) -> Result<Contents<'_>, ReadError> {
         let sample = sample(header.file.word()?);
         header.count()?; // size of the variable, which follows from its shape
         let at = header.size(header.version > 1)?;
-        // Texts are no numbers.
-        let variable = |sample| Variable { name, dimensions: of, attributes, sample, at };
-        variables.extend(sample.map(variable));
+        variables.push(Variable { name, dimensions: of, attributes, sample, at });
     }
 
     let metadata = attributes.into_iter().map(|(key, attribute)| (key, attribute.text)).collect();
     let mut contents = Contents { metadata, ..Contents::default() };
-    let mask = variables.iter().find(|v| v.name == "mask" && v.sample == Sample::I8);
+    let mask = variables.iter().find(|v| v.name == "mask" && v.sample == Some(Sample::I8));
     for variable in &variables {
         if mask.is_some_and(|mask| std::ptr::eq(mask, variable)) {
             continue;
         }
-        let &[slow, fast] = &variable.dimensions[..] else { continue };
+        let (&[slow, fast], Some(sample)) = (&variable.dimensions[..], variable.sample) else {
+            continue;
+        };
         let axes = [&dimensions[slow], &dimensions[fast]];
         let stored = axes.map(|axis| axis.1);
         if stored[0] == 0 {
             continue; // records are interleaved with those of other variables
         }
-        b.raster(variable.at, stored, variable.sample)?;
+        b.raster(variable.at, stored, sample)?;
         let is_x_slow = axes[0].0 == "x";
         let [y, x] = if is_x_slow { [axes[1], axes[0]] } else { axes };
         let spacing = |axis: &(String, usize)| spacing(b, &variables, &axis.0, axis.1);
@@ -129,7 +131,7 @@ pub(crate) fn parse(b: Bytes<'_>) -> Result<Contents<'_>, ReadError> {
         let shape = [y.1, x.1];
         let count = stored[0] * stored[1];
         let in_rows = move |v: Vec<f64>| if is_x_slow { transpose(&v, stored) } else { v };
-        let values = variable.values(b, count);
+        let values = variable.values(b, sample, count);
         let decode = move || values().map(in_rows);
         let mut channel = Channel::new(variable.name.clone(), unit, shape, pixel, decode);
         if let Some(mask) = mask.filter(|mask| mask.dimensions == variable.dimensions) {
@@ -159,16 +161,20 @@ fn profiles<'a>(
     let mut found = Vec::new();
     let is_position = |v: &Variable, name: &str| v.name == name || v.name == "x";
     for variable in variables {
-        let &[dimension] = &variable.dimensions[..] else { continue };
+        let (&[dimension], Some(sample)) = (&variable.dimensions[..], variable.sample) else {
+            continue;
+        };
         let (name, count) = &dimensions[dimension];
         if *count < 2 || is_position(variable, name) {
             continue;
         }
-        b.raster(variable.at, [1, *count], variable.sample)?;
+        b.raster(variable.at, [1, *count], sample)?;
         let x = variables.iter().find(|v| v.dimensions == [dimension] && is_position(v, name));
-        let positions = |x: &'_ Variable| x.positions(b, *count);
-        let line = x.map(positions).transpose()?.zip(x.map(Variable::unit));
-        let (unit, decode) = (unit_of(variable, x), variable.values(b, *count));
+        let line = match x.and_then(|x| Some((x, x.sample?))) {
+            Some((x, sample)) => Some((x.positions(b, sample, *count)?, x.unit())),
+            None => None,
+        };
+        let (unit, decode) = (unit_of(variable, x), variable.values(b, sample, *count));
         found.push(profile(&variable.name, unit, *count, line, decode));
     }
     Ok(found)
@@ -184,11 +190,11 @@ fn spacing(
     let variable = variables.iter().find(|v| v.name == name && v.dimensions.len() == 1);
     let Some(variable) = variable else { return Ok(None) };
     let scale = variable.unit().and_then(metres_per);
-    if count < 2 {
+    let (true, Some(sample)) = (count > 1, variable.sample) else {
         let length = variable.attributes.get("length").and_then(|a| a.numbers.first());
         return Ok(length.map(|length| (length / count as f64, scale)));
-    }
-    let line = variable.positions(b, count)?;
+    };
+    let line = variable.positions(b, sample, count)?;
     if line.uneven.is_some() {
         return Err(b.field(format!("coordinate {name}"), "the points are not evenly spaced"));
     }
