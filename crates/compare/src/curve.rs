@@ -1,10 +1,10 @@
 //! The deterministic curve while it is solved.
 
-use crate::EdgesName;
 use crate::distribution::{Distributions, contact_spots};
 use crate::pressure_maps::{FirstContact, PressureMaps};
 use crate::progress::{Listener, Progress};
 use crate::result::{DeterministicAnswer, DeterministicPoint, SurfaceComparison};
+use crate::{EdgesName, MaterialUse};
 use contact_accuracy::{Answered, Leaks, Map, Sink};
 use contact_types::HeightMap;
 use fft_bem_solver::{Iteration, Solution, SolverError};
@@ -20,8 +20,8 @@ pub(crate) struct Curve<'a, 'b> {
     pub(crate) found: SurfaceComparison,
     /// Nominal pressures (Pa).
     pub(crate) pressures: &'a [f64],
-    /// Relative half widths of modulus and hardness.
-    pub(crate) materials: [f64; 2],
+    /// Materials of the table that were used.
+    pub(crate) materials: &'a [MaterialUse],
     /// Index of the load of the headline, if it was asked for.
     pub(crate) wanted: Option<usize>,
     /// How far the headline so far is from the one wanted.
@@ -106,12 +106,11 @@ impl Sink for Curve<'_, '_> {
     }
 }
 
-/// The numbers of a load on a map of which `map` tells, with these relative half widths of modulus and hardness, and its
-/// fields.
+/// The numbers of a load on a map of which `map` tells, of bodies of these materials of the table, and its fields.
 pub(crate) fn solved(
     mean_pressure: f64,
     result: Result<Answered, SolverError>,
-    materials: [f64; 2],
+    materials: &[MaterialUse],
     map: &Map,
 ) -> (DeterministicPoint, Option<Solution>) {
     let trouble = result.as_ref().err().map(|error| {

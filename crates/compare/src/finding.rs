@@ -4,7 +4,7 @@ use crate::EdgesName;
 use crate::adhesion::Adhesion;
 use crate::theory::BuildError;
 use contact_accuracy::{EdgeShare, NoUncertainty, Reached};
-use contact_types::{Caveat, ContactState, Named};
+use contact_types::{Caveat, Named};
 use serde::{Deserialize, Serialize};
 use surface_stats::Warning;
 use surface_stats::clean::Record;
@@ -264,12 +264,6 @@ pub struct Pressed {
 }
 
 impl Pressed {
-    /// Of a theory's answer, which knows no highest pressure; `None` if nothing touches.
-    pub fn of_state(state: &ContactState) -> Option<Self> {
-        let (nominal, mean) = (state.mean_pressure, state.real_pressure()?);
-        Some(Self { nominal, mean, highest: None })
-    }
-
     /// A mean above the highest pressure of a point is that of contacts smaller than the points: none of them
     /// resolves the highest pressure, which is then not known.
     pub fn of(nominal: f64, mean: f64, highest: f64) -> Self {

@@ -52,7 +52,7 @@ pub use finding::{
 pub use findings::{Solved, findings, measured, seam};
 pub use gas::{GapGas, Gas};
 pub use grid_fft::parallel::on_threads;
-pub use materials::{Listed, Material, MaterialUse, Property, material, materials, spreads};
+pub use materials::{Listed, Material, MaterialUse, Property, material, materials};
 pub use needs::{INPUTS, Input, InputFact, InputSet, InputUnit, Inputs, OfMap};
 pub use pressure_maps::{FirstContact, PressureMap, PressureMaps, pressure_class, pressure_top};
 pub use profile::{

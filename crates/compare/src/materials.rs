@@ -120,7 +120,7 @@ pub fn materials() -> &'static [Material] {
 /// Relative half widths of contact modulus and hardness that the table leaves, of what was taken from it: half of
 /// the logarithm of the range, of one source alone the median of the others. The least known modulus counts, and the
 /// hardness of the softest.
-pub fn spreads(used: &[MaterialUse]) -> [f64; 2] {
+pub(crate) fn spreads(used: &[MaterialUse]) -> [f64; 2] {
     let taken = |property: Property| {
         let of = used.iter().filter(move |u| u.taken.contains(&property));
         of.filter_map(move |u| material(&u.name).ok()?.get(property))

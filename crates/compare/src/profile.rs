@@ -2,7 +2,7 @@
 //! isotropy and the length of the traces leave of them. No contact is solved.
 
 use crate::ask::{curve_of, possible};
-use crate::finding::{Fact, Finding, Pressed, Unevenness};
+use crate::finding::{Fact, Finding, Unevenness};
 use crate::findings::cleaned;
 use crate::needs::Inputs;
 use crate::result::{ModelComparison, ModelCurve};
@@ -200,8 +200,7 @@ impl ProfileComparison {
     fn scene(&self) -> Scene {
         let answers = self.models.iter().find_map(|m| m.outcome.as_ref().ok());
         let states = answers.into_iter().flat_map(|curve| curve.points.iter().flatten());
-        let pressed = states.filter_map(Pressed::of_state).collect();
-        Scene { pressed, ..Scene::of(&self.inputs) }
+        Scene::of(&self.inputs, states)
     }
 }
 

@@ -4,6 +4,7 @@ use crate::adhesion::Adhesion;
 use crate::conducted::Conduction;
 use crate::distribution::Distributions;
 use crate::finding::Verdict;
+use crate::materials::{MaterialUse, spreads};
 use crate::needs::Inputs;
 use crate::pressure_maps::{FirstContact, PressureMaps};
 use crate::theory::{BuildError, Card};
@@ -155,16 +156,16 @@ pub struct DeterministicAnswer {
 
 impl DeterministicAnswer {
     /// Of a load on a map of which `map` tells, with its fields, or of the best iterate of one that missed its tolerance.
-    /// `materials` are relative half widths of modulus and hardness.
+    /// Modulus and hardness are known as well as those of the `materials` that were used.
     pub fn of(
         result: Result<Answered, SolverError>,
-        materials: [f64; 2],
+        materials: &[MaterialUse],
         map: &Map,
     ) -> Option<(Self, Solution)> {
         use SolverError::{NotConverged, Rounding, Stopped};
         let (solution, budget, coarser, finer, converged) = match result {
             Ok(answered) => {
-                let found = answered.with_materials(materials);
+                let found = answered.with_materials(spreads(materials));
                 (found.solution, found.budget, found.coarser, found.finer, true)
             }
             Err(NotConverged(best) | Rounding(best) | Stopped(best)) => {

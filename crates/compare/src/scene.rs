@@ -4,7 +4,7 @@
 use crate::finding::{Fact, Finding, Pressed, Reason};
 use crate::needs::Inputs;
 use crate::result::{DeterministicPoint, SurfaceComparison};
-use contact_types::{AsperityStatistics, ContactModulus};
+use contact_types::{AsperityStatistics, ContactModulus, ContactState};
 use serde::Serialize;
 use std::f64::consts::PI;
 use surface_stats::{SurfaceStatistics, Warning};
@@ -60,9 +60,16 @@ pub struct Scene {
 }
 
 impl Scene {
-    /// Of these moments and asperities, before anything presses.
-    pub fn of(inputs: &Inputs) -> Self {
+    /// Of these moments and asperities with the answers of a theory, which knows no highest pressure, by rising load.
+    pub fn of<'a>(inputs: &Inputs, answers: impl Iterator<Item = &'a ContactState>) -> Self {
+        let pressed = |state: &ContactState| {
+            let (nominal, mean) = (state.mean_pressure, state.real_pressure()?);
+            Some(Pressed { nominal, mean, highest: None })
+        };
+        let mut pressed: Vec<Pressed> = answers.filter_map(pressed).collect();
+        pressed.sort_by(|a, b| a.nominal.total_cmp(&b.nominal));
         Self {
+            pressed,
             modulus: inputs.modulus.pascals(),
             gradient: inputs.m2().map(|_| inputs.rms_gradient()),
             rms_height: inputs.moments.map(|m| m.rms_height()),

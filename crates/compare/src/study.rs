@@ -4,7 +4,7 @@ use crate::ask::curve_of;
 use crate::conducted::Conduction;
 use crate::curve::{Curve, solved};
 use crate::findings::rows_jump;
-use crate::materials::spreads;
+use crate::materials::MaterialUse;
 use crate::needs::Inputs;
 use crate::progress::{Listener, Progress, StudyError};
 use crate::result::{
@@ -197,7 +197,7 @@ fn compare(
         distributions: Vec::new(),
         models: Vec::new(),
     };
-    let materials = spreads(&settings.materials);
+    let materials = &settings.materials[..];
     let (pressures, score) = (&pressures[..], f64::INFINITY);
     let mut curve = Curve { found, pressures, materials, wanted, score, progress };
     let plan = climb(&task, &mut curve);
@@ -238,7 +238,7 @@ fn tell(progress: &mut Listener<'_>, news: Progress<'_>) -> Result<(), StudyErro
 fn elastic_beside(
     found: &SurfaceComparison,
     ladder: &mut Ladder,
-    materials: [f64; 2],
+    materials: &[MaterialUse],
     progress: &mut Listener<'_>,
 ) -> Result<Vec<DeterministicPoint>, StudyError> {
     let mut beside = Vec::new();

@@ -1,24 +1,12 @@
 //! Errors of closed forms where there is no map: what they were on isotropic Gaussian surfaces of like bandwidth at
 //! like loads, 107 surfaces with deterministic solutions on twice the points.
 
-use serde::Serialize;
 use std::sync::OnceLock;
 
 /// Bandwidths and loads within these factors are similar.
 pub const SIMILAR: [f64; 2] = [1.5, 1.6];
 /// Fewest surfaces that a range is quoted from.
 const FEWEST: usize = 5;
-
-/// Signed relative errors of the area of one closed form.
-#[derive(Debug, Clone, Copy, PartialEq, Serialize)]
-pub struct ErrorRange {
-    /// Lowest, less the uncertainty of its reference.
-    pub low: f64,
-    /// Highest, plus that uncertainty.
-    pub high: f64,
-    /// Distinct surfaces behind the range.
-    pub surfaces: usize,
-}
 
 struct Survey {
     models: Vec<&'static str>,
@@ -36,13 +24,14 @@ fn built_in() -> &'static Survey {
     })
 }
 
-/// The range of a model's error on surfaces of similar `bandwidth` \[-\] at similar `load` p/(E\* h′rms) \[-\];
+/// Signed relative error of a model's area, `[lowest, highest]` with the uncertainty of its reference, and on how many
+/// surfaces of similar `bandwidth` \[-\] at similar `load` p/(E\* h′rms) \[-\];
 /// `None` if there are fewer than five, or the model is none of those of the study.
-pub fn gaussian_errors(model: &str, bandwidth: f64, load: f64) -> Option<ErrorRange> {
+pub fn gaussian_errors(model: &str, bandwidth: f64, load: f64) -> Option<([f64; 2], usize)> {
     let survey = built_in();
     let column = 4 + survey.models.iter().position(|m| *m == model)?;
     let near = |a: f64, b: f64, factor: f64| (a / b).ln().abs() <= factor.ln();
-    let mut range = ErrorRange { low: f64::INFINITY, high: f64::NEG_INFINITY, surfaces: 0 };
+    let (mut low, mut high, mut surfaces) = (f64::INFINITY, f64::NEG_INFINITY, 0);
     let mut last = f64::NAN;
     for row in &survey.rows {
         let similar = near(row[1], bandwidth, SIMILAR[0]) && near(row[2], load, SIMILAR[1]);
@@ -50,12 +39,11 @@ pub fn gaussian_errors(model: &str, bandwidth: f64, load: f64) -> Option<ErrorRa
             continue;
         }
         let (error, reference) = (row[column], row[3] * (1.0 + row[column]));
-        range.low = range.low.min(error - reference);
-        range.high = range.high.max(error + reference);
-        range.surfaces += usize::from(last.to_bits() != row[0].to_bits()); // rows come by surface
+        (low, high) = (low.min(error - reference), high.max(error + reference));
+        surfaces += usize::from(last.to_bits() != row[0].to_bits()); // rows come by surface
         last = row[0];
     }
-    (range.surfaces >= FEWEST).then_some(range)
+    (surfaces >= FEWEST).then_some(([low, high], surfaces))
 }
 
 #[cfg(test)]
@@ -71,8 +59,8 @@ mod tests {
         assert_eq!(survey.rows.len(), 7 * 107);
         assert!(survey.rows.iter().flatten().all(|cell| cell.is_finite()));
         for model in &survey.models {
-            let range = gaussian_errors(model, 5.0, 0.03).expect("surfaces");
-            assert!(range.low < range.high && range.surfaces >= 20, "{model}: {range:?}");
+            let ([low, high], surfaces) = gaussian_errors(model, 5.0, 0.03).expect("surfaces");
+            assert!(low < high && surfaces >= 20, "{model}: {low} {high} {surfaces}");
             for (bandwidth, load) in [(5000.0, 0.03), (5.0, 10.0), (f64::NAN, 0.03), (0.0, 0.03)] {
                 assert_eq!(gaussian_errors(model, bandwidth, load), None, "{model}");
             }

@@ -4,11 +4,10 @@ use crate::complete::Subject;
 use crate::failure::{Failure, variant};
 use crate::loads::Spread;
 use contact_accuracy::round_to_digits;
-use contact_compare::survey::{ErrorRange, gaussian_errors};
+use contact_compare::survey::gaussian_errors;
 use contact_compare::{
     BuildError, Card, Conducted, Finding, Input, Inputs, Joint, Level, OfMap, Origin, PairOrigin,
-    Pressed, ProfileSurface, Scene, Settings, Solved, Spikes, Theory, Unevenness, built_in,
-    conducted_by,
+    ProfileSurface, Scene, Settings, Solved, Spikes, Theory, Unevenness, built_in, conducted_by,
 };
 use contact_types::{
     AmplitudeSpectrum, Caveat, ContactModel, ContactModulus, ContactState, ModelError, Named,
@@ -36,8 +35,8 @@ pub struct Said {
     pub state: ContactState,
     /// Between which the area lies for 95 of 100 surfaces, if the theory knows its own error.
     pub area_interval: Option<[f64; 2]>,
-    /// Its error on isotropic Gaussian surfaces, if there are numbers and no map.
-    pub survey: Option<ErrorRange>,
+    /// Its error on isotropic Gaussian surfaces, from lowest to highest, and how many they are, if there are numbers and no map.
+    pub survey: Option<([f64; 2], usize)>,
     /// What the joint conducts, if that was asked for and the theory says it; of a correlation also by the expression that
     /// it is a fit of.
     pub conducted: Option<[Conducted; 2]>,
@@ -110,10 +109,8 @@ fn results(
 fn scene(card: &Card, inputs: &Inputs, points: &[ModelPoint], rows: Option<Warning>) -> Scene {
     // Bodies that yield bear what presses them.
     let answers = points.iter().filter_map(|p| p.answer.as_ref().ok()).filter(|_| !card.yields);
-    let mut pressed: Vec<Pressed> =
-        answers.filter_map(|said| Pressed::of_state(&said.state)).collect();
-    pressed.sort_by(|a, b| a.nominal.total_cmp(&b.nominal));
-    Scene { rows, pressed, hardness: inputs.hardness, ..Scene::of(inputs) }
+    let hardness = inputs.hardness;
+    Scene { rows, hardness, ..Scene::of(inputs, answers.map(|said| &said.state)) }
 }
 
 /// What is known of the surface that a model is asked about.
@@ -321,9 +318,9 @@ fn point_object(point: &ModelPoint) -> Value {
         "mean_pressure": point.mean_pressure,
         "area_fraction": state.map(|state| state.area_fraction),
         "area_interval": said.and_then(|said| said.area_interval),
-        "survey": said.and_then(|said| said.survey).map(|e| json!({
-            "area_error": [e.low, e.high],
-            "surfaces": e.surfaces,
+        "survey": said.and_then(|said| said.survey).map(|(area_error, surfaces)| json!({
+            "area_error": area_error,
+            "surfaces": surfaces,
         })),
         "real_pressure": state.and_then(ContactState::real_pressure),
         "separation": point.separation,

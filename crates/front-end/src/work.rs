@@ -5,7 +5,7 @@ use crate::loads::{rising, shown};
 use contact_accuracy::{Answered, Leaks, Map, Numbers, Sink};
 use contact_compare::{
     Conducted, DeterministicAnswer, Distributions, Joint, NoUncertainty, Pressed, Settings, Solved,
-    Spikes, contact_spots, spreads,
+    Spikes, contact_spots,
 };
 use contact_types::{ContactModulus, Grid, HeightMap};
 use fft_bem_solver::{Iteration, Load, SetStiffness, Solution, SolverError};
@@ -141,8 +141,8 @@ impl Sink for SolvedLoads<'_> {
                 });
             }
         }
-        let materials = spreads(&settings.materials);
-        let (answer, solution) = DeterministicAnswer::of(result, materials, &known).unzip();
+        let (answer, solution) =
+            DeterministicAnswer::of(result, &settings.materials, &known).unzip();
         let mut json = object(load, answer.as_ref(), error.as_ref());
         if let Some(answer) = answer.as_ref().filter(|a| a.converged) {
             without_uncertainty = answer.budget.area.half_width().err();

@@ -189,12 +189,12 @@ pub(crate) fn first_cell(found: Option<&Conducted>, asked: &Joint, place: usize)
 }
 
 /// A conductance of a joint by its heading, with its unit.
-type Column = (&'static str, fn(&Conducted) -> Option<Conductance>, &'static str);
+type ConductanceColumn = (&'static str, fn(&Conducted) -> Option<Conductance>, &'static str);
 
 /// Conductances per nominal area that are asked for.
-pub(crate) fn columns(asked: &Joint) -> Vec<Column> {
+pub(crate) fn columns(asked: &Joint) -> Vec<ConductanceColumn> {
     let (current, heat) = (asked.resistivities.is_some(), asked.conductivities.is_some());
-    let all: [(bool, Column); 4] = [
+    let all: [(bool, ConductanceColumn); 4] = [
         (current, ("electrical", |c| c.electrical, "S/m²")),
         (heat, ("thermal", |c| c.thermal, "W/m²/K")),
         (asked.gas.is_some(), ("gas", |c| c.gas, "W/m²/K")),

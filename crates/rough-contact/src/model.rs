@@ -13,7 +13,7 @@ use crate::text::{self, Columns};
 use crate::units::Dimension::{Force, Length, Pressure};
 use clap::Args;
 use multiscale_models::Persson;
-use rough_contact::compare::survey::{ErrorRange, SIMILAR};
+use rough_contact::compare::survey::SIMILAR;
 use rough_contact::compare::{Card, Conducted, Input, Inputs, Joint, PairOrigin, Theory, built_in};
 use rough_contact::contact_types::{Citation, ContactModulus, Named};
 use rough_contact::front_end::Subject;
@@ -242,7 +242,7 @@ fn describe(card: &Card, found: &ModelReply, joint: &Joint, spread: Option<&Spre
     add("mean gap", &|p| length(said(p).and_then(|s| s.state.mean_gap)));
     let surveyed = any(|said| said.survey.is_some());
     if surveyed {
-        let range = |e: ErrorRange| report::numbers::signed_range(e.low, e.high);
+        let range = |([low, high], _): ([f64; 2], usize)| report::numbers::signed_range(low, high);
         add("error", &|p| text::or_dash(said(p).and_then(|s| s.survey), range));
     }
     for (heading, of, unit) in conduction::columns(joint) {
