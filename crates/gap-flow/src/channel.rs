@@ -16,13 +16,6 @@ pub struct Bottleneck {
     pub width: usize,
 }
 
-/// The points that carry a flow.
-pub(crate) struct OpenChannel {
-    /// True for each point of a cluster of open points (four neighbours) that reaches both ends.
-    pub(crate) open: Vec<bool>,
-    pub(crate) bottleneck: Bottleneck,
-}
-
 /// Clusters of points; each knows which ends it touches.
 struct Clusters {
     parent: Vec<usize>,
@@ -50,8 +43,9 @@ impl Clusters {
 }
 
 impl Gap<'_> {
-    /// The channels along an axis; `None` where no cluster reaches both ends.
-    pub(crate) fn channel(&self, axis: Axis) -> Option<OpenChannel> {
+    /// The channels along an axis: true for each point of a cluster of open points (four
+    /// neighbours) that reaches both ends; and the bottleneck. `None` where there is none.
+    pub(crate) fn channel(&self, axis: Axis) -> Option<(Vec<bool>, Bottleneck)> {
         let nx = self.grid.shape()[1];
         let mut order: Vec<usize> =
             (0..self.heights.len()).filter(|&i| self.heights[i] > 0.0).collect();
@@ -82,7 +76,7 @@ impl Gap<'_> {
         }
         let (place, height) = ([last / nx, last % nx], self.heights[last]);
         let bottleneck = Bottleneck { place, height, width: self.width(place, axis) };
-        Some(OpenChannel { open: filled, bottleneck })
+        Some((filled, bottleneck))
     }
 
     /// Whether a point lies at the inlet, and at the outlet.

@@ -10,7 +10,6 @@ pub(crate) struct Symbolic(());
 
 /// Error over the potential in the energy norm, as the factorisation estimates it, at which the iteration ends.
 const TOLERANCE: f64 = 1e-14;
-/// Most iterations.
 const MOST_ITERATIONS: usize = 20_000;
 
 /// The iteration did not converge.
@@ -29,7 +28,6 @@ pub struct NotSolved {
 pub(crate) struct Network<'a> {
     /// Pairs of nodes, the lower first, in rising order of it.
     pub(crate) links: &'a [[usize; 2]],
-    /// Conductance of each link.
     pub(crate) conductances: Vec<f64>,
     /// Conductance of each node to inlet and outlet.
     pub(crate) ends: &'a [[f64; 2]],

@@ -115,8 +115,8 @@ impl Gap<'_> {
     /// # Errors
     /// [`NotSolved`].
     pub fn permeability(&self, axis: Axis) -> Result<f64, NotSolved> {
-        let Some(channel) = self.channel(axis) else { return Ok(0.0) };
-        let mesh = self.mesh(axis, &channel.open);
+        let Some((open, _)) = self.channel(axis) else { return Ok(0.0) };
+        let mesh = self.mesh(axis, &open);
         let network = mesh.network(HARMONIC);
         Ok(mesh.scale * network.dissipation(&network.solve(&mut Symbolic::default())?))
     }
@@ -135,8 +135,8 @@ impl Gap<'_> {
     pub fn flow(&self, axis: Axis) -> Result<Flow, NotSolved> {
         let (bottleneck, flux) = (None, Vec::new());
         let closed = Flow { permeability: 0.0, arithmetic: 0.0, imbalance: 0.0, bottleneck, flux };
-        let Some(channel) = self.channel(axis) else { return Ok(closed) };
-        let mesh = self.mesh(axis, &channel.open);
+        let Some((open, bottleneck)) = self.channel(axis) else { return Ok(closed) };
+        let mesh = self.mesh(axis, &open);
         let mut symbolic = Symbolic::default();
         let arithmetic = mesh.network(ARITHMETIC);
         let arithmetic = arithmetic.dissipation(&arithmetic.solve(&mut symbolic)?);
@@ -151,7 +151,7 @@ impl Gap<'_> {
             permeability: permeability * mesh.scale,
             arithmetic: arithmetic * mesh.scale,
             imbalance: (inflow - outflow).abs() / permeability,
-            bottleneck: Some(channel.bottleneck),
+            bottleneck: Some(bottleneck),
             flux: self.flux(axis, &mesh, &harmonic, &pressures),
         })
     }
