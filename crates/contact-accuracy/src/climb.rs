@@ -122,6 +122,17 @@ impl Reached {
     pub fn factor(&self) -> f64 {
         self.given.pixel()[1] / self.grid.pixel()[1]
     }
+
+    /// With the rung above of so many points per side over those of the map.
+    fn below(self, above: Option<f64>, start: Clock) -> Self {
+        let next = above.map(|factor| {
+            let shape = self.given.shape().map(|n| (factor * n as f64) as usize);
+            let points = (shape[0] * shape[1]) as f64 / self.grid.len() as f64;
+            let half_width = self.half_width.map(|w| 0.5 * w);
+            Next { shape, half_width, seconds: points * self.seconds }
+        });
+        Self { next, seconds: start.elapsed().as_secs_f64(), ..self }
+    }
 }
 
 /// Solves every load on the lowest rung whose uncertainties are all within the request. Every second point is left at
@@ -138,22 +149,22 @@ pub fn climb(task: &Task<'_>, sink: &mut dyn Sink) -> Result<Reached, LadderErro
         _ => grid.len() <= MOST && grid.shape().iter().all(|n| *n >= 4),
     };
     if task.aim != Aim::AsGiven && possible(0.5) {
-        let low = attempt(task, 0.5, sink)?;
-        if low.reached.unmet.is_none() {
-            return Ok(low.reached(Some(1.0), start));
+        let (low, _) = attempt(task, 0.5, sink)?;
+        if low.unmet.is_none() {
+            return Ok(low.below(Some(1.0), start));
         }
     }
-    let given = attempt(task, 1.0, sink)?;
-    let next = (possible(2.0) && !given.between_points).then_some(2.0);
-    if given.reached.unmet.is_none() || next.is_none() {
-        return Ok(given.reached(next, start));
+    let (given, between_points) = attempt(task, 1.0, sink)?;
+    let next = (possible(2.0) && !between_points).then_some(2.0);
+    if given.unmet.is_none() || next.is_none() {
+        return Ok(given.below(next, start));
     }
-    let high = attempt(task, 2.0, sink)?;
-    let widest = |attempt: &Attempt| attempt.reached.half_width.unwrap_or(f64::INFINITY);
-    if high.reached.unmet.is_none() || widest(&high) < widest(&given) {
-        return Ok(high.reached(None, start));
+    let (high, _) = attempt(task, 2.0, sink)?;
+    let widest = |reached: &Reached| reached.half_width.unwrap_or(f64::INFINITY);
+    if high.unmet.is_none() || widest(&high) < widest(&given) {
+        return Ok(high.below(None, start));
     }
-    Ok(attempt(task, 1.0, sink)?.reached(None, start))
+    Ok(attempt(task, 1.0, sink)?.0.below(None, start))
 }
 
 /// The grid of every second point.
@@ -162,16 +173,13 @@ fn half(grid: Grid) -> Grid {
     Grid::new(shape, grid.pixel().map(|d| 2.0 * d)).unwrap_or(grid)
 }
 
-/// The loads on one rung.
-struct Attempt {
-    /// The result of this rung alone, without the one above.
-    reached: Reached,
-    /// Whether an answer depends on what lies between the points.
-    between_points: bool,
-}
-
-/// Every load on one rung; of every second point until one misses the request.
-fn attempt(task: &Task<'_>, factor: f64, sink: &mut dyn Sink) -> Result<Attempt, LadderError> {
+/// Every load on one rung; of every second point until one misses the request. Returns the result
+/// of this rung alone, and whether an answer depends on what lies between the points.
+fn attempt(
+    task: &Task<'_>,
+    factor: f64,
+    sink: &mut dyn Sink,
+) -> Result<(Reached, bool), LadderError> {
     let begun = Clock::now();
     let Task { map: given, setup, loads, aim } = task;
     let map = match factor {
@@ -228,7 +236,7 @@ fn attempt(task: &Task<'_>, factor: f64, sink: &mut dyn Sink) -> Result<Attempt,
         next: None,
         unmet,
     };
-    Ok(Attempt { reached, between_points: any_between })
+    Ok((reached, any_between))
 }
 
 /// Relative half width of the area, or why there is none.
@@ -236,17 +244,4 @@ fn width(result: &Result<Answered, SolverError>) -> Result<f64, String> {
     let area = result.as_ref().map_err(ToString::to_string)?.budget.area;
     let half = area.half_width().map_err(|why| why.to_string())?;
     Ok(if half > 0.0 { half / area.value } else { 0.0 })
-}
-
-impl Attempt {
-    /// The result, with the rung above of so many points per side over those of the map.
-    fn reached(self, above: Option<f64>, start: Clock) -> Reached {
-        let Reached { given, grid, half_width, seconds, .. } = self.reached;
-        let next = above.map(|factor| {
-            let shape = given.shape().map(|n| (factor * n as f64) as usize);
-            let points = (shape[0] * shape[1]) as f64 / grid.len() as f64;
-            Next { shape, half_width: half_width.map(|w| 0.5 * w), seconds: points * seconds }
-        });
-        Reached { next, seconds: start.elapsed().as_secs_f64(), ..self.reached }
-    }
 }

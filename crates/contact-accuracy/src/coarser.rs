@@ -6,7 +6,7 @@
 
 use crate::leak::permeability;
 use crate::setup::Setup;
-use contact_types::{Axis, Grid, HeightMap, SurfaceError};
+use contact_types::{Grid, HeightMap, SurfaceError};
 use fft_bem_solver::{
     Iteration, Load, ObserverResult, SetStiffness, Solution, Solver, SolverError,
 };
@@ -99,9 +99,7 @@ pub(crate) fn both(map: &HeightMap, is_mirrored: bool) -> Result<Vec<HeightMap>,
 #[derive(Debug)]
 pub(crate) struct RungMaps {
     solvers: Vec<Solver>,
-    stiffness: bool,
-    jump: Option<f64>,
-    leak: Vec<Axis>,
+    setup: Setup,
 }
 
 impl RungMaps {
@@ -111,22 +109,16 @@ impl RungMaps {
         grid.shape().iter().all(|n| enough(*n)) && grid.len() > 1
     }
 
-    /// Of these maps, such as [`both`] thinned ones, with the leak along these axes.
-    pub(crate) fn of(
-        maps: Vec<HeightMap>,
-        setup: &Setup,
-        leak: &[Axis],
-    ) -> Result<Self, SolverError> {
+    /// Of these maps, such as [`both`] thinned ones.
+    pub(crate) fn of(maps: Vec<HeightMap>, setup: Setup) -> Result<Self, SolverError> {
         let builder = setup.builder.clone().boundary(setup.boundary).maps(setup.maps());
         let builder = builder.certified(false);
         let solver = |map: &HeightMap| builder.clone().build(map.grid(), setup.modulus);
         let solvers = maps.iter().map(solver).collect::<Result<_, SolverError>>()?;
-        let Setup { stiffness, jump, .. } = *setup;
-        let mut made = Self { solvers, stiffness, jump, leak: leak.to_vec() };
+        let mut made = Self { solvers, setup };
         made.take(maps).map(|()| made)
     }
 
-    /// Others on the same grids.
     pub(crate) fn take(&mut self, maps: Vec<HeightMap>) -> Result<(), SolverError> {
         self.solvers.iter_mut().zip(maps).try_for_each(|(solver, map)| solver.take_surface(map))
     }
@@ -137,12 +129,12 @@ impl RungMaps {
         load: Load,
         mut observer: impl FnMut(&Iteration<'_>) -> A + Send,
     ) -> Result<Vec<Numbers>, SolverError> {
-        let (stiffness, jump, leak) = (self.stiffness, self.jump, &self.leak);
+        let Setup { stiffness, jump, leak, .. } = &self.setup;
         let one = |solver: &mut Solver| {
             let solution = solver.solve_again(load, &mut observer)?;
             let set = stiffness.then(|| solver.contact_stiffness()).transpose()?;
             let permeability = permeability(&solution, leak);
-            Ok(Numbers { permeability, ..Numbers::of(&solution, set.as_ref(), jump) })
+            Ok(Numbers { permeability, ..Numbers::of(&solution, set.as_ref(), *jump) })
         };
         self.solvers.iter_mut().map(one).collect()
     }

@@ -83,7 +83,7 @@ impl Ladder {
         let solver = builder.section(setup.section).build(surface.grid(), setup.modulus)?;
         let grid = map.grid();
         let coarser = if RungMaps::is_possible(grid) {
-            Ok(RungMaps::of(both(&map, setup.mirrored)?, &setup, &setup.leak)?)
+            Ok(RungMaps::of(both(&map, setup.mirrored)?, setup.clone())?)
         } else {
             Err(NoUncertainty::TooFewPoints { shape: grid.shape() })
         };
@@ -179,7 +179,8 @@ impl Ladder {
             if self.whole.is_some() {
                 map = mirrored(&map).ok()?;
             }
-            self.finer = Some(RungMaps::of(vec![map], &self.setup, &[]).ok()?);
+            let setup = Setup { leak: Vec::new(), ..self.setup.clone() };
+            self.finer = Some(RungMaps::of(vec![map], setup).ok()?);
         }
         self.finer.as_mut()?.solve(load, observer).ok()?.pop()
     }

@@ -11,7 +11,6 @@ fn cell(found: &Coverage, k: usize) -> String {
     format!("{:.1} %{worst}, ±{:.2} %", 100.0 * held.share(), 100.0 * held.medians()[1])
 }
 
-/// The same of each number.
 pub(crate) fn row(name: &str, found: &Coverage) -> String {
     let cell = |k: usize| cell(found, k);
     let answers = found.held[0].0.len();
@@ -19,7 +18,6 @@ pub(crate) fn row(name: &str, found: &Coverage) -> String {
     format!("| {name} | {answers} | {} | {} | {} | {error:.2} % |", cell(0), cell(1), cell(2))
 }
 
-/// Of gas and leak.
 pub(crate) fn gaps(found: &Coverage) -> String {
     let row = |(k, name): (usize, &str)| {
         let held = &found.held[k];
