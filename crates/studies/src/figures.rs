@@ -77,7 +77,6 @@ fn style_of(area: AreaOf, method: &str) -> &str {
     }
 }
 
-/// A model, or a grid.
 fn name_of(way: &Way<'_>) -> String {
     match way.row.scale {
         None => find(&way.row.method).map_or("", |m| m.card().label.as_ref()).to_owned(),

@@ -27,7 +27,6 @@ const REPEATS: usize = 3;
 /// How much finer than the map the grid of the truth is.
 const REFINE: usize = 4;
 
-/// What to measure.
 pub(crate) struct Plan {
     /// Points per side instead of the recipes' own.
     pub(crate) points: Option<usize>,
@@ -230,14 +229,6 @@ struct Job<'a> {
     case: TradeoffRow,
 }
 
-/// One answer and what it took, from the given map in memory to the solution: resampling, planning
-/// and all.
-struct TimedSolution {
-    solution: Solution,
-    seconds: f64,
-    is_capped: bool,
-}
-
 impl Job<'_> {
     fn solve(&self, is_close_up: bool, take: &mut dyn FnMut(TradeoffRow)) -> RunResult<()> {
         let Plan { tolerances: [all, some], few_tolerances, .. } = *self.plan;
@@ -249,7 +240,7 @@ impl Job<'_> {
         let exact = if is_close_up {
             self.pairs(take)?;
             let answer = self.answer(Method::Chord, Precision::Double, 1e-12)?;
-            Some(answer.solution.pressure)
+            Some(answer.0.pressure)
         } else {
             None
         };
@@ -277,11 +268,11 @@ impl Job<'_> {
     ) -> RunResult<()> {
         for &tolerance in tolerances.iter().filter(|&&t| t >= Plan::lowest(precision)) {
             let answer = || self.answer(method, precision, tolerance);
-            let first = answer()?;
-            let again = || answer().map_or(f64::INFINITY, |again| again.seconds);
-            let seconds = shortest(self.plan.seconds, again).min(first.seconds);
-            let touching = first.solution.touching_fraction();
-            let Solution { state, pressure, diagnostics, .. } = first.solution;
+            let (first, seconds, is_capped) = answer()?;
+            let again = || answer().map_or(f64::INFINITY, |(_, again, _)| again);
+            let seconds = shortest(self.plan.seconds, again).min(seconds);
+            let touching = first.touching_fraction();
+            let Solution { state, pressure, diagnostics, .. } = first;
             take(TradeoffRow {
                 method: method.to_string(),
                 precision: Some(precision.to_string()),
@@ -291,22 +282,24 @@ impl Job<'_> {
                 pressure_error: exact.map(|exact| relative(&pressure, exact)),
                 pairs: Some(diagnostics.transforms),
                 seconds,
-                is_capped: first.is_capped,
+                is_capped,
                 ..self.case.clone()
             });
-            if first.is_capped {
+            if is_capped {
                 break; // a tighter tolerance would stop at the same place
             }
         }
         Ok(())
     }
 
+    /// One answer, the seconds from the given map in memory to it, resampling, planning and all,
+    /// and whether it was stopped.
     fn answer(
         &self,
         method: Method,
         precision: Precision,
         tolerance: f64,
-    ) -> RunResult<TimedSolution> {
+    ) -> RunResult<(Solution, f64, bool)> {
         let most = self.plan.most_pairs;
         let watch = |it: &Iteration<'_>| {
             if it.transforms < most { ControlFlow::Continue(()) } else { ControlFlow::Break(()) }
@@ -324,12 +317,12 @@ impl Job<'_> {
         let result = solver.solve_observed(map, Load::MeanPressure(self.pressure), watch);
         let seconds = clock.elapsed().as_secs_f64();
         match result {
-            Ok(solution) => Ok(TimedSolution { solution, seconds, is_capped: false }),
+            Ok(solution) => Ok((solution, seconds, false)),
             Err(
                 SolverError::Stopped(best)
                 | SolverError::NotConverged(best)
                 | SolverError::Rounding(best),
-            ) => Ok(TimedSolution { solution: *best, seconds, is_capped: true }),
+            ) => Ok((*best, seconds, true)),
             Err(error) => Err(error.into()),
         }
     }

@@ -23,7 +23,6 @@ pub(crate) fn write(table: &Path, folder: &Path) -> Result<(), Box<dyn Error>> {
     Ok(())
 }
 
-/// The generated part of the page.
 fn page(table: &TradeoffTable) -> String {
     let found = ways(table.rows.iter());
     let everywhere = everywhere(&found);
@@ -68,7 +67,6 @@ fn cheapest<'a>(found: &'a [Way<'a>]) -> Vec<(f64, Option<&'a Way<'a>>)> {
     WANTED.into_iter().map(|wanted| (wanted, best(wanted))).collect()
 }
 
-/// A line of a table.
 fn row(page: &mut String, cells: &[String]) {
     let _ = writeln!(page, "| {} |", cells.join(" | "));
 }
