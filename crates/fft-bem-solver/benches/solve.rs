@@ -1,5 +1,6 @@
-//! Time of whole solves by method, precision and size, and of a load curve. The surface is
-//! self-affine (H = 0.8, roll-off an eighth of the side, shortest wave 4 pixels, seed 1), the modulus 1.
+//! Time of whole solves by method, precision and size, and of a load curve; and of the transforms
+//! whose number a solve is counted in. The surface is self-affine (H = 0.8, roll-off an eighth of
+//! the side, shortest wave 4 pixels, seed 1), the modulus 1.
 #![allow(missing_docs, reason = "criterion's macros make undocumented functions")]
 
 #[path = "../tests/common/mod.rs"]
@@ -9,6 +10,7 @@ use common::{curve, self_affine, unit_grid, unit_modulus};
 use contact_types::HeightMap;
 use criterion::{BenchmarkId, Criterion, Throughput, criterion_group, criterion_main};
 use fft_bem_solver::{Load, Method, Precision, Solver};
+use grid_fft::GridFft;
 use std::hint::black_box;
 
 fn surface(n: usize) -> HeightMap {
@@ -22,6 +24,24 @@ fn solver(map: &HeightMap, method: Method, precision: Precision) -> Solver {
         .tolerance(1e-4)
         .build(map.grid(), unit_modulus())
         .expect("sound settings")
+}
+
+fn transforms(c: &mut Criterion) {
+    let mut group = c.benchmark_group("kernels/transform-pair-one-thread");
+    group.sample_size(10);
+    for n in [256, 1001, 1024] {
+        let mut field: Vec<f64> = (0..n * n).map(|i| (0.37 * i as f64).sin()).collect();
+        let mut fft = GridFft::new([n, n]);
+        let mut spectrum = fft.new_spectrum();
+        group.throughput(Throughput::Elements((n * n) as u64));
+        group.bench_function(BenchmarkId::from_parameter(n), |b| {
+            b.iter(|| {
+                fft.forward(black_box(&field), &mut spectrum);
+                fft.inverse(&mut spectrum, &mut field);
+            });
+        });
+    }
+    group.finish();
 }
 
 fn solves(c: &mut Criterion) {
@@ -94,5 +114,5 @@ fn yields(c: &mut Criterion) {
     group.finish();
 }
 
-criterion_group!(benches, solves, load_curve, yields);
+criterion_group!(benches, transforms, solves, load_curve, yields);
 criterion_main!(benches);
