@@ -197,7 +197,6 @@ impl<T: Float> Convolution<T> {
         blocks.enumerate().for_each(|(block, rows)| self.synthesise(block, rows));
     }
 
-    /// Number of blocks of rows.
     fn blocks(&self) -> usize {
         self.shape[0].div_ceil(TILE_ROWS)
     }
