@@ -4,7 +4,7 @@ use crate::engine::Engine;
 use crate::methods::{Outcome, under};
 use crate::problem::Problem;
 use crate::simd::vectorised;
-use crate::tally::{Tally, tally};
+use crate::tally::tally;
 use crate::{
     Boundary, Diagnostics, Load, Maps, PERIMETER_CORRECTION, Real, Residuals, Solution, Yielded,
     certificate, fields, solution::Section,
@@ -29,7 +29,7 @@ impl<T: Real> Engine<T> {
             _ if !self.settings.certified => None,
             Some(_) => Some(0.0),
             None => {
-                let (operator, state) = (self.operator.as_mut(), &self.state);
+                let (operator, state) = (&mut self.operator, &self.state);
                 let mut scratch = vec![T::zero(); state.pressure.len()];
                 let (u, h, level) = (&state.displacement, &problem.heights, T::of(state.level));
                 let gap = |i: usize| u[i] - h[i] - level;
@@ -52,7 +52,7 @@ impl<T: Real> Engine<T> {
         let blocks = grid.shape().map(|n| n.min(BLOCKS));
         let mut coarse_gap = vec![0.0; blocks[0] * blocks[1]];
         let (shape, boundary) = (grid.shape(), settings.boundary);
-        let Tally { sums, extremes: [lowest, largest] } = under!(ceiling, top => {
+        let (sums, [lowest, largest]) = under!(ceiling, top => {
             tally(top, [p, u, h], level, boundary, shape, blocks, &mut coarse_gap)
         });
         let [below, contact, full, work, complementarity, duality, open] = sums;

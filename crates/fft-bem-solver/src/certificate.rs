@@ -92,19 +92,13 @@ pub(crate) struct Patience {
 /// Evaluations without halving the bound after which rounding is to blame.
 const STALL: usize = 10;
 
-/// What [`Patience::judge`] found.
-pub(crate) struct Judgement {
-    pub(crate) end: Option<End>,
-    pub(crate) residual: Option<f64>,
-    pub(crate) transforms: f64,
-}
-
 impl Patience {
     pub(crate) fn new(tolerance: f64) -> Self {
         Self { tolerance, worthwhile: 30.0 * tolerance, best: f64::INFINITY, since: 0 }
     }
 
-    /// Judges the state by its `gap`; `scratch` is overwritten.
+    /// Judges the state by its `gap`; `scratch` is overwritten. Returns whether it is the last, the
+    /// estimate of its relative pressure error if one was made, and the convolutions spent.
     pub(crate) fn judge<T: Real>(
         &mut self,
         state: &State<T>,
@@ -112,13 +106,13 @@ impl Patience {
         gap: &[T],
         scratch: &mut [T],
         operator: &mut dyn Compliance<T>,
-    ) -> Judgement {
+    ) -> (Option<End>, Option<f64>, f64) {
         let p = &state.pressure;
         let square = |i: usize| violation(NoCeiling, p[i], gap[i]).wide().powi(2);
         let plain = FRAC_PI_2 * (fields::sum_of(p.len(), square) / fields::dot(p, p)).sqrt();
         let is_rounding = is_rounding(state, heights, gap);
         if plain > self.worthwhile.max(30.0 * T::ATTAINABLE) && !is_rounding {
-            return Judgement { end: None, residual: None, transforms: 0.0 };
+            return (None, None, 0.0);
         }
         let bound = energy_error(NoCeiling, state, |i| gap[i], scratch, operator);
         let relative =
@@ -138,7 +132,7 @@ impl Patience {
         if relative <= T::ATTAINABLE {
             self.worthwhile = 2.0 * plain; // near rounding: look every time
         }
-        Judgement { end, residual: Some(relative), transforms: bound.map_or(0.0, |_| 1.0) }
+        (end, Some(relative), bound.map_or(0.0, |_| 1.0))
     }
 }
 

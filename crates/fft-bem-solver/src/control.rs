@@ -52,7 +52,6 @@ pub(crate) fn solve<T: Real>(
     Search { method, task, operator, start, state, watch, spent }.elastic(level, guess)
 }
 
-/// A search for the load.
 struct Search<'a, 'w, T: Real> {
     method: &'a mut dyn ContactMethod<T>,
     task: &'a ContactTask<'a, T>,
@@ -60,12 +59,10 @@ struct Search<'a, 'w, T: Real> {
     start: Start,
     state: &'a mut State<T>,
     watch: &'a mut IterateObserver<'w, T>,
-    /// What has been spent so far.
     spent: Outcome,
 }
 
 impl<T: Real> Search<'_, '_, T> {
-    /// The first load.
     fn first(&self, guess: f64) -> f64 {
         match self.start {
             Start::Warm => fields::mean(&self.state.pressure),

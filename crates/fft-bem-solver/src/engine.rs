@@ -1,24 +1,24 @@
 //! From a surface and a load in SI units to a solution, through the scaled problem.
 
 use crate::methods::{
-    self, Compliance, ContactMethod, ContactTask, IterateView, Outcome, Start, State, Target,
+    self, ContactMethod, ContactTask, IterateView, Outcome, Start, State, Target,
 };
 use crate::observer::Observe;
-use crate::problem::Problem;
+use crate::problem::{self, Problem};
 use crate::{
-    Boundary, End, Iteration, Load, Method, Real, Solution, SolverBuilder, SolverError, control,
-    fields, special_cases,
+    Boundary, End, HalfSpace, Iteration, Load, Method, Real, SetStiffness, Solution, SolverBuilder,
+    SolverError, control, fields, memory, mixed_problem, special_cases,
 };
 use contact_types::{Clock, ContactModulus, Grid, HeightMap};
 use std::sync::Arc;
 
 /// Everything a solve needs, in the floating-point type of the solve.
-pub(crate) struct Engine<T> {
+pub(crate) struct Engine<T: Real> {
     pub(crate) settings: SolverBuilder,
     modulus: ContactModulus,
     scaled: Grid,
     method: Box<dyn ContactMethod<T>>,
-    pub(crate) operator: Box<dyn Compliance<T>>,
+    pub(crate) operator: HalfSpace<T>,
     pub(crate) state: State<T>,
     problem: Option<Arc<Problem<T>>>,
     /// Mean pressure that closes every gap of the problem, once it is known.
@@ -30,7 +30,6 @@ pub(crate) struct Engine<T> {
 
 /// An engine, whatever the type it computes in.
 pub(crate) trait AnyEngine: Send + Sync {
-    /// The next solve starts from nothing.
     fn forget(&mut self);
 
     /// Makes `surface` the one to be solved.
@@ -43,8 +42,8 @@ pub(crate) trait AnyEngine: Send + Sync {
         clock: Clock,
     ) -> Result<Solution, SolverError>;
 
-    /// The pixels that carry pressure, once there is a surface.
-    fn contact(&self) -> Option<Vec<bool>>;
+    /// Of the pixels that carry pressure, once there is a surface.
+    fn contact_stiffness(&self) -> Result<SetStiffness, SolverError>;
 }
 
 impl<T: Real> Engine<T> {
@@ -55,7 +54,7 @@ impl<T: Real> Engine<T> {
     ) -> Result<Self, SolverError> {
         let (method, iteration) = methods::build(settings.method, scaled, settings.boundary)?;
         settings.method = method;
-        let operator = methods::operator(scaled, settings.boundary);
+        let operator = HalfSpace::scaled(scaled, settings.boundary);
         Ok(Self {
             settings,
             modulus,
@@ -115,9 +114,14 @@ impl<T: Real> AnyEngine for Engine<T> {
         }
     }
 
-    fn contact(&self) -> Option<Vec<bool>> {
-        let p = &self.state.pressure;
-        self.problem.as_ref().map(|_| p.iter().map(|p| *p > T::zero()).collect())
+    fn contact_stiffness(&self) -> Result<SetStiffness, SolverError> {
+        let grid = self.problem.as_ref().ok_or(SolverError::NoSurface)?.given;
+        let contact: Vec<bool> = self.state.pressure.iter().map(|p| *p > T::zero()).collect();
+        let size = contact.iter().filter(|is_in| **is_in).count();
+        memory::check_set(grid, self.settings.boundary, size)?;
+        let mut operator = HalfSpace::scaled(self.scaled, self.settings.boundary);
+        let unit = self.modulus.pascals() / problem::fine_pixel(grid);
+        Ok(mixed_problem::solve(self.scaled, &mut operator, &contact, unit))
     }
 }
 
@@ -204,7 +208,7 @@ impl<T: Real> Engine<T> {
 
     /// The least load that closes every gap.
     fn closed(&mut self, problem: &Problem<T>) -> Outcome {
-        let (operator, state) = (self.operator.as_mut(), &mut self.state);
+        let (operator, state) = (&mut self.operator, &mut self.state);
         let least = special_cases::flattening_pressure(problem, operator, &mut state.pressure);
         special_cases::full_contact(problem, least.unwrap_or(0.0), state);
         Outcome::exact("full contact", 1.0)
@@ -212,7 +216,7 @@ impl<T: Real> Engine<T> {
 
     /// Everything at the ceiling. The flat is where the lowest point still touches it.
     fn yielded(&mut self, problem: &Problem<T>, ceiling: f64) -> Outcome {
-        let spent = self.state.fill(ceiling, self.operator.as_mut());
+        let spent = self.state.fill(ceiling, &mut self.operator);
         let u = &self.state.displacement;
         let rise = |i: usize| (u[i] - problem.heights[i]).wide();
         self.state.level = fields::largest_of(u.len(), rise);
@@ -251,7 +255,7 @@ impl<T: Real> Engine<T> {
                 area: &|| fields::contact_count(&step.state.pressure) as f64 / n,
             })
         };
-        let (operator, state) = (self.operator.as_mut(), &mut self.state);
+        let (operator, state) = (&mut self.operator, &mut self.state);
         let method = self.method.as_mut();
         let mut outcome = control::solve(method, &task, operator, start, state, &mut watch);
         outcome.transforms += spent;
@@ -270,7 +274,7 @@ impl<T: Real> Engine<T> {
         start: &mut Start,
     ) -> (Option<&'static str>, f64) {
         let mut spent = 0.0;
-        let (operator, state) = (self.operator.as_mut(), &mut self.state);
+        let (operator, state) = (&mut self.operator, &mut self.state);
         let total = load * problem.heights.len() as f64;
         let ceiling = T::of(ceiling).wide();
         let summit = special_cases::lonely_summit(problem, load);
@@ -321,7 +325,6 @@ impl<T: Real> Engine<T> {
     }
 }
 
-/// What a load means for a problem.
 enum LoadMeaning {
     /// No contact; level of the flat.
     Apart(f64),

@@ -28,7 +28,6 @@ pub(crate) fn by_blocks<A: Send>(
     combine(a, b)
 }
 
-/// Sum of `term(i)` over `0..n`.
 pub(crate) fn sum_of(n: usize, term: impl Fn(usize) -> f64 + Sync) -> f64 {
     by_blocks(0..n, &|range| range.map(&term).sum(), &|a, b| a + b)
 }
@@ -66,7 +65,6 @@ pub(crate) fn largest_of(n: usize, term: impl Fn(usize) -> f64 + Sync) -> f64 {
     -least_of(n, |i| -term(i))
 }
 
-/// `value(i)` for every pixel.
 pub(crate) fn filled<T: Real>(n: usize, value: impl Fn(usize) -> T + Sync) -> Vec<T> {
     let mut field = vec![T::zero(); n];
     write(&mut field, |i, _| value(i));
@@ -82,12 +80,10 @@ pub(crate) fn write<T: Real>(field: &mut [T], new: impl Fn(usize, T) -> T + Sync
     });
 }
 
-/// Makes a field constant.
 pub(crate) fn fill<T: Real>(value: f64, field: &mut [T]) {
     field.par_chunks_mut(BLOCK).for_each(|block| block.fill(T::of(value)));
 }
 
-/// Multiplies a field.
 pub(crate) fn scale<T: Real>(factor: f64, field: &mut [T]) {
     let factor = T::of(factor);
     write(field, |_, x| x * factor);
@@ -101,7 +97,6 @@ pub(crate) fn scatter(values: &[f64], on: &[usize], field: &mut [f64]) {
     }
 }
 
-/// Sum of a field.
 pub(crate) fn sum<T: Real>(a: &[T]) -> f64 {
     let piece = |range: Range<usize>| {
         let a = &a[range];
@@ -117,7 +112,6 @@ pub(crate) fn sum<T: Real>(a: &[T]) -> f64 {
     by_blocks(0..a.len(), &piece, &|a, b| a + b)
 }
 
-/// Mean of a field.
 pub(crate) fn mean<T: Real>(a: &[T]) -> f64 {
     sum(a) / a.len() as f64
 }
@@ -143,7 +137,6 @@ pub(crate) fn weighted_difference<T: Real>(w: &[T], [a, b]: [&[T]; 2]) -> [f64; 
     by_blocks(0..w.len(), &piece, &|a, b| [a[0] + b[0], a[1] + b[1]])
 }
 
-/// Inner product of two fields.
 pub(crate) fn dot<T: Real>(a: &[T], b: &[T]) -> f64 {
     sum_of(a.len(), |i| a[i].wide() * b[i].wide())
 }
@@ -179,7 +172,6 @@ pub(crate) fn min<T: Real>(a: &[T]) -> f64 {
     range(a)[0]
 }
 
-/// Number of pixels that carry pressure.
 pub(crate) fn contact_count<T: Real>(pressure: &[T]) -> usize {
     sum_of(pressure.len(), |i| if pressure[i] > T::zero() { 1.0 } else { 0.0 }) as usize
 }

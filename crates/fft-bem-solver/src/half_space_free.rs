@@ -1,94 +1,38 @@
-//! Pressure to displacement on a half space that is loaded nowhere but on the map.
+//! Influence coefficients of a half space that is loaded nowhere but on the map.
 
-use crate::methods::Compliance;
-use crate::{Boundary, Real};
-use contact_types::{ContactModulus, Grid};
-use grid_fft::{Convolution, GridFft};
+use contact_types::Grid;
+use grid_fft::GridFft;
 use std::f64::consts::PI;
 
-/// The surface of an elastic half space under the pixels of one map, each loaded uniformly:
-/// displacement at the centres of the pixels, zero far away.
-///
-/// The sum over all pixels is a convolution with Love's coefficients, evaluated without error
-/// on a grid padded with zeros to twice the size.
+/// Displacement at the centres of the pixels of a map, zero far away, as each is loaded uniformly:
+/// the shape that the map is padded to with zeros, to at least twice its size, and the transform
+/// there of Love's coefficients over E*, `ky` in `0..=py/2` running fastest. The convolution with
+/// them is the sum over all pixels, without error.
 ///
 /// # Source
 /// Love (1929), *Phil. Trans. R. Soc. A* 228, 377; zero-padding: Liu, Wang & Liu (2000), *Wear*
 /// 243, 101–111, doi:10.1016/S0043-1648(00)00427-0.
-pub(crate) struct FreeHalfSpace<T: Real> {
-    convolution: Convolution<T>,
-    /// Transform of the coefficients over E*, `ky` in `0..=py/2` running fastest.
-    compliance: Vec<T>,
-    rows: usize,
-    is_definite: bool,
-}
-
-impl<T: Real> FreeHalfSpace<T> {
-    /// Plans the transforms for `grid` and transforms the influence coefficients.
-    pub(crate) fn new(grid: Grid, modulus: ContactModulus) -> Self {
-        let [ny, nx] = grid.shape();
-        let [dy, dx] = grid.pixel();
-        let padded = [padded_length(ny), padded_length(nx)];
-        let [py, px] = padded;
-        let distance = |i: usize, p: usize| i.min(p - i) as f64;
-        let mut fft = GridFft::<f64>::new(padded);
-        let mut coefficients = vec![0.0; py * px];
-        for iy in 0..=py / 2 {
-            for ix in 0..=px / 2 {
-                let u = love([distance(iy, py) * dy, distance(ix, px) * dx], [dy, dx]);
-                for jy in [iy, (py - iy) % py] {
-                    coefficients[jy * px + ix] = u / modulus.pascals();
-                    coefficients[jy * px + (px - ix) % px] = u / modulus.pascals();
-                }
+pub(crate) fn love_coefficients(grid: Grid, e_star: f64) -> ([usize; 2], Vec<f64>) {
+    let [dy, dx] = grid.pixel();
+    let padded = grid.shape().map(padded_length);
+    let [py, px] = padded;
+    let distance = |i: usize, p: usize| i.min(p - i) as f64;
+    let mut fft = GridFft::<f64>::new(padded);
+    let mut coefficients = vec![0.0; py * px];
+    for iy in 0..=py / 2 {
+        for ix in 0..=px / 2 {
+            let u = love([distance(iy, py) * dy, distance(ix, px) * dx], [dy, dx]);
+            for jy in [iy, (py - iy) % py] {
+                coefficients[jy * px + ix] = u / e_star;
+                coefficients[jy * px + (px - ix) % px] = u / e_star;
             }
         }
-        let mut spectrum = fft.new_spectrum();
-        fft.forward(&coefficients, &mut spectrum);
-        let (rows, columns) = (py / 2 + 1, px / 2 + 1);
-        let mut compliance = vec![T::zero(); rows * columns];
-        let mut is_definite = true;
-        for kx in 0..columns {
-            for ky in 0..rows {
-                let value = spectrum[ky * columns + kx].re; // an even field has a real transform
-                is_definite &= value > 0.0;
-                compliance[kx * rows + ky] = T::of(value);
-            }
-        }
-        let convolution = Convolution::padded([ny, nx], padded);
-        Self { convolution, compliance, rows, is_definite }
     }
-
-    /// Transform of the coefficients for the waves `(0..=py/2, kx)`.
-    fn symbol(&self, kx: usize, column: &mut [T]) {
-        column.copy_from_slice(&self.compliance[kx * self.rows..][..self.rows]);
-    }
-}
-
-impl<T: Real> Compliance<T> for FreeHalfSpace<T> {
-    fn apply(&mut self, pressure: &[T], displacement: &mut [T]) {
-        self.convolution.apply(pressure, |kx, column| self.symbol(kx, column), displacement);
-    }
-    fn apply_in_place(&mut self, field: &mut [T]) {
-        self.convolution.apply_in_place(field, |kx, column| self.symbol(kx, column));
-    }
-    /// `B w` is the part on the map of `C^-1 w`, with `C` the periodic operator on the padded grid of which
-    /// this half space is a part: among all fields on the padded grid that equal `w` on the map the one with
-    /// the least `C^-1` norm has that of `K^-1`, and `w` continued by zeros is one of them. Not if `C` is not
-    /// positive definite.
-    fn invert(&mut self, field: &mut [T]) -> bool {
-        if self.is_definite {
-            self.convolution.apply_in_place(field, |kx, column| {
-                self.symbol(kx, column);
-                for s in column {
-                    *s = T::one() / *s;
-                }
-            });
-        }
-        self.is_definite
-    }
-    fn boundary(&self) -> Boundary {
-        Boundary::Free
-    }
+    let mut spectrum = fft.new_spectrum();
+    fft.forward(&coefficients, &mut spectrum);
+    let columns = px / 2 + 1;
+    let waves = (0..columns).flat_map(|kx| (0..=py / 2).map(move |ky| ky * columns + kx));
+    (padded, waves.map(|wave| spectrum[wave].re).collect()) // an even field has a real transform
 }
 
 /// Displacement, times E*, at `[y, x]` from the centre of a rectangle of sides `[dy, dx]` under
@@ -157,7 +101,8 @@ fn padded_length(n: usize) -> usize {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::close;
+    use crate::{Boundary, HalfSpace, close};
+    use contact_types::ContactModulus;
 
     /// Middle of a uniformly loaded square of side s: u = 4 s p asinh(1) / (pi E*)
     /// (Johnson 1985, §3.3).
@@ -192,7 +137,7 @@ mod tests {
             let modulus = ContactModulus::from_pascals(e_star).unwrap();
             let p: Vec<f64> = (0..grid.len()).map(|i| 1.0 + (i as f64 * 1.7).sin()).collect();
             let mut u = p.clone();
-            FreeHalfSpace::new(grid, modulus).apply_in_place(&mut u);
+            HalfSpace::new(grid, modulus, Boundary::Free).displace(&mut u);
             let nx = shape[1];
             for (i, u) in u.iter().enumerate() {
                 let sum: f64 = p

@@ -30,7 +30,6 @@ mod error;
 mod fields;
 mod half_space;
 mod half_space_free;
-mod half_space_periodic;
 mod memory;
 mod methods;
 mod mixed_problem;

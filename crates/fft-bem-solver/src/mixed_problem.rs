@@ -12,7 +12,7 @@
 //! Source: Barber (2003), *Proc. R. Soc. A* 459, 53–66.
 
 use crate::methods::{Compliance, NodeState, SetInverse};
-use crate::{Boundary, fields};
+use crate::{Boundary, HalfSpace, fields};
 use contact_types::Grid;
 
 /// Largest difference of potential on the set, relative to its mean, at which the iteration ends.
@@ -43,7 +43,7 @@ pub struct SetStiffness {
 /// `scaled` grid; `unit` is what a stiffness of 1 is there (Pa/m).
 pub(crate) fn solve(
     scaled: Grid,
-    operator: &mut dyn Compliance<f64>,
+    operator: &mut HalfSpace<f64>,
     contact: &[bool],
     unit: f64,
 ) -> SetStiffness {
@@ -67,7 +67,7 @@ pub(crate) fn solve(
     let dot = |a: &[f64], b: &[f64]| a.iter().zip(b).map(|(a, b)| a * b).sum::<f64>();
     let mut answer = |of: &[f64], to: &mut [f64]| {
         fields::scatter(of, &on, &mut field);
-        operator.apply_in_place(&mut field);
+        operator.displace(&mut field);
         to.iter_mut().zip(&on).for_each(|(to, i)| *to = field[*i]);
     };
 

@@ -50,7 +50,6 @@ impl Pool {
         Ok(Self {})
     }
 
-    /// Does the work.
     pub(crate) fn run<R>(&self, work: impl FnOnce() -> R) -> Result<R, SolverError> {
         Ok(work())
     }

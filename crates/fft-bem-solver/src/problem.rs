@@ -34,7 +34,6 @@ pub(crate) struct Problem<T> {
     pub(crate) grid: Grid,
     /// From -1 to 0, row-major. All 0 for a flat surface.
     pub(crate) heights: Vec<T>,
-    /// Mean of the heights.
     pub(crate) mean_height: f64,
     pub(crate) units: Units,
 }

@@ -26,7 +26,10 @@ pub trait Real:
     /// The same number as `f64`, exactly.
     fn wide(self) -> f64;
     /// The nearest `f32`.
-    fn narrow(self) -> f32;
+    #[inline(always)]
+    fn narrow(self) -> f32 {
+        self.wide() as f32
+    }
     /// The square root.
     #[must_use]
     fn root(self) -> Self;
@@ -53,9 +56,6 @@ impl Real for f64 {
     fn wide(self) -> f64 {
         self
     }
-    fn narrow(self) -> f32 {
-        self as f32
-    }
     fn root(self) -> Self {
         self.sqrt()
     }
@@ -77,9 +77,6 @@ impl Real for f32 {
     }
     fn wide(self) -> f64 {
         f64::from(self)
-    }
-    fn narrow(self) -> f32 {
-        self
     }
     fn root(self) -> Self {
         self.sqrt()

@@ -2,12 +2,10 @@
 
 use crate::builder::SolverBuilder;
 use crate::engine::{AnyEngine, Engine};
-use crate::methods::{self, Compliance};
 use crate::observer::ObserverResult;
 use crate::pool::Pool;
 use crate::{
-    Boundary, Iteration, Load, Method, Precision, Real, SetStiffness, Solution, SolverError,
-    memory, mixed_problem, problem,
+    Iteration, Load, Method, Precision, Real, SetStiffness, Solution, SolverError, memory, problem,
 };
 use contact_types::{Clock, ContactModulus, Grid, HeightMap};
 
@@ -49,7 +47,6 @@ impl SolverBuilder {
         memory::check(grid, memory::bytes(&self, grid))?;
         // Transforms are planned for the threads of the pool they are planned in.
         let pool = Pool::new(self.threads)?;
-        let boundary = self.boundary;
         let engine = pool.run(|| {
             #[cfg(all(feature = "single", not(test)))]
             // unit tests take none: half the code of their build
@@ -58,7 +55,7 @@ impl SolverBuilder {
             }
             boxed::<f64>(self, modulus, scaled)
         })??;
-        Ok(Solver { grid, modulus, boundary, engine, pool })
+        Ok(Solver { grid, modulus, engine, pool })
     }
 }
 
@@ -75,7 +72,6 @@ fn boxed<T: Real>(
 pub struct Solver {
     grid: Grid,
     modulus: ContactModulus,
-    boundary: Boundary,
     engine: Box<dyn AnyEngine>,
     pool: Pool,
 }
@@ -160,15 +156,7 @@ impl Solver {
     /// [`SolverError::NoSurface`] if there is no last solution; [`SolverError::Memory`] if the machine does not have
     /// the memory for it beside the solver.
     pub fn contact_stiffness(&mut self) -> Result<SetStiffness, SolverError> {
-        let contact = self.engine.contact().ok_or(SolverError::NoSurface)?;
-        let (grid, boundary) = (self.grid, self.boundary);
-        memory::check_set(grid, boundary, contact.iter().filter(|is_in| **is_in).count())?;
-        let scaled = problem::scaled_grid(grid)?;
-        let unit = self.modulus.pascals() / problem::fine_pixel(grid);
-        self.pool.run(|| {
-            let mut operator: Box<dyn Compliance<f64>> = methods::operator(scaled, boundary);
-            mixed_problem::solve(scaled, operator.as_mut(), &contact, unit)
-        })
+        self.pool.run(|| self.engine.contact_stiffness())?
     }
 
     fn keep(&mut self, surface: &HeightMap) -> Result<(), SolverError> {

@@ -8,22 +8,17 @@ use fearless_simd::{Select, Simd, SimdBase, SimdFloat, f64x4};
 use grid_fft::parallel::prelude::*;
 use std::ops::Range;
 
-/// Sums and extremes. *Full* pixels are those at the ceiling, whose overlap was flattened.
-#[derive(Debug, Clone, Copy)]
-pub(crate) struct Tally {
-    /// In this order
-    /// - the pressure of the pixels that are not full;
-    /// - pixels that carry pressure, and those of them that are full;
-    /// - `p u`;
-    /// - `p |g|`, of the full only where they stand off;
-    /// - `p g`; under a ceiling H, `p max(g, 0) + (H - p) max(-g, 0)`;
-    /// - the gap: 0 where it is closed, which all of the contact is under a free boundary, and the full anywhere.
-    pub(crate) sums: [f64; 7],
-    /// Least gap, of the full 0; largest pressure.
-    pub(crate) extremes: [f64; 2],
-}
+/// Sums of, in this order (*full* pixels are those at the ceiling, whose overlap was flattened),
+/// - the pressure of the pixels that are not full;
+/// - pixels that carry pressure, and those of them that are full;
+/// - `p u`;
+/// - `p |g|`, of the full only where they stand off;
+/// - `p g`; under a ceiling H, `p max(g, 0) + (H - p) max(-g, 0)`;
+/// - the gap: 0 where it is closed, which all of the contact is under a free boundary, and the full anywhere;
+///
+/// and least gap, of the full 0, and largest pressure.
+type Tally = ([f64; 7], [f64; 2]);
 
-/// Least gap and largest pressure of no pixel.
 const NO_EXTREMES: [f64; 2] = [f64::INFINITY, f64::NEG_INFINITY];
 
 /// Pixels of block `block` of so many along an axis of `n`.
@@ -58,7 +53,7 @@ pub(crate) fn tally<T: Real, C: Ceiling<T>>(
         sums.iter_mut().zip(more).for_each(|(sum, x)| *sum += x);
         extremes = [extremes[0].min(lowest), extremes[1].max(largest)];
     }
-    Tally { sums, extremes }
+    (sums, extremes)
 }
 
 /// The rows `lines`; adds the gap beside the contact to each block.
@@ -74,7 +69,7 @@ fn block_row<S: Simd, T: Real, C: Ceiling<T>>(
     nx: usize,
     lines: Range<usize>,
     blocks: &mut [f64],
-) -> ([f64; 7], [f64; 2]) {
+) -> Tally {
     let (zero, one) = (f64x4::splat(x, 0.0), f64x4::splat(x, 1.0));
     let positive = |a: f64x4<S>| a.simd_gt(zero).select(a, zero);
     let mut sums = [zero; 7];

@@ -1,9 +1,8 @@
 //! The solver against exact solutions, on this machine: what `rough-contact validate` prints.
 
-use crate::half_space_periodic::PeriodicHalfSpace;
 use crate::methods::Compliance;
 use crate::reference::{Hertz, TwoHarmonic, Westergaard};
-use crate::{Boundary, Load, Method, Solution, Solver, SolverError};
+use crate::{Boundary, HalfSpace, Load, Method, Solution, Solver, SolverError};
 use contact_types::{ContactModulus, Grid, HeightMap, ModelError, SurfaceError};
 use std::f64::consts::{PI, SQRT_2};
 
@@ -109,7 +108,6 @@ pub fn run(
 /// Name, source, whether it is a profile, and the solve on so many pixels per side.
 type ValidationCase = (&'static str, &'static str, bool, fn(&Options, usize) -> CaseResult);
 
-/// A solution and the numbers to compare.
 type CaseResult = Result<(Solution, Vec<ValidationRow>), ValidationError>;
 
 const CASES: &[ValidationCase] = &[
@@ -325,7 +323,7 @@ fn bi_sinusoid(options: &Options, n: usize) -> CaseResult {
 fn closed(options: &Options, n: usize) -> CaseResult {
     let (map, p_star) = egg_box(n, [0.0, 0.0])?;
     let mut exact = map.heights().to_vec();
-    PeriodicHalfSpace::new(map.grid(), modulus()?).invert(&mut exact);
+    HalfSpace::new(map.grid(), modulus()?, Boundary::Periodic).invert(&mut exact);
     let least = -crate::fields::min(&exact);
     for p in &mut exact {
         *p = *p + least + 0.1 * least;

@@ -11,7 +11,6 @@ use std::marker::PhantomData;
 
 /// The iteration of one baseline, with what it remembers from step to step.
 pub(super) trait BaselineStep<T>: Send + Sync {
-    /// Before the first step.
     const START: Self;
 
     /// Steps to the next iterate of this `load`. `gap` has no mean over the contact; `direction` is kept
@@ -28,7 +27,6 @@ pub(super) trait BaselineStep<T>: Send + Sync {
     ) -> Option<f64>;
 }
 
-/// A baseline and its fields.
 pub(crate) struct Baseline<T, S> {
     gap: Vec<T>,
     direction: Vec<T>,
@@ -63,14 +61,14 @@ impl<T: Real, S: BaselineStep<T>> ContactMethod<T> for Baseline<T, S> {
         let (mut method, mut patience) = (S::START, Patience::new(task.tolerance));
         let mut end = loop {
             gap_without_mean(state, heights, gap);
-            let check = patience.judge(state, heights, gap, response, operator);
-            transforms += check.transforms;
-            residual = check.residual.unwrap_or(residual);
+            let (end, found, spent) = patience.judge(state, heights, gap, response, operator);
+            transforms += spent;
+            residual = found.unwrap_or(residual);
             if watch(&IterateView { iteration: iterations, transforms, residual, state }).is_break()
             {
                 break End::Stopped;
             }
-            if let Some(end) = check.end {
+            if let Some(end) = end {
                 break end;
             }
             if iterations >= task.max_iterations {

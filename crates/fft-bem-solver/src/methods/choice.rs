@@ -2,21 +2,13 @@
 
 use super::baseline::Baseline;
 use super::chord::Chord;
-use super::compliance::Compliance;
 use super::contract::ContactMethod;
 use super::free_chord::FreeChord;
 use super::polonsky_keer::PolonskyKeer;
 use super::stanley_kato::StanleyKato;
 use super::thin_pixels;
-use crate::half_space::HalfSpace;
 use crate::{Boundary, Method, Real, SolverError};
-use contact_types::{ContactModulus, Grid};
-
-/// The half space on a grid whose finer pixel side is 1, with E* = 1.
-pub(crate) fn operator<T: Real>(scaled: Grid, boundary: Boundary) -> Box<dyn Compliance<T>> {
-    let unit = ContactModulus::from_pascals(1.0).expect("1 Pa is a modulus");
-    HalfSpace::new(scaled, unit, boundary).operator
-}
+use contact_types::Grid;
 
 /// The method asked for, with its memory; and which one `Auto` became.
 pub(crate) fn build<T: Real>(

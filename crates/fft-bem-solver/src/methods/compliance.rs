@@ -8,11 +8,6 @@ use grid_fft::parallel::prelude::*;
 pub(crate) trait Compliance<T: Real>: Send + Sync {
     /// `displacement = K pressure`.
     fn apply(&mut self, pressure: &[T], displacement: &mut [T]);
-    /// Replaces a pressure by its displacement.
-    fn apply_in_place(&mut self, field: &mut [T]) {
-        let pressure = field.to_vec();
-        self.apply(&pressure, field);
-    }
     /// As [`apply`](Self::apply), with `work` on the fields on the way, and a third field `gap` for it
     /// to write to. Returns the sums of `work.finish`, `None` where `work.factor` stopped; `partial`
     /// then holds what `work.prepare` found.
@@ -47,6 +42,5 @@ pub(crate) trait Compliance<T: Real>: Send + Sync {
     /// Replaces `w` by `B w`, where `<w, B w> >= <w, K^-1 w>`; periodic: `B = K^-1` on fields of mean
     /// zero. False, and nothing done, if there is no such `B` that costs one convolution.
     fn invert(&mut self, field: &mut [T]) -> bool;
-    /// Which kind of half space this is.
     fn boundary(&self) -> Boundary;
 }

@@ -39,7 +39,7 @@ mod thin_pixels;
 mod transfer;
 
 pub(crate) use ceiling::{Ceiling, HardnessCeiling, NoCeiling, under};
-pub(crate) use choice::{build, operator};
+pub(crate) use choice::build;
 pub(crate) use compliance::Compliance;
 pub(crate) use contract::{
     ContactMethod, ContactTask, IterateObserver, IterateView, Outcome, Start, State, Target,

@@ -1,14 +1,13 @@
 //! Tests that force each safeguard of the chord iteration.
 
 use super::baseline::Baseline;
-use super::choice::operator;
 use super::chord::{Chord, StepKind};
 use super::contract::{ContactMethod, ContactTask, Outcome, Start, State, Target};
 use super::polonsky_keer::PolonskyKeer;
 use super::stanley_kato::StanleyKato;
 use crate::problem::{self, Problem};
 use crate::simd::IS_PLAIN;
-use crate::{Boundary, End, Real, fields};
+use crate::{Boundary, End, HalfSpace, Real, fields};
 use contact_types::{ContactModulus, Grid, HeightMap};
 use std::ops::ControlFlow;
 use std::sync::atomic::Ordering;
@@ -44,13 +43,13 @@ fn run_up_to<T: Real>(
     tolerance: f64,
     load: f64,
 ) -> (Outcome, State<T>) {
-    let mut half_space = operator(problem.grid, Boundary::Periodic);
+    let mut half_space = HalfSpace::scaled(problem.grid, Boundary::Periodic);
     let mut state = State::new(problem.grid.len());
     let target = Target::Pressure(load);
     let ceiling = f64::INFINITY;
     let task = ContactTask { problem, target, ceiling, tolerance, max_iterations };
     let mut watch = |_: &super::contract::IterateView<'_, T>| ControlFlow::Continue(());
-    let outcome = method.solve(&task, half_space.as_mut(), Start::Cold, &mut state, &mut watch);
+    let outcome = method.solve(&task, &mut half_space, Start::Cold, &mut state, &mut watch);
     (outcome, state)
 }
 
