@@ -18,9 +18,7 @@ pub(super) fn step<T: Real, C: Ceiling<T>>(run: &mut Run<'_, T, C>, level: f64) 
     let gap = |i: usize| (u[i] - h[i]).wide() - level;
     let nodes = &mut work.nodes;
     let residual = work.pairs.trial_and_spare().1;
-    for i in 0..n {
-        residual[i] = if nodes[i].is_in() { gap(i) as f32 } else { 0.0 };
-    }
+    fields::write(residual, |i, _| if nodes[i].is_in() { gap(i) as f32 } else { 0.0 });
     work.stiffness.apply(residual, &mut work.residual);
     let z = &mut work.residual;
     centre(nodes, z);
@@ -39,57 +37,41 @@ pub(super) fn step<T: Real, C: Ceiling<T>>(run: &mut Run<'_, T, C>, level: f64) 
     // Conjugate to the last direction, if that descends; else z; else the plain gradient.
     let pairs = &mut work.pairs;
     let (t, kt) = (&mut pairs.before.pressure, &mut pairs.before.displacement);
-    let on = |i: usize| nodes[i].is_in();
-    let mut direction = &mut pairs.trial.pressure;
+    let on = |i: usize, x: f64| if nodes[i].is_in() { x } else { 0.0 };
+    let sum_on = |x: &(dyn Fn(usize) -> f64 + Sync)| fields::sum_of(n, |i| on(i, x(i)));
+    let count = sum_on(&|_| 1.0);
+    let descends = |d: &[T]| fields::sum_of(n, |i| d[i].wide() * gap(i)) > 0.0;
+    let direction = &mut pairs.trial.pressure;
     let mut is_descent = false;
     if !is_first {
         let beta = fields::sum_of(n, |i| f64::from(z[i]) * kt[i].wide()) / fields::dot(t, kt);
-        let count = fields::sum_of(n, |i| if on(i) { 1.0 } else { 0.0 });
-        let mean = fields::sum_of(n, |i| if on(i) { t[i].wide() } else { 0.0 }) / count;
-        for i in 0..n {
-            let d = if on(i) { t[i].wide() - mean } else { 0.0 };
-            direction[i] = T::of(f64::from(z[i]) - beta * d);
-        }
-        is_descent = fields::sum_of(n, |i| direction[i].wide() * gap(i)) > 0.0;
+        let mean = sum_on(&|i| t[i].wide()) / count;
+        let conjugate = |i: usize| f64::from(z[i]) - beta * on(i, t[i].wide() - mean);
+        fields::write(direction, |i, _| T::of(conjugate(i)));
+        is_descent = descends(direction);
     }
     if !is_descent {
-        for i in 0..n {
-            direction[i] = T::of(f64::from(z[i]));
-        }
-        is_descent = fields::sum_of(n, |i| direction[i].wide() * gap(i)) > 0.0;
+        fields::write(direction, |i, _| T::of(f64::from(z[i])));
+        is_descent = descends(direction);
     }
     if !is_descent {
-        let count = fields::sum_of(n, |i| if on(i) { 1.0 } else { 0.0 });
-        let mean = fields::sum_of(n, |i| if on(i) { gap(i) } else { 0.0 }) / count;
-        for i in 0..n {
-            direction[i] = T::of(if on(i) { gap(i) - mean } else { 0.0 });
-        }
+        let mean = sum_on(&gap) / count;
+        fields::write(direction, |i, _| T::of(on(i, gap(i) - mean)));
     }
     // Of mean zero to the last digit: the load must not drift.
-    let count = fields::sum_of(n, |i| if on(i) { 1.0 } else { 0.0 });
     let mean = T::of(fields::sum(direction) / count);
-    for i in 0..n {
-        if on(i) {
-            direction[i] -= mean;
-        }
-    }
+    fields::write(direction, |i, d| if nodes[i].is_in() { d - mean } else { d });
     std::mem::swap(direction, t);
-    direction = &mut pairs.trial.pressure;
     operator.apply(t, kt);
     let length = T::of(fields::sum_of(n, |i| t[i].wide() * gap(i)) / fields::dot(t, kt));
-    for i in 0..n {
-        direction[i] = p[i] - length * t[i];
-    }
-    if fields::min(direction) < 0.0 || ceiling.is_passed(1.0, direction) {
-        project(ceiling, direction, load);
-        operator.apply(direction, u);
-        std::mem::swap(p, direction);
+    fields::write(direction, |i, _| p[i] - length * t[i]);
+    std::mem::swap(p, direction);
+    if fields::min(p) < 0.0 || ceiling.is_passed(1.0, p) {
+        project(ceiling, p, load);
+        operator.apply(p, u);
         return 2.0;
     }
-    std::mem::swap(p, direction);
-    for (u, kt) in u.iter_mut().zip(kt.iter()) {
-        *u -= length * *kt;
-    }
+    fields::write(u, |i, u| u - length * kt[i]);
     1.0
 }
 
@@ -98,7 +80,5 @@ fn centre(nodes: &[NodeState], z: &mut [f32]) {
     let on = |i: usize| nodes[i].is_in();
     let count = fields::sum_of(z.len(), |i| if on(i) { 1.0 } else { 0.0 });
     let mean = fields::sum_of(z.len(), |i| if on(i) { f64::from(z[i]) } else { 0.0 }) / count;
-    for (i, z) in z.iter_mut().enumerate() {
-        *z = if on(i) { *z - mean as f32 } else { 0.0 };
-    }
+    fields::write(z, |i, z| if on(i) { z - mean as f32 } else { 0.0 });
 }
