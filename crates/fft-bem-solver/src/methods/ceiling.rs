@@ -7,7 +7,6 @@ use crate::{Real, fields};
 
 /// The bounds `0 <= p <= H` of a pressure.
 pub(crate) trait Ceiling<T: Real>: Copy + Send + Sync {
-    /// Whether there is an upper one.
     const IS_FINITE: bool;
 
     /// H; infinite if there is none.

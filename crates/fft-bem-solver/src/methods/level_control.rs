@@ -26,7 +26,6 @@ const ROUGH: f64 = 0.3;
 /// Largest change of the logarithm of the load in one step.
 const FARTHEST: f64 = 1.0;
 
-/// What the control remembers.
 pub(crate) struct LevelControl {
     target: f64,
     /// Mean gap at the target, which limits the rise.

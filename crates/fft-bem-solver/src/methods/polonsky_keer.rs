@@ -9,7 +9,6 @@ use super::contract::State;
 use crate::{Real, fields};
 use std::sync::atomic::{AtomicBool, Ordering};
 
-/// What one step tells the next.
 pub(crate) struct PolonskyKeer {
     /// delta of the paper.
     is_conjugate: bool,
