@@ -27,7 +27,7 @@ pub(crate) fn build<T: Real>(
     }
     Ok(match (method, boundary) {
         (Method::Auto | Method::Chord, Boundary::Periodic) => {
-            (Method::Chord, Box::new(Chord::new(scaled)))
+            (Method::Chord, Box::new(Chord::new(scaled, false)))
         }
         (Method::Auto | Method::Chord, Boundary::Free) => {
             (Method::Chord, Box::new(FreeChord::new(scaled)?))

@@ -1,15 +1,14 @@
 //! The chord iteration: [the loop](iteration) with its steps in order, [`active_set`], [trial], [line];
-//! the [fallback](face_cg); what it [remembers](memory) and all else it [works](work) with.
+//! the [fallback](face_cg); what it [remembers](run) and all else it [works](work) with.
 
 mod active_set;
 mod face_cg;
 mod iteration;
 mod line;
-mod memory;
 mod run;
 mod trial;
 mod work;
 
 pub(crate) use iteration::Chord;
 #[cfg(test)]
-pub(crate) use memory::StepKind;
+pub(crate) use run::StepKind;

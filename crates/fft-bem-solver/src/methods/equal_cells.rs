@@ -3,20 +3,18 @@
 //! If the factor does not divide the number of pixels, pixels are cut where one cell ends and the next begins. So the
 //! axis keeps its length and has no seam.
 
-/// The cells of one axis.
 pub(super) struct EqualCells {
     /// For each cell the first pixel it has a part of; then the number of pixels.
     start: Vec<usize>,
     /// The part of that pixel that belongs to the cell before; then 0.
     before: Vec<f32>,
     /// Pixels per cell, if no pixel is cut.
-    whole: Option<usize>,
+    pub(super) whole: Option<usize>,
     /// One over the width of a cell in pixels.
     share: f32,
 }
 
 impl EqualCells {
-    /// Cells of about `factor` of `pixels` pixels.
     pub(super) fn new(pixels: usize, factor: usize) -> Self {
         let cells = ((2 * pixels + factor) / (2 * factor)).max(1); // rounded
         Self {
@@ -27,14 +25,8 @@ impl EqualCells {
         }
     }
 
-    /// Number of cells.
     pub(super) fn len(&self) -> usize {
         self.start.len() - 1
-    }
-
-    /// Pixels per cell, if no pixel is cut.
-    pub(super) fn whole(&self) -> Option<usize> {
-        self.whole
     }
 
     /// The pixels of cell `j` with their shares, which sum to one.
@@ -101,15 +93,6 @@ impl EqualCells {
     /// Adds `factor` times the value of its cell to each pixel.
     #[inline(always)]
     pub(super) fn replicate(&self, factor: f32, cells: &[f32], pixels: &mut [f32]) {
-        if self.whole == Some(4) {
-            for (x, cell) in pixels.as_chunks_mut::<4>().0.iter_mut().zip(cells) {
-                let value = factor * cell;
-                for x in x {
-                    *x += value;
-                }
-            }
-            return;
-        }
         for (j, cell) in cells.iter().enumerate() {
             let value = factor * cell;
             let (from, to) = (self.start[j], self.start[j + 1]);

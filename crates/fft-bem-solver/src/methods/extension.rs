@@ -60,7 +60,6 @@ fn inverse(m: f32) -> f32 {
     1.0 / (m + EPSILON)
 }
 
-/// One grid of the pyramid above the finest.
 pub(crate) struct PyramidLevel {
     /// From the next finer grid to this one.
     pub(crate) transfer: Transfer,
@@ -93,7 +92,6 @@ impl PyramidLevel {
         (TASK / (self.transfer.fine[1] * self.transfer.rows_per_coarse_row())).max(1)
     }
 
-    /// Pulls weights and values of the next finer grid.
     pub(super) fn pull<W: FilledPart>(&mut self, w: &[W], v: &[f32]) {
         let (t, capacity, rows) = (self.transfer, self.capacity, self.rows_per_task());
         let (fine, coarse) = (rows * t.rows_per_coarse_row() * t.fine[1], rows * t.coarse[1]);
@@ -119,47 +117,66 @@ impl PyramidLevel {
         }
     }
 
+    /// Changes the values row by row: `change(row, weights, values)`.
+    fn change_rows(&mut self, change: impl Fn(usize, &[f32], &mut [f32]) + Sync) {
+        let nx = self.transfer.coarse[1];
+        let rows = (TASK / nx).max(1);
+        let values = self.value.par_chunks_mut(rows * nx);
+        values.zip(self.weight.par_chunks(rows * nx)).enumerate().for_each(|(task, (x, w))| {
+            vectorised!(for (i, (x, w)) in
+                x.chunks_exact_mut(nx).zip(w.chunks_exact(nx)).enumerate()
+            {
+                change(task * rows + i, w, x);
+            });
+        });
+    }
+
     /// `x_l = w_l v_l + (1 - w_l) up(x_(l+1))` in place.
     fn push(&mut self, coarser: &Self) {
-        let t = coarser.transfer;
-        let nx = t.fine[1];
-        let rows = (TASK / nx).max(1);
-        self.value
-            .par_chunks_mut(rows * nx)
-            .zip(self.weight.par_chunks(rows * nx))
-            .enumerate()
-            .for_each(|(task, (value, weight))| {
-                let both = value.chunks_exact_mut(nx).zip(weight.chunks_exact(nx));
-                vectorised!({
-                    for (i, (value, weight)) in both.enumerate() {
-                        push_row(&t, task * rows + i, weight, &coarser.value, value);
-                    }
-                });
+        self.change_rows(
+            #[inline(always)]
+            |i, weight, value| {
+                coarser.transfer.up_row(
+                    i,
+                    &coarser.value,
+                    #[inline(always)]
+                    |ix, up| {
+                        for ((x, w), up) in value[ix..].iter_mut().zip(&weight[ix..]).zip(up) {
+                            *x = w * *x + (1.0 - w) * up;
+                        }
+                    },
+                );
+            },
+        );
+    }
+
+    /// `up^T` of a field on the next finer grid, of which `add(first, factor, line)` adds `factor`
+    /// times the values from that pixel on.
+    pub(super) fn hand_up(&mut self, add: impl Fn(usize, f32, &mut [f32]) + Sync) {
+        let (t, rows, mx) = (self.transfer, self.rows_per_task(), self.transfer.coarse[1]);
+        self.value.par_chunks_mut(rows * mx).enumerate().for_each(|(task, value)| {
+            vectorised!(for (j, out) in value.chunks_exact_mut(mx).enumerate() {
+                t.up_transposed_row(
+                    task * rows + j,
+                    out,
+                    #[inline(always)]
+                    |first, factor, line| add(first, factor, line),
+                );
             });
+        });
     }
 
     /// `x_(l+1) = up^T ((1 - w_l) x_l)`.
     fn gather<W: FilledPart>(&mut self, w: &[W], x: &[f32]) {
-        let (t, rows) = (self.transfer, self.rows_per_task());
-        let (nx, mx) = (t.fine[1], t.coarse[1]);
-        self.value.par_chunks_mut(rows * mx).enumerate().for_each(|(task, value)| {
-            vectorised!({
-                for (j, out) in value.chunks_exact_mut(mx).enumerate() {
-                    t.up_transposed_row(
-                        task * rows + j,
-                        out,
-                        #[inline(always)]
-                        |iy, factor, ix, line: &mut [f32]| {
-                            let first = iy * nx + ix;
-                            let (w, x) = (&w[first..][..line.len()], &x[first..][..line.len()]);
-                            for ((l, w), x) in line.iter_mut().zip(w).zip(x) {
-                                *l += factor * (1.0 - w.value()) * x;
-                            }
-                        },
-                    );
+        self.hand_up(
+            #[inline(always)]
+            |first, factor, line| {
+                let (w, x) = (&w[first..][..line.len()], &x[first..][..line.len()]);
+                for ((l, w), x) in line.iter_mut().zip(w).zip(x) {
+                    *l += factor * (1.0 - w.value()) * x;
                 }
-            });
-        });
+            },
+        );
     }
 
     /// `w_l d_l` of cells of these weights, times `x`.
@@ -181,31 +198,21 @@ impl PyramidLevel {
     /// `v_l = w_l (x_l + down^T (d_(l+1) v_(l+1)))`, stored times `d_l`, in place.
     fn scatter(&mut self, coarser: Option<&Self>) {
         let (capacity, coupling) = (self.capacity, self.coupling);
-        let Some(coarser) = coarser else {
-            return Self::weigh(capacity, coupling, &self.weight, &mut self.value);
-        };
-        let t = coarser.transfer;
-        let (nx, mx) = (t.fine[1], t.coarse[1]);
-        let rows = (TASK / nx).max(1);
-        self.value
-            .par_chunks_mut(rows * nx)
-            .zip(self.weight.par_chunks(rows * nx))
-            .enumerate()
-            .for_each(|(task, (value, weight))| {
-                let lines = value.chunks_exact_mut(nx).zip(weight.chunks_exact(nx));
-                vectorised!({
-                    for (i, (value, weight)) in lines.enumerate() {
-                        let i = task * rows + i;
-                        if t.has_cut_cells() {
-                            t.add_down_row_of_transposed(i, &coarser.value, value);
-                        } else {
-                            let above = &coarser.value[t.parent(i) * mx..][..mx];
-                            t.add_down_transposed_row(above, value);
-                        }
-                        Self::weigh(capacity, coupling, weight, value);
+        self.change_rows(
+            #[inline(always)]
+            |i, weight, value| {
+                match coarser {
+                    Some(Self { transfer: t, value: above, .. }) if t.has_cut_cells() => {
+                        t.add_down_row_of_transposed(i, above, value);
                     }
-                });
-            });
+                    Some(Self { transfer: t, value: above, .. }) => {
+                        t.add_down_transposed(i, 0, above, value);
+                    }
+                    None => {}
+                }
+                Self::weigh(capacity, coupling, weight, value);
+            },
+        );
     }
 }
 
@@ -226,7 +233,7 @@ pub(crate) fn pull_rows<W: FilledPart>(
         // Two rows, or the single one twice.
         let last = w.len() - nx;
         t.down_row([&w[..nx], &w[last..]], [&v[..nx], &v[last..]], weight, value);
-        let share = if t.lacks_row(w.len() / nx) { 0.5 } else { 1.0 };
+        let share = if t.halved[0] && last == 0 { 0.5 } else { 1.0 };
         for (w, v) in weight.iter_mut().zip(value) {
             let m = share * *w;
             *v *= share * inverse(m);
@@ -246,15 +253,15 @@ fn pull_cut_rows<W: FilledPart>(
     weight: &mut [f32],
     value: &mut [f32],
 ) {
-    let (nx, mx) = (t.fine[1], t.coarse[1]);
+    let mx = t.coarse[1];
     let lines = weight.chunks_exact_mut(mx).zip(value.chunks_exact_mut(mx));
     for (r, (weight, value)) in lines.enumerate() {
         t.down_row_of(
             first + r,
             weight,
             #[inline(always)]
-            |iy, share, ix, line| {
-                let w = &w[iy * nx + ix..][..line.len()];
+            |from, share, line| {
+                let w = &w[from..][..line.len()];
                 line.iter_mut().zip(w).for_each(|(l, w)| *l += share * w.value());
             },
         );
@@ -262,9 +269,9 @@ fn pull_cut_rows<W: FilledPart>(
             first + r,
             value,
             #[inline(always)]
-            |iy, share, ix, line| {
-                let w = w[iy * nx + ix..][..line.len()].iter();
-                let fields = line.iter_mut().zip(w.zip(&v[iy * nx + ix..]));
+            |from, share, line| {
+                let w = w[from..][..line.len()].iter();
+                let fields = line.iter_mut().zip(w.zip(&v[from..]));
                 fields.for_each(|(l, (w, v))| *l += share * w.value() * v);
             },
         );
@@ -273,22 +280,6 @@ fn pull_cut_rows<W: FilledPart>(
             *w = capacity.of(*w);
         }
     }
-}
-
-/// `w x + (1 - w) up(coarse)` in row `i` of x.
-#[inline(always)]
-fn push_row(t: &Transfer, i: usize, weight: &[f32], coarse: &[f32], value: &mut [f32]) {
-    t.up_row(
-        i,
-        coarse,
-        #[inline(always)]
-        |ix, up| {
-            let (value, weight) = (&mut value[ix..], &weight[ix..]);
-            for ((x, w), up) in value.iter_mut().zip(weight).zip(up) {
-                *x = w * *x + (1.0 - w) * up;
-            }
-        },
-    );
 }
 
 /// Row `i` of the field extended on the finest grid.
@@ -314,7 +305,8 @@ fn push_finest_row(
     );
 }
 
-/// The levels above the finest grid, finest first; none on a grid of at most 4 x 4.
+/// The levels above the finest grid, finest first; on a grid of at most 4 x 4 one with the same
+/// cells, which knows nothing that the grid does not.
 pub(crate) struct Pyramid {
     pub(crate) levels: Vec<PyramidLevel>,
 }
@@ -326,13 +318,13 @@ impl Pyramid {
     pub(crate) fn new(shape: [usize; 2], pixel: [f64; 2]) -> Self {
         let (mut n, mut d) = (shape, pixel);
         let mut levels = Vec::new();
-        while n[0].max(n[1]) > 4 {
+        while levels.is_empty() || n[0].max(n[1]) > 4 {
             let divisible = |a: usize| if n[a] > 1 { d[a] } else { f64::INFINITY };
             let finest = divisible(0).min(divisible(1));
-            let halved = [0, 1].map(|a| n[a] > 1 && d[a] < ALIKE * finest);
-            let transfer = Transfer::new(n, halved);
+            let is_large = n[0].max(n[1]) > 4;
+            let halved = [0, 1].map(|a| is_large && n[a] > 1 && d[a] < ALIKE * finest);
             // The sweep needs nodes of the finest grid that belong to one cell each.
-            let transfer = if levels.is_empty() { transfer } else { transfer.with_cut_cells() };
+            let transfer = Transfer::new(n, halved, !levels.is_empty());
             for axis in 0..2 {
                 if halved[axis] {
                     d[axis] *= 2.0;
@@ -347,7 +339,7 @@ impl Pyramid {
     /// Weights of the set of all nodes of the finest grid. Nothing is left for `E^T` to hand up: the values of the first
     /// level are 0.
     pub(crate) fn know_all(&mut self) {
-        let Some(first) = self.levels.first_mut() else { return };
+        let first = &mut self.levels[0];
         let (t, capacity) = (first.transfer, first.capacity);
         let share = |i: usize, a: usize| {
             let lacks = t.halved[a] && 2 * i + 1 == t.fine[a];
@@ -375,10 +367,9 @@ impl Pyramid {
     /// Pulls and pushes: from weights and values of the first level to the extended field on it.
     pub(crate) fn extend_above(&mut self) {
         self.pull_above();
-        if let Some(top) = self.levels.last_mut() {
-            for (x, w) in top.value.iter_mut().zip(&top.weight) {
-                *x *= w;
-            }
+        let top = self.levels.last_mut().expect("there is one at least");
+        for (x, w) in top.value.iter_mut().zip(&top.weight) {
+            *x *= w;
         }
         for l in (1..self.levels.len()).rev() {
             let (finer, coarser) = self.levels.split_at_mut(l);
@@ -396,18 +387,16 @@ impl Pyramid {
         stiffness: &mut Stiffness,
         extended: &mut [f32],
     ) {
+        let first = &self.levels[0];
         stiffness.fill(extended, |i, x| {
             let (nodes, r) = (&nodes[i * nx..][..nx], &residual[i * nx..][..nx]);
-            let Some(first) = self.levels.first() else { return x.copy_from_slice(r) };
             vectorised!(push_finest_row(&first.transfer, i, nodes, r, &first.value, x));
         });
     }
 
     /// `E^T` of a field on the finest grid, but for the last step down to it.
     pub(crate) fn restrict(&mut self, nodes: &[NodeState], field: &[f32]) {
-        if let Some(first) = self.levels.first_mut() {
-            first.gather(nodes, field);
-        }
+        self.levels[0].gather(nodes, field);
         self.restrict_above();
     }
 

@@ -21,7 +21,6 @@ const DEPTH: f64 = -2.0;
 /// not keep them apart, and a kernel that knows of no copies must.
 const SLENDER: f64 = 2.0;
 
-/// The iteration and its larger problem.
 pub(crate) struct FreeChord<T: Real> {
     chord: Chord<T>,
     map: [usize; 2],
@@ -31,7 +30,6 @@ pub(crate) struct FreeChord<T: Real> {
 }
 
 impl<T: Real> FreeChord<T> {
-    /// Memory for a map on `scaled`, whose finer pixel side is 1.
     pub(crate) fn new(scaled: Grid) -> Result<Self, SolverError> {
         let map = scaled.shape();
         let shape = map.map(|n| if n == 1 { 1 } else { n + n.div_ceil(4) });
@@ -43,9 +41,8 @@ impl<T: Real> FreeChord<T> {
         let n = grid.len();
         let [height, width] = scaled.size();
         let is_slender = (height / width).max(width / height) > SLENDER;
-        let chord = if is_slender { Chord::isolated(grid) } else { Chord::new(grid) };
         Ok(Self {
-            chord,
+            chord: Chord::new(grid, is_slender),
             map,
             problem: Problem::unscaled(grid, vec![T::of(DEPTH); n]),
             state: State::new(n),
@@ -129,10 +126,7 @@ impl<T: Real> ContactMethod<T> for FreeChord<T> {
         let target = Target::Pressure(share * load);
         let task = ContactTask { problem: &self.problem, target, ..*task };
         let mut shown = |step: &IterateView<'_, T>| {
-            cut(map, &step.state.pressure, stride, &mut state.pressure);
-            cut(map, &step.state.displacement, stride, &mut state.displacement);
-            let transforms = transforms + step.transforms;
-            watch(&IterateView { transforms, state: &*state, ..*step })
+            watch(&IterateView { transforms: transforms + step.transforms, ..*step })
         };
         let mut around = Around { inner: operator, map, stride, buffer: &mut self.on_map };
         let mut outcome =

@@ -34,7 +34,6 @@ mod set_inverse;
 mod stanley_kato;
 mod stiffness;
 mod sweep;
-mod tension;
 mod thin_pixels;
 mod transfer;
 

@@ -6,14 +6,12 @@ use super::transfer::FilledPart;
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 #[repr(u8)]
 pub(crate) enum NodeState {
-    /// Outside the contact set F, without load.
+    /// Outside the contact set F, to carry nothing.
     Gap,
     /// In F.
     Contact,
     /// Outside F, though it carries load: its gap is open too wide for that.
     Released,
-    /// It was in F, but the trial pulls on it.
-    Dropped,
     /// Outside F, at the ceiling.
     Full,
     /// Outside F, though it does not carry the ceiling: it overlaps too much for that.
@@ -27,7 +25,6 @@ impl NodeState {
         if is_in_contact { Self::Contact } else { Self::Gap }
     }
 
-    /// Whether it belongs to F.
     #[inline(always)]
     pub(crate) fn is_in(self) -> bool {
         self == Self::Contact
@@ -39,7 +36,6 @@ impl NodeState {
         matches!(self, Self::Full | Self::Filled)
     }
 
-    /// The same, or `other`.
     #[inline(always)]
     pub(crate) fn or(self, other: Self, is_other: bool) -> Self {
         if is_other { other } else { self }

@@ -75,7 +75,7 @@ fn each_kind_of_step_alone_finds_the_solution() {
         let kinds = [StepKind::Chord, StepKind::Gradient, StepKind::FaceCg].map(Some);
         for kind in kinds.into_iter().chain([None]) {
             for has_room in [true, false] {
-                let mut chord = Chord::new(grid);
+                let mut chord = Chord::new(grid, false);
                 chord.force = kind;
                 if !has_room {
                     chord.work.pairs.give_up_room();
@@ -97,7 +97,7 @@ fn a_run_that_ends_early_hands_over_what_it_reached() {
     let (problem, grid) = surface();
     let n = problem.grid.len();
     let methods: [Box<dyn ContactMethod<f64>>; 3] = [
-        Box::new(Chord::new(grid)),
+        Box::new(Chord::new(grid, false)),
         Box::new(Baseline::<f64, PolonskyKeer>::new(n)),
         Box::new(Baseline::<f64, StanleyKato>::new(n)),
     ];
@@ -117,7 +117,7 @@ fn a_bad_preconditioner_costs_time_only() {
     let exact = exact(&problem, 0.05);
     let mut fallbacks = 0;
     for (factor, ripple) in [(0.0, 0.0), (0.02, 0.0), (30.0, 0.0), (-1.0, 0.0), (1.0, 3.0)] {
-        let mut chord = Chord::new(grid);
+        let mut chord = Chord::new(grid, false);
         chord.work.stiffness.spoil(factor, ripple);
         let (outcome, found) = run(&mut chord, &problem, 1e-8, 0.05);
         assert_eq!(outcome.end, End::Converged, "{factor} {ripple}");
@@ -136,7 +136,7 @@ fn vectors_change_no_bit() {
         let (problem, grid) = surface_of::<T>(shape);
         let solved = |is_plain: bool| {
             IS_PLAIN.store(is_plain, Ordering::Relaxed);
-            let (_, found) = run(&mut Chord::new(grid), &problem, tolerance, 0.05);
+            let (_, found) = run(&mut Chord::new(grid, false), &problem, tolerance, 0.05);
             IS_PLAIN.store(false, Ordering::Relaxed);
             [found.pressure, found.displacement]
                 .map(|field| field.iter().map(|x| x.wide().to_bits()).collect::<Vec<_>>())

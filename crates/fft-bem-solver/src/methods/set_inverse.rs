@@ -21,7 +21,6 @@ pub(crate) struct SetInverse {
 }
 
 impl SetInverse {
-    /// For a grid whose finer pixel side is 1.
     pub(crate) fn new(scaled: Grid, nodes: Vec<NodeState>) -> Self {
         let (shape, pixel, n) = (scaled.shape(), scaled.pixel(), scaled.len());
         Self {
@@ -34,7 +33,6 @@ impl SetInverse {
         }
     }
 
-    /// Pairs that one application costs.
     pub(crate) fn cost(&self) -> f64 {
         self.stiffness.cost
     }
@@ -53,9 +51,7 @@ impl SetInverse {
     /// `z = E^T 1`: a uniform pressure, swept onto the set. Nearly that below a flat punch of its shape.
     pub(crate) fn sweep_uniform(&mut self, on: &[usize], z: &mut [f64]) {
         // Of the pyramid the weights are used, which are of the set alone.
-        if let Some(first) = self.pyramid.levels.first_mut() {
-            first.pull(&self.nodes, &self.residual);
-        }
+        self.pyramid.levels[0].pull(&self.nodes, &self.residual);
         self.pyramid.pull_above();
         self.residual.fill(1.0);
         self.restrict(on, z);
@@ -64,9 +60,7 @@ impl SetInverse {
     /// `E` of the residual field, with the means over the cells of `S`.
     fn extend(&mut self) {
         let Self { nodes, columns, pyramid, stiffness, residual, extended } = self;
-        if let Some(first) = pyramid.levels.first_mut() {
-            first.pull(nodes, residual);
-        }
+        pyramid.levels[0].pull(nodes, residual);
         pyramid.extend_above();
         pyramid.push(nodes, residual, *columns, stiffness, extended);
     }
@@ -75,13 +69,12 @@ impl SetInverse {
     fn restrict(&mut self, on: &[usize], z: &mut [f64]) {
         self.pyramid.restrict(&self.nodes, &self.residual);
         let Self { columns, pyramid, residual, .. } = self;
-        if let Some(first) = pyramid.levels.first() {
-            residual.par_chunks_mut(*columns).enumerate().for_each(|(iy, y)| {
-                for (k, y) in y.chunks_mut(PIECE).enumerate() {
-                    first.transfer.add_down_transposed(iy, k * PIECE, &first.value, y);
-                }
-            });
-        }
+        let first = &pyramid.levels[0];
+        residual.par_chunks_mut(*columns).enumerate().for_each(|(iy, y)| {
+            for (k, y) in y.chunks_mut(PIECE).enumerate() {
+                first.transfer.add_down_transposed(iy, k * PIECE, &first.value, y);
+            }
+        });
         for (z, i) in z.iter_mut().zip(on) {
             *z = f64::from(residual[*i]);
         }

@@ -40,7 +40,6 @@ pub(crate) struct Stiffness {
     radius: [usize; 2],
     /// Stencil of `dy` in `0..=radius[0]`, `dx` in `0..=radius[1]`; it is even in both.
     taps: [[f32; MAX_RADIUS + 1]; MAX_RADIUS + 1],
-    /// The coarse cells along each axis.
     cells: [EqualCells; 2],
     transform: Convolution<f32>,
     /// Symbol of the coarse part, `kx`-major, `ky` in `0..=cy/2`.
@@ -71,7 +70,6 @@ fn factors(shape: [usize; 2], pixel: [f64; 2]) -> [usize; 2] {
     factor
 }
 
-/// Cost of a transform of `small` in transforms of `large`.
 fn relative_cost(small: [usize; 2], large: [usize; 2]) -> f64 {
     let (m, n) = ((small[0] * small[1]) as f64, (large[0] * large[1]) as f64);
     m * m.max(2.0).log2() / (n * n.max(2.0).log2())
@@ -172,7 +170,7 @@ impl Stiffness {
         let add = |share: f32, x: &[f32], mean: &mut [f32]| {
             vectorised!(along_x.add_means(share, x, mean));
         };
-        if let Some(fy) = along_y.whole() {
+        if let Some(fy) = along_y.whole {
             let cells = (TASK / (fy * nx)).max(1);
             let pieces =
                 x.par_chunks_mut(cells * fy * nx).zip(self.coarse.par_chunks_mut(cells * cx));
@@ -204,7 +202,10 @@ impl Stiffness {
 
     /// `y = S x` of the x that [`fill`](Self::fill) has written.
     pub(crate) fn apply_to_filled(&mut self, x: &[f32], y: &mut [f32]) {
-        let write = columns_of(&self.symbol, self.cells[0].len() / 2 + 1);
+        let (symbol, rows) = (&self.symbol, self.cells[0].len() / 2 + 1);
+        let write = |kx: usize, column: &mut [f32]| {
+            column.copy_from_slice(&symbol[kx * rows..][..rows]);
+        };
         if self.factor == [1, 1] {
             self.transform.apply(x, write, y);
             return;
@@ -292,11 +293,6 @@ fn fold_rows(
     }
 }
 
-/// Hands out the columns, of `rows` numbers each, of a symbol that is stored column by column.
-fn columns_of(symbol: &[f32], rows: usize) -> impl Fn(usize, &mut [f32]) + Sync {
-    move |kx, column| column.copy_from_slice(&symbol[kx * rows..(kx + 1) * rows])
-}
-
 /// Adds one row of the stencil: `y(i) += taps(0) line(i) + sum taps(d) (line(i-d) + line(i+d))`.
 #[inline(always)]
 fn add_stencil_row(taps: &[f32; MAX_RADIUS + 1], radius: usize, line: &[f32], y: &mut [f32]) {
@@ -381,7 +377,6 @@ impl AxisResponse {
     }
 }
 
-/// Fourier symbol of the stencil for a wave.
 fn stencil_symbol(taps: &Taps, [along_y, along_x]: [&AxisResponse; 2]) -> f64 {
     let mut sum = 0.0;
     for (row, y) in taps.iter().zip(&along_y.waves) {

@@ -11,14 +11,13 @@
 //! Under a ceiling, what a node would carry beyond it is handed on likewise, once little tension is left.
 
 use super::ceiling::Ceiling;
-use super::extension::{Pyramid, PyramidLevel};
+use super::extension::{Capacity, Pyramid, PyramidLevel};
 use super::node::NodeState;
-use super::tension::CellRows;
+use super::transfer::Transfer;
 use crate::simd::vectorised;
 use crate::{Real, fields};
 use grid_fft::parallel::prelude::*;
 
-/// Most rounds of sweeping.
 pub(crate) const ROUNDS: u8 = 12;
 /// Tension, as a part of the load and of the present relative error, that may be clipped.
 pub(crate) const NEGLIGIBLE: f64 = 1e-3;
@@ -29,7 +28,6 @@ pub(crate) const ROUGH: f64 = 0.1;
 /// Fewest rows of cells that one task handles: each has two more to hand load to.
 const ROWS: usize = 16;
 
-/// Memory of the sweep.
 pub(crate) struct Sweep {
     /// What the nodes below each cell carry beside the trial: a constant that belongs to the step, and what the sweeps
     /// hand down.
@@ -41,10 +39,9 @@ pub(crate) struct Sweep {
 }
 
 impl Sweep {
-    /// For the first level of a pyramid above a grid; without one each pixel is a cell.
-    pub(crate) fn new(shape: [usize; 2], first: Option<&PyramidLevel>) -> Self {
-        let [my, mx] = first.map_or(shape, |level| level.transfer.coarse);
-        let tasks = first.map_or(0, |level| my.div_ceil(rows_per_task(level)));
+    pub(crate) fn new(first: &PyramidLevel) -> Self {
+        let [my, mx] = first.transfer.coarse;
+        let tasks = my.div_ceil(rows_per_task(first));
         Self {
             added: vec![0.0; my * mx],
             beyond: vec![0.0; 2 * mx * tasks],
@@ -59,10 +56,8 @@ impl Sweep {
 
     /// What the nodes of row `i` of the finest grid carry beside the trial.
     #[inline(always)]
-    pub(crate) fn added_below(&self, i: usize, pyramid: &Pyramid, nx: usize) -> &[f32] {
-        let cells = |level: &PyramidLevel| (level.transfer.parent(i), level.transfer.coarse[1]);
-        let (row, mx) = pyramid.levels.first().map_or((i, nx), cells);
-        &self.added[row * mx..][..mx]
+    pub(crate) fn added_below(&self, i: usize, t: &Transfer) -> &[f32] {
+        &self.added[t.parent(i) * t.coarse[1]..][..t.coarse[1]]
     }
 
     /// Sweeps released nodes, then negative pressures, until no more than a `negligible` tension is left; from a
@@ -81,9 +76,6 @@ impl Sweep {
         has_released: bool,
         [negligible, little]: [f64; 2],
     ) {
-        if pyramid.levels.is_empty() {
-            return; // up to 4 x 4 pixels: E^T is the restriction to the contact
-        }
         if has_released {
             Self::hand_up_released(ceiling, pyramid, trial, nodes);
             pyramid.restrict_above();
@@ -117,35 +109,22 @@ impl Sweep {
         trial: &[T],
         nodes: &[NodeState],
     ) {
-        let level = &mut pyramid.levels[0];
-        let (t, rows) = (level.transfer, level.rows_per_task());
-        let (nx, mx) = (t.fine[1], t.coarse[1]);
-        level.value.par_chunks_mut(rows * mx).enumerate().for_each(|(task, value)| {
-            vectorised!({
-                for (j, out) in value.chunks_exact_mut(mx).enumerate() {
-                    t.up_transposed_row(
-                        task * rows + j,
-                        out,
-                        #[inline(always)]
-                        |iy, factor, ix, line: &mut [f32]| {
-                            let first = iy * nx + ix;
-                            let nodes = &nodes[first..][..line.len()];
-                            let fills = |m: NodeState| C::IS_FINITE && m == NodeState::Filled;
-                            let is_off = |m: NodeState| (m == NodeState::Released) | fills(m);
-                            if !nodes.iter().fold(false, |any, m| any | is_off(*m)) {
-                                return; // as most lines, but in a first step
-                            }
-                            let fields = line.iter_mut().zip(nodes).zip(&trial[first..]);
-                            for ((l, m), p) in fields {
-                                let top = if fills(*m) { ceiling.top() } else { T::zero() };
-                                let beyond = (*p - top).narrow(); // read anyway: no branch
-                                *l += factor * if is_off(*m) { beyond } else { 0.0 };
-                            }
-                        },
-                    );
+        let fills = |m: NodeState| C::IS_FINITE && m == NodeState::Filled;
+        let is_off = |m: NodeState| (m == NodeState::Released) | fills(m);
+        pyramid.levels[0].hand_up(
+            #[inline(always)]
+            |first, factor, line| {
+                let nodes = &nodes[first..][..line.len()];
+                if !nodes.iter().fold(false, |any, m| any | is_off(*m)) {
+                    return; // as most lines, but in a first step
                 }
-            });
-        });
+                for ((l, m), p) in line.iter_mut().zip(nodes).zip(&trial[first..]) {
+                    let top = if fills(*m) { ceiling.top() } else { T::zero() };
+                    let beyond = (*p - top).narrow(); // read anyway: no branch
+                    *l += factor * if is_off(*m) { beyond } else { 0.0 };
+                }
+            },
+        );
     }
 
     /// Takes the nodes beyond a bound out of the contact, lowers the weights above and hands up what they
@@ -182,7 +161,6 @@ impl Sweep {
                             *a += share * more;
                         }
                     }
-                    let t = &t;
                     let mut rows = CellRows {
                         t,
                         capacity,
@@ -228,14 +206,133 @@ impl Sweep {
     }
 }
 
-/// Rows of cells that one task of the sweep handles.
 fn rows_per_task(level: &PyramidLevel) -> usize {
     level.rows_per_task().max(ROWS)
 }
 
-/// Adds a row, if there is one, to another.
 fn add(row: Option<&[f32]>, to: &mut [f32]) {
     for (to, x) in to.iter_mut().zip(row.unwrap_or(&[])) {
         *to += x;
+    }
+}
+
+/// Cells that are looked at in one go.
+const BLOCK: usize = 32;
+
+/// Of a block of cells, 1 for those below which a pressure is negative once so much is added.
+#[inline(always)]
+fn tension_flags(smallest: &[f32], added: &[f32], has_ceiling: bool) -> [u8; BLOCK] {
+    // Towards the ceiling the same addition takes the other sign: one of the two bounds is passed.
+    let worst = |a: f32| if has_ceiling { -a.abs() } else { a };
+    let mut flags = [0; BLOCK];
+    for ((flag, s), a) in flags.iter_mut().zip(smallest).zip(added) {
+        *flag = u8::from(s + worst(*a) < 0.0);
+    }
+    flags
+}
+
+/// Some rows of cells, with the rows of nodes below them.
+struct CellRows<'a, T, C> {
+    t: Transfer,
+    capacity: Capacity,
+    /// The bound, and whether it counts by now.
+    ceiling: C,
+    fills: bool,
+    trial: &'a [T],
+    nodes: &'a mut [NodeState],
+    weight: &'a mut [f32],
+    /// The load that the nodes hand to these rows, and to the one before and after.
+    value: &'a mut [f32],
+    beyond: &'a mut [f32],
+    /// What was handed up so far, and of how many nodes.
+    found: (f64, usize),
+}
+
+impl<T: Real, C: Ceiling<T>> CellRows<'_, T, C> {
+    #[inline(always)]
+    fn drop_beyond(&mut self, r: usize, added: &[f32], smallest: &mut [f32]) {
+        let blocks = smallest.chunks_mut(BLOCK).zip(added.chunks(BLOCK)).enumerate();
+        for (k, (smallest, added)) in blocks {
+            let flags = tension_flags(smallest, added, C::IS_FINITE);
+            if flags == [0; BLOCK] {
+                continue; // as most
+            }
+            for c in (0..BLOCK).filter(|c| flags[*c] > 0) {
+                self.drop_cell([r, k * BLOCK + c], added[c], &mut smallest[c]);
+            }
+        }
+    }
+
+    /// The nodes below one cell. `smallest` becomes the smallest trial pressure of those that stay.
+    #[inline(always)]
+    fn drop_cell(&mut self, [r, c]: [usize; 2], added: f32, smallest: &mut f32) {
+        let t = self.t;
+        let (nodes, trial) = (&mut *self.nodes, self.trial);
+        let nx = t.fine[1];
+        let (rows, columns) = (t.rows_per_coarse_row(), if t.halved[1] { 2 } else { 1 });
+        let first = r * rows * nx + c * columns;
+        let has_right = columns == 2 && c * columns + 1 < nx;
+        let has_lower = rows == 2 && first + nx < nodes.len();
+        let (right, lower) = (usize::from(has_right), if has_lower { nx } else { 0 });
+        let places = [first, first + right, first + lower, first + lower + right];
+        let exists = [true, has_right, has_lower, has_lower & has_right];
+
+        let q = places.map(|place| trial[place]);
+        let p = q.map(|q| q.wide() + f64::from(added));
+        let (mut on, mut drops, mut load, mut rest) = ([false; 4], [false; 4], [0.0; 4], [0.0; 4]);
+        for k in 0..4 {
+            on[k] = exists[k] & nodes[places[k]].is_in();
+            drops[k] = on[k] & (p[k] < 0.0);
+            load[k] = if drops[k] { p[k] } else { 0.0 };
+            rest[k] = if on[k] & !drops[k] { q[k].narrow() } else { f32::INFINITY };
+        }
+        for (place, drops) in places.iter().zip(drops) {
+            nodes[*place] = nodes[*place].or(NodeState::Gap, drops);
+        }
+        if C::IS_FINITE {
+            for k in 0..4 {
+                let top = self.ceiling.top();
+                let fills = on[k] & self.fills & (p[k] > top.wide());
+                nodes[places[k]] = nodes[places[k]].or(NodeState::Full, fills);
+                load[k] += if fills { p[k] - top.wide() } else { 0.0 };
+                drops[k] |= fills;
+                let nearer = q[k].narrow().min((top - q[k]).narrow());
+                rest[k] = if on[k] & !drops[k] { nearer } else { f32::INFINITY };
+            }
+        }
+        let count = |flags: [bool; 4]| flags.iter().map(|f| usize::from(*f)).sum::<usize>();
+        let least = |x: f32, y: f32| if x < y { x } else { y };
+        let (all, dropped) = (count(on), count(drops));
+        if dropped > 0 {
+            if self.found.1 == 0 {
+                // Before the first node hands anything, everything is zero.
+                self.value.fill(0.0);
+                self.beyond.fill(0.0);
+            }
+            let [left, right, lower, last] = load.map(|load| load as f32);
+            self.hand_up(r, c, [[left, right], [lower, last]]);
+        }
+        self.found.0 += load.iter().map(|load| load.abs()).sum::<f64>();
+        self.found.1 += dropped;
+        *smallest = least(least(rest[0], rest[1]), least(rest[2], rest[3]));
+        let filled = (all - dropped) as f32;
+        self.weight[r * t.coarse[1] + c] = self.capacity.of(filled * t.node_share());
+    }
+
+    /// Adds the loads of the nodes below cell `(r, c)` with the transpose of the interpolation.
+    #[inline(always)]
+    fn hand_up(&mut self, r: usize, c: usize, [upper, lower]: [[f32; 2]; 2]) {
+        let mx = self.t.coarse[1];
+        if !self.t.halved[0] {
+            return self.t.add_columns_transposed(c, upper, &mut self.value[r * mx..][..mx]);
+        }
+        let last = self.value.len() / mx - 1;
+        let (before, after) = self.beyond.split_at_mut(mx);
+        let above = if r == 0 { before } else { &mut self.value[(r - 1) * mx..][..mx] };
+        self.t.add_columns_transposed(c, upper.map(|x| 0.25 * x), above);
+        let below = if r == last { after } else { &mut self.value[(r + 1) * mx..][..mx] };
+        self.t.add_columns_transposed(c, lower.map(|x| 0.25 * x), below);
+        let both = [upper[0] + lower[0], upper[1] + lower[1]].map(|x| 0.75 * x);
+        self.t.add_columns_transposed(c, both, &mut self.value[r * mx..][..mx]);
     }
 }

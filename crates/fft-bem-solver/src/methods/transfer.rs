@@ -32,15 +32,11 @@ pub(crate) struct Transfer {
 }
 
 impl Transfer {
-    pub(crate) fn new(fine: [usize; 2], halved: [bool; 2]) -> Self {
-        let half = |axis: usize| if halved[axis] { fine[axis].div_ceil(2) } else { fine[axis] };
-        Self { fine, coarse: [half(0), half(1)], halved, cut: [None; 2] }
-    }
-
-    /// The same with cells that cut pixels along odd axes. Axes of one pixel must not be halved.
-    pub(crate) fn with_cut_cells(self) -> Self {
-        let cut = [0, 1].map(|a| if self.halved[a] { CutCells::new(self.fine[a]) } else { None });
-        Self { cut, ..self }
+    /// Cells may cut pixels; else the last of an odd axis is narrow.
+    pub(crate) fn new(fine: [usize; 2], halved: [bool; 2], may_cut: bool) -> Self {
+        let coarse = [0, 1].map(|a| if halved[a] { fine[a].div_ceil(2) } else { fine[a] });
+        let cut = |a: usize| CutCells::new(fine[a]).filter(|_| may_cut && halved[a]);
+        Self { fine, coarse, halved, cut: [cut(0), cut(1)] }
     }
 
     /// Fine rows that make up one coarse row: a whole number of pairs.
@@ -51,11 +47,6 @@ impl Transfer {
     /// The coarse row above fine row `i`.
     pub(crate) fn parent(&self, i: usize) -> usize {
         if self.halved[0] { i / 2 } else { i }
-    }
-
-    /// Whether only the first of the rows of a coarse row exists, if `rows` of them are left.
-    pub(crate) fn lacks_row(&self, rows: usize) -> bool {
-        self.halved[0] && rows == 1
     }
 
     /// Share of its cell that `down^T` hands to each node.
@@ -128,30 +119,28 @@ impl Transfer {
             }
             between[0] = at((first + mx - 1) % mx);
             between[width + 1] = at((first + width) % mx);
-            let (left, right) = (&between[..width], &between[2..width + 2]);
             let columns = (2 * width).min(self.fine[1] - 2 * first);
             if let Some(cut) = self.cut[1] {
                 cut.interpolate(first, &between[..width + 2], &mut line[..width]);
-                piece(2 * first, &line[..width].as_flattened()[..columns]);
-                continue;
-            }
-            for (((x, l), c), r) in
-                line[..width].iter_mut().zip(left).zip(&between[1..=width]).zip(right)
-            {
-                *x = [0.75 * c + 0.25 * l, 0.75 * c + 0.25 * r];
+            } else {
+                let (left, right) = (&between[..width], &between[2..width + 2]);
+                let cells = left.iter().zip(&between[1..=width]).zip(right);
+                for (x, ((l, c), r)) in line[..width].iter_mut().zip(cells) {
+                    *x = [0.75 * c + 0.25 * l, 0.75 * c + 0.25 * r];
+                }
             }
             piece(2 * first, &line[..width].as_flattened()[..columns]);
         }
     }
 
-    /// Row `j` of the transpose of `up`. `add(iy, factor, first column, line)` must add `factor`
-    /// times the fine values from that column on to the line.
+    /// Row `j` of the transpose of `up`. `add(first, factor, line)` must add `factor` times the
+    /// fine values from that pixel on to the line.
     #[inline(always)]
     pub(crate) fn up_transposed_row(
         &self,
         j: usize,
         out: &mut [f32],
-        mut add: impl FnMut(usize, f32, usize, &mut [f32]),
+        mut add: impl FnMut(usize, f32, &mut [f32]),
     ) {
         let ([ny, nx], [my, mx]) = (self.fine, self.coarse);
         // The fine rows that interpolate from coarse row j, and how much they take from it.
@@ -170,7 +159,7 @@ impl Transfer {
             if !self.halved[1] {
                 out.fill(0.0);
                 for &(iy, factor) in rows.iter().filter(|r| r.0 < ny) {
-                    add(iy, factor, first, out);
+                    add(iy * nx + first, factor, out);
                 }
                 continue;
             }
@@ -181,12 +170,12 @@ impl Transfer {
             let end = (2 * (first + width) + 1).min(nx);
             let skip = if first == 0 { 2 } else { 0 };
             for &(iy, factor) in rows.iter().filter(|r| r.0 < ny) {
-                add(iy, factor, begin, &mut line[skip..skip + end - begin]);
+                add(iy * nx + begin, factor, &mut line[skip..skip + end - begin]);
                 if first == 0 {
-                    add(iy, factor, 2 * mx - 2, &mut line[..nx + 2 - 2 * mx]);
+                    add(iy * nx + 2 * mx - 2, factor, &mut line[..nx + 2 - 2 * mx]);
                 }
                 if first + width == mx {
-                    add(iy, factor, 0, &mut line[2 * width + 2..]);
+                    add(iy * nx, factor, &mut line[2 * width + 2..]);
                 }
             }
             if let Some(cut) = self.cut[1] {
@@ -221,14 +210,13 @@ impl Transfer {
         self.cut.iter().any(Option::is_some)
     }
 
-    /// Row `j` of `down`. `add(iy, factor, first column, line)` must add `factor` times the fine
-    /// values from that column on to the line.
+    /// Row `j` of `down`, with `add` as above.
     #[inline(always)]
     pub(crate) fn down_row_of(
         &self,
         j: usize,
         out: &mut [f32],
-        mut add: impl FnMut(usize, f32, usize, &mut [f32]),
+        mut add: impl FnMut(usize, f32, &mut [f32]),
     ) {
         let ([ny, nx], mx) = (self.fine, self.coarse[1]);
         let [left, middle, right] = self.cut[0].map_or([0.0, 0.5, 0.5], |cut| cut.shares(j));
@@ -247,7 +235,7 @@ impl Transfer {
             let end = end.min(nx);
             line.fill(0.0);
             for &(iy, share) in rows.iter().filter(|r| r.0 < ny && r.1 > 0.0) {
-                add(iy, share, begin, &mut line[skip..skip + end - begin]);
+                add(iy * nx + begin, share, &mut line[skip..skip + end - begin]);
             }
             match self.cut[1] {
                 Some(cut) => cut.average(first, &line[..=2 * width], out),
@@ -296,26 +284,19 @@ impl Transfer {
     ) {
         let mx = self.coarse[1];
         let above = &coarse[self.parent(i) * mx..][..mx];
-        let first = if self.halved[1] { ix / 2 } else { ix };
-        self.add_down_transposed_row(&above[first..], fine);
-    }
-
-    /// Adds a row of the transpose of `down`, from the coarse row above, to a fine row.
-    #[inline(always)]
-    pub(crate) fn add_down_transposed_row(&self, coarse_row: &[f32], fine: &mut [f32]) {
         let share = self.node_share();
         if !self.halved[1] {
-            for (x, c) in fine.iter_mut().zip(coarse_row) {
+            for (x, c) in fine.iter_mut().zip(&above[ix..]) {
                 *x += share * c;
             }
             return;
         }
         let (pairs, single) = fine.as_chunks_mut::<2>();
-        for (x, c) in pairs.iter_mut().zip(coarse_row) {
+        for (x, c) in pairs.iter_mut().zip(&above[ix / 2..]) {
             x[0] += share * c;
             x[1] += share * c;
         }
-        if let ([x], Some(c)) = (single, coarse_row.last()) {
+        if let ([x], Some(c)) = (single, above.last()) {
             *x += share * c;
         }
     }

@@ -1,7 +1,6 @@
 //! Step 1: what is wrong with the iterate. The level, the contact set F, the residual gap g on it, `E g`.
 
-use super::memory::Known;
-use super::run::Run;
+use super::run::{Known, Run};
 use crate::methods::ceiling::Ceiling;
 use crate::methods::contract::State;
 use crate::methods::extension::pull_rows;
@@ -20,10 +19,8 @@ pub(super) const RELEASE: f64 = 0.1;
 /// Nodes looked at together.
 const BLOCK: usize = 256;
 
-/// The set F.
 #[derive(Debug, Clone, Copy)]
 pub(crate) struct ContactSet {
-    /// Its nodes.
     pub(crate) size: usize,
     /// Whether nodes outside F carry load, or less than the ceiling that they are to carry.
     pub(crate) has_released: bool,
@@ -43,7 +40,6 @@ impl<T: Real, C: Ceiling<T>> Run<'_, T, C> {
         (level, self.contact_set(level, excess, release, false))
     }
 
-    /// The level of the iterate.
     pub(super) fn level_of_iterate(&mut self) -> f64 {
         let State { pressure: p, displacement: u, .. } = &*self.iterate;
         if C::IS_FINITE {
@@ -94,24 +90,19 @@ impl<T: Real, C: Ceiling<T>> Run<'_, T, C> {
             .zip(p.par_chunks(chunk))
             .zip(work.nodes.par_chunks_mut(chunk))
             .zip(work.residual.par_chunks_mut(chunk));
-        if let Some(first) = work.pyramid.levels.first_mut() {
-            let (t, capacity) = (first.transfer, first.capacity);
-            let coarse = chunk / (t.rows_per_coarse_row() * nx) * t.coarse[1];
-            fields
-                .zip(first.weight.par_chunks_mut(coarse))
-                .zip(first.value.par_chunks_mut(coarse))
-                .enumerate()
-                .for_each(|(task, (((((partial, p), m), r), weight), value))| {
-                    vectorised!({
-                        *partial = classify.nodes(task * chunk, p, m, r);
-                        pull_rows(&t, capacity, m, r, weight, value);
-                    });
+        let first = &mut work.pyramid.levels[0];
+        let (t, capacity) = (first.transfer, first.capacity);
+        let coarse = chunk / (t.rows_per_coarse_row() * nx) * t.coarse[1];
+        fields
+            .zip(first.weight.par_chunks_mut(coarse))
+            .zip(first.value.par_chunks_mut(coarse))
+            .enumerate()
+            .for_each(|(task, (((((partial, p), m), r), weight), value))| {
+                vectorised!({
+                    *partial = classify.nodes(task * chunk, p, m, r);
+                    pull_rows(&t, capacity, m, r, weight, value);
                 });
-        } else {
-            fields.enumerate().for_each(|(task, (((partial, p), m), r))| {
-                *partial = vectorised!(classify.nodes(task * chunk, p, m, r));
             });
-        }
         let [active, released] = total(partial);
         work.pyramid.extend_above();
         work.pyramid.push(&work.nodes, &work.residual, nx, &mut work.stiffness, extended);
@@ -127,7 +118,8 @@ impl<T: Real, C: Ceiling<T>> Run<'_, T, C> {
         control.guess([pressure, displacement], self.memory.residual);
         let rise = fields::mean(pairs.trial_and_spare().1);
         let factor = control.factor(level + rise, self.load, self.memory.residual);
-        pairs.scale(factor, self.iterate);
+        self.iterate.scale(factor);
+        pairs.before.scale(factor); // the step before must stay one that changes no load
         self.load *= factor;
         self.memory.dkd *= factor * factor;
     }

@@ -29,8 +29,7 @@
 use super::active_set::{ContactSet, RELEASE};
 use super::face_cg;
 use super::line::{FULL, Trial};
-use super::memory::{Known, StepKind};
-use super::run::Run;
+use super::run::{Known, Run, StepKind};
 use super::work::Work;
 use crate::memory::is_large;
 use crate::methods::ceiling::{Ceiling, under};
@@ -39,12 +38,11 @@ use crate::methods::contract::{
     ContactMethod, ContactTask, IterateObserver, IterateView, Outcome, Start, State,
 };
 use crate::methods::node::NodeState;
-use crate::methods::stiffness::Stiffness;
+use crate::methods::thin_pixels::ratio;
 use crate::problem::Problem;
 use crate::{End, Real, certificate, fields};
 use contact_types::Grid;
 
-/// The method: its memory, and how it begins.
 pub(crate) struct Chord<T: Real> {
     pub(crate) work: Work<T>,
     /// Tests: make every step of this kind.
@@ -52,19 +50,11 @@ pub(crate) struct Chord<T: Real> {
 }
 
 impl<T: Real> Chord<T> {
-    /// For a periodic grid whose finer pixel side is 1.
-    pub(crate) fn new(scaled: Grid) -> Self {
-        Self::with(scaled, Stiffness::new(scaled.shape(), scaled.pixel()))
-    }
-
-    /// For the grid of an isolated map whose copies would matter: nothing knows of them.
-    pub(crate) fn isolated(scaled: Grid) -> Self {
-        Self::with(scaled, Stiffness::isolated(scaled.shape(), scaled.pixel()))
-    }
-
-    /// On a large grid without room for what only saves convolutions: the step before.
-    fn with(scaled: Grid, stiffness: Stiffness) -> Self {
-        let mut work = Work::new(scaled, stiffness);
+    /// On a large grid without room for what only saves convolutions: the step before. With the
+    /// [`Stiffness`](crate::methods::stiffness::Stiffness) of an isolated map nothing knows of its
+    /// copies.
+    pub(crate) fn new(scaled: Grid, is_isolated: bool) -> Self {
+        let mut work = Work::new(scaled, is_isolated);
         if !is_large(scaled.len()) {
             work.pairs.make_room();
         }
@@ -102,7 +92,6 @@ impl<T: Real> ContactMethod<T> for Chord<T> {
 }
 
 impl<T: Real> Chord<T> {
-    /// The loop, with or without a ceiling.
     fn iterate<C: Ceiling<T>>(
         &mut self,
         ceiling: C,
@@ -151,10 +140,8 @@ impl<T: Real> Chord<T> {
             run.end_drift();
         }
         let residual = run.memory.residual.max(run.level_error());
-        let yielding = C::IS_FINITE.then(|| run.level_of_iterate());
         let Run { transforms, fallbacks, .. } = run;
-        let level = || certificate::level(state, &task.problem.heights, f64::INFINITY);
-        state.level = yielding.unwrap_or_else(level);
+        state.level = certificate::level(state, &task.problem.heights, task.ceiling);
         Outcome { exact: None, end, iterations: iteration, transforms, residual, fallbacks }
     }
 }
@@ -168,7 +155,6 @@ struct Proposal {
 }
 
 impl<T: Real, C: Ceiling<T>> Run<'_, T, C> {
-    /// The first proposal.
     fn first_proposal(&mut self, start: Start, tolerance: f64) -> Proposal {
         let is_flattening = std::mem::take(&mut self.work.holds_flattening);
         if is_flattening && start == Start::Cold && self.control.is_none() {
@@ -182,7 +168,7 @@ impl<T: Real, C: Ceiling<T>> Run<'_, T, C> {
     /// Residual gap and contact set, with the level prescribed once more at a better load, or once more a
     /// step ahead; the preconditioned residual, and the trial it leads to.
     fn propose(&mut self, looks_ahead: bool, tolerance: f64) -> Proposal {
-        let most = RELEASE / self.work.elongation;
+        let most = RELEASE / ratio(self.work.grid.shape(), self.work.grid.pixel());
         let release = if self.memory.length < FULL { most } else { 0.0 };
         let known = std::mem::take(&mut self.memory.known);
         let (mut level, mut set) = self.look(known, release);
@@ -209,10 +195,8 @@ impl<T: Real, C: Ceiling<T>> Run<'_, T, C> {
     /// The trial that `S E g` leads to.
     fn proposed(&mut self, level: f64, set: ContactSet, tolerance: f64) -> Proposal {
         let estimate = self.make_trial(self.memory.tau, set);
-        self.memory.residual = estimate.residual;
-        if estimate.residual <= tolerance {
-            self.memory.residual = self.credible(&estimate, level);
-        }
+        self.memory.residual =
+            if estimate[0] <= tolerance { self.credible(estimate, level) } else { estimate[0] };
         Proposal { level, set }
     }
 

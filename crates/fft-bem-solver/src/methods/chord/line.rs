@@ -1,7 +1,6 @@
 //! Steps 4 and 5: the one convolution, and how far to go along the chord.
 
-use super::memory::{Known, StepKind};
-use super::run::Run;
+use super::run::{Known, Run, StepKind};
 use super::trial::{end_trial, is_rough};
 use crate::Real;
 use crate::methods::ceiling::Ceiling;
@@ -84,12 +83,13 @@ impl<T: Real, C: Ceiling<T>> Run<'_, T, C> {
         let (ceiling, wanted) = (self.ceiling, self.total());
         let work = &mut *self.work;
         let nx = work.columns;
-        let (nodes, sweep, pyramid) = (&work.nodes, &work.sweep, &work.pyramid);
+        let (nodes, sweep) = (&work.nodes, &work.sweep);
+        let below = &work.pyramid.levels[0].transfer;
         let prepare = |first: usize, q: &mut [T]| match trial {
             Trial::Ended(_) => Partial::default(),
             Trial::Swept => {
                 let nodes = &nodes[first..][..q.len()];
-                end_trial(ceiling, first / nx, nodes, sweep, pyramid, nx, q)
+                end_trial(ceiling, first / nx, nodes, sweep, below, q)
             }
         };
         let mut sum = 0.0;
@@ -158,7 +158,11 @@ impl<T: Real, C: Ceiling<T>> Run<'_, T, C> {
             } else {
                 Known::Level(self.shorten(length))
             };
-            self.work.pairs.take_trial(self.iterate);
+            let pairs = &mut self.work.pairs;
+            std::mem::swap(&mut pairs.trial, self.iterate);
+            if pairs.has_room() {
+                std::mem::swap(&mut pairs.before, &mut pairs.trial);
+            }
             [length, 0.0]
         };
         self.memory.is_first = false;

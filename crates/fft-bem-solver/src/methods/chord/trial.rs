@@ -4,9 +4,11 @@
 use super::active_set::ContactSet;
 use super::run::{Run, project};
 use crate::methods::ceiling::Ceiling;
-use crate::methods::extension::{Pyramid, PyramidLevel};
+use crate::methods::extension::PyramidLevel;
 use crate::methods::node::NodeState;
 use crate::methods::sweep::{self, Sweep};
+use crate::methods::thin_pixels;
+use crate::methods::transfer::Transfer;
 use crate::row_work::{Partial, total};
 use crate::simd::{LANES, four, rest, vectorised};
 use crate::{Real, fields, projection};
@@ -24,15 +26,6 @@ const TILE: usize = 64;
 /// not believed.
 const INCREDIBLE: f64 = 0.01;
 
-/// How large the step is.
-#[derive(Debug, Clone, Copy)]
-pub(crate) struct StepEstimate {
-    /// `|z on F, p off F| / |p|`, where z is taken less its mean over F.
-    pub(crate) residual: f64,
-    /// `|p|^2`.
-    pub(crate) p2: f64,
-}
-
 impl<T: Real, C: Ceiling<T>> Run<'_, T, C> {
     /// `y = S E g`, in place of the residual, and all of `z = E^T y` but the last step down to the
     /// finest grid, which [`make_trial`](Self::make_trial) does.
@@ -46,15 +39,18 @@ impl<T: Real, C: Ceiling<T>> Run<'_, T, C> {
 
     /// Ends `z = E^T y` and makes the step: the trial is `p - tau z` on F, `p` elsewhere. That the mean of z does not
     /// belong to the step is known only at the end: [`Sweep::begin`] is told. Where `E g` was, the smallest trial
-    /// pressure below each cell of the first level, if there are cells, is left for
+    /// pressure below each cell of the first level is left for
     /// [`sweep_trial`](Self::sweep_trial); under a ceiling, the smallest distance from a bound.
-    pub(crate) fn make_trial(&mut self, tau: f64, set: ContactSet) -> StepEstimate {
+    ///
+    /// Returns the estimate `|z on F, p off F| / |p|`, where z is taken less its mean over F, and
+    /// `|p|^2`.
+    pub(crate) fn make_trial(&mut self, tau: f64, set: ContactSet) -> [f64; 2] {
         let work = &mut *self.work;
         let (rows, nx) = (work.rows, work.columns);
         let chunk = rows * nx;
         let (trial, smallest) = work.pairs.trial_and_spare();
         let partial = &mut work.partial[..trial.len().div_ceil(chunk)];
-        let level = work.pyramid.levels.first();
+        let level = &work.pyramid.levels[0];
         let p = &self.iterate.pressure[..];
         let step = PressureStep { ceiling: self.ceiling, p, tau, level, nx };
         let fields = partial
@@ -62,9 +58,7 @@ impl<T: Real, C: Ceiling<T>> Run<'_, T, C> {
             .zip(work.residual.par_chunks(chunk))
             .zip(work.nodes.par_chunks(chunk))
             .zip(trial.par_chunks_mut(chunk));
-        // Without a level each pixel is a cell.
-        let (height, mx) =
-            level.map_or((1, nx), |l| (l.transfer.rows_per_coarse_row(), l.transfer.coarse[1]));
+        let (height, mx) = (level.transfer.rows_per_coarse_row(), level.transfer.coarse[1]);
         fields.zip(smallest.par_chunks_mut(rows / height * mx)).enumerate().for_each(
             |(task, ((((partial, y), nodes), trial), smallest))| {
                 *partial = vectorised!(x => {
@@ -83,20 +77,21 @@ impl<T: Real, C: Ceiling<T>> Run<'_, T, C> {
         let [z, z2, off2, p2] = total(partial);
         let mean = z / set.size.max(1) as f64;
         work.sweep.begin((tau * mean) as f32);
-        StepEstimate { residual: (((z2 - mean * z).max(0.0) + off2) / p2).sqrt(), p2 }
+        [(((z2 - mean * z).max(0.0) + off2) / p2).sqrt(), p2]
     }
 
     /// The estimate, unless even the softest wave of the grid would resist the residual gap more: then
     /// the preconditioner is at fault, and the stiffest wave bounds the error instead.
-    pub(super) fn credible(&mut self, estimate: &StepEstimate, level: f64) -> f64 {
+    pub(super) fn credible(&self, [estimate, p2]: [f64; 2], level: f64) -> f64 {
         let (u, h, nodes) = (&self.iterate.displacement, self.heights, &self.work.nodes);
         let level = T::of(level);
         let square =
             |i: usize| if nodes[i].is_in() { (u[i] - h[i] - level).wide().powi(2) } else { 0.0 };
         let gap2 = fields::sum_of(u.len(), square);
-        let stiffest = FRAC_PI_2 * (gap2 / estimate.p2).sqrt(); // |q|/2 at pi per finer pixel
-        let softest = 2.0 / self.work.longest * stiffest;
-        if estimate.residual < INCREDIBLE * softest { stiffest } else { estimate.residual }
+        let stiffest = FRAC_PI_2 * (gap2 / p2).sqrt(); // |q|/2 at pi per finer pixel
+        let longest = self.work.grid.size().into_iter().fold(1.0, f64::max);
+        let softest = 2.0 / longest * stiffest;
+        if estimate < INCREDIBLE * softest { stiffest } else { estimate }
     }
 
     /// Sweeps the trial that was just made. The tension that is left will be clipped, and the load that takes spread
@@ -104,7 +99,8 @@ impl<T: Real, C: Ceiling<T>> Run<'_, T, C> {
     /// most 1. The softest wave of a slender map is as much softer than that of a square.
     pub(crate) fn sweep_trial(&mut self, set: ContactSet, residual: f64) {
         let (total, work) = (self.total(), &mut *self.work);
-        let negligible = sweep::NEGLIGIBLE * total * residual / work.slenderness;
+        let slenderness = thin_pixels::ratio(work.grid.shape(), work.grid.size());
+        let negligible = sweep::NEGLIGIBLE * total * residual / slenderness;
         let (trial, smallest) = work.pairs.trial_and_spare();
         work.sweep.run(
             self.ceiling,
@@ -125,11 +121,11 @@ impl<T: Real, C: Ceiling<T>> Run<'_, T, C> {
         let work = &mut *self.work;
         let (rows, nx) = (work.rows, work.columns);
         let (size, trial) = (rows * nx, &mut work.pairs.trial.pressure);
-        let (sweep, pyramid) = (&work.sweep, &work.pyramid);
+        let (sweep, below) = (&work.sweep, &work.pyramid.levels[0].transfer);
         let pieces = trial.par_chunks_mut(size).zip(work.nodes.par_chunks(size));
         pieces.zip(work.partial.par_iter_mut()).enumerate().for_each(
             |(k, ((q, nodes), partial))| {
-                *partial = end_trial(ceiling, k * rows, nodes, sweep, pyramid, nx, q);
+                *partial = end_trial(ceiling, k * rows, nodes, sweep, below, q);
             },
         );
         if C::IS_FINITE {
@@ -199,7 +195,7 @@ struct PressureStep<'a, T, C> {
     ceiling: C,
     p: &'a [T],
     tau: f64,
-    level: Option<&'a PyramidLevel>,
+    level: &'a PyramidLevel,
     nx: usize,
 }
 
@@ -227,14 +223,11 @@ impl<T: Real, C: Ceiling<T>> PressureStep<'_, T, C> {
             for (i, trial) in trial.chunks_exact_mut(nx).enumerate() {
                 let (here, row) = (i * nx + ix, row + i);
                 z.copy_from_slice(&y[here..][..n]);
-                if let Some(level) = self.level {
-                    level.transfer.add_down_transposed(row, ix, &level.value, z);
-                }
+                self.level.transfer.add_down_transposed(row, ix, &self.level.value, z);
                 let (nodes, trial) = (&nodes[here..][..n], &mut trial[ix..][..n]);
                 self.tile(vectors, row * nx + ix, z, nodes, trial, least, sums);
             }
-            let is_halved = self.level.is_some_and(|level| level.transfer.halved[1]);
-            smallest_below(is_halved, ix, least, smallest);
+            smallest_below(self.level.transfer.halved[1], ix, least, smallest);
         }
     }
 
@@ -337,18 +330,17 @@ pub(super) fn end_trial<T: Real, C: Ceiling<T>>(
     first_row: usize,
     nodes: &[NodeState],
     sweep: &Sweep,
-    pyramid: &Pyramid,
-    nx: usize,
+    below: &Transfer,
     trial: &mut [T],
 ) -> Partial {
-    let is_halved = pyramid.levels.first().is_some_and(|first| first.transfer.halved[1]);
+    let nx = below.fine[1];
     let mut more = [0.0; TILE];
     let sum = vectorised!(x => {
         let mut sum = f64x4::splat(x, 0.0);
         for (i, (t, nodes)) in trial.chunks_exact_mut(nx).zip(nodes.chunks_exact(nx)).enumerate() {
-            let added = sweep.added_below(first_row + i, pyramid, nx);
+            let added = sweep.added_below(first_row + i, below);
             for ((k, t), nodes) in t.chunks_mut(TILE).enumerate().zip(nodes.chunks(TILE)) {
-                if is_halved {
+                if below.halved[1] {
                     let pairs = more.as_chunks_mut::<2>().0;
                     for (more, a) in pairs.iter_mut().zip(&added[k * TILE / 2..]) {
                         *more = [*a; 2];

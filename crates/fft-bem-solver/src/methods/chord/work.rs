@@ -2,26 +2,19 @@
 
 use crate::Real;
 use crate::methods::contract::State;
-use crate::methods::extension::{Pyramid, PyramidLevel};
+use crate::methods::extension::Pyramid;
 use crate::methods::node::NodeState;
 use crate::methods::stiffness::Stiffness;
 use crate::methods::sweep::Sweep;
-use crate::methods::thin_pixels;
 use crate::row_work::{BLOCK_ROWS, Partial, TASK};
 use contact_types::Grid;
 
-/// The trial and the iterate before, one field in single precision, the contact set, the pyramid
-/// and the coarse grids.
 pub(crate) struct Work<T: Real> {
     /// Rows that one task of a pass handles, and columns.
     pub(super) rows: usize,
     pub(super) columns: usize,
-    /// Longer over shorter side of a pixel, and of the map.
-    pub(super) elongation: f64,
-    pub(super) slenderness: f64,
-    /// Longer side of the map.
-    pub(super) longest: f64,
-    /// The contact set F.
+    /// Of which the finer pixel side is 1.
+    pub(super) grid: Grid,
     pub(crate) nodes: Vec<NodeState>,
     /// The residual gap on F; `S E g` once it was preconditioned; the gap of the trial, once that has its
     /// displacement.
@@ -37,28 +30,24 @@ pub(crate) struct Work<T: Real> {
 }
 
 impl<T: Real> Work<T> {
-    /// For a grid whose finer pixel side is 1.
-    pub(super) fn new(scaled: Grid, stiffness: Stiffness) -> Self {
-        let (shape, n) = (scaled.shape(), scaled.len());
-        let pyramid = Pyramid::new(shape, scaled.pixel());
-        // Whole rows of cells of the first level.
-        let whole =
-            |level: &PyramidLevel| level.rows_per_task() * level.transfer.rows_per_coarse_row();
-        let rows = pyramid.levels.first().map_or(shape[0], whole);
+    pub(super) fn new(scaled: Grid, is_isolated: bool) -> Self {
+        let (shape, pixel, n) = (scaled.shape(), scaled.pixel(), scaled.len());
+        let stiffness = if is_isolated { Stiffness::isolated } else { Stiffness::new };
+        let pyramid = Pyramid::new(shape, pixel);
+        let first = &pyramid.levels[0];
+        let rows = first.rows_per_task() * first.transfer.rows_per_coarse_row();
         let tasks = n.div_ceil(rows * shape[1]).max(n.div_ceil(TASK));
         let pieces = tasks.max(shape[0].div_ceil(BLOCK_ROWS));
         Self {
             rows,
             columns: shape[1],
-            elongation: thin_pixels::ratio(shape, scaled.pixel()),
-            slenderness: thin_pixels::ratio(shape, scaled.size()),
-            longest: scaled.size().into_iter().fold(1.0, f64::max),
+            grid: scaled,
             nodes: vec![NodeState::Gap; n],
             residual: vec![0.0; n],
-            stiffness,
-            sweep: Sweep::new(shape, pyramid.levels.first()),
+            stiffness: stiffness(shape, pixel),
+            sweep: Sweep::new(first),
             pyramid,
-            pairs: Pairs::new(n),
+            pairs: Pairs { trial: State::new(n), before: State::new(0) },
             partial: vec![Partial::default(); pieces],
             holds_flattening: false,
         }
@@ -76,10 +65,6 @@ pub(crate) struct Pairs<T> {
 }
 
 impl<T: Real> Pairs<T> {
-    pub(super) fn new(n: usize) -> Self {
-        Self { trial: State::new(n), before: State::new(0) }
-    }
-
     /// Makes room for the iterate before, which a step of two directions needs.
     pub(super) fn make_room(&mut self) {
         if !self.has_room() {
@@ -102,20 +87,5 @@ impl<T: Real> Pairs<T> {
         let State { pressure, displacement, .. } = &mut self.trial;
         let n = displacement.len();
         (pressure, &mut T::as_single(displacement)[..n])
-    }
-
-    /// Multiplies the pairs that the next step will use by the factor of the load: K is linear.
-    pub(super) fn scale(&mut self, factor: f64, iterate: &mut State<T>) {
-        // The step before must stay one that changes no load.
-        self.before.scale(factor);
-        iterate.scale(factor);
-    }
-
-    /// Makes the trial the iterate and, where there is room, the iterate the one before.
-    pub(super) fn take_trial(&mut self, iterate: &mut State<T>) {
-        std::mem::swap(&mut self.trial, iterate);
-        if self.has_room() {
-            std::mem::swap(&mut self.before, &mut self.trial);
-        }
     }
 }
