@@ -220,6 +220,7 @@ fn solve(
     let truth = surface.headline_answer().filter(|a| a.converged)?.area_fraction;
     let (mut solver, solution) = surface.solve_headline(map, settings, watch)?;
     let (whole, load) = (settings.edges.around(map).ok()?, surface.headline_pressure());
+    // Nothing else runs while a solution is timed.
     let found = &solution.diagnostics;
     let (mut seconds, mut spent) = (found.seconds, found.seconds);
     for _ in 1..REPEATS {

@@ -4,12 +4,18 @@ use asperity_models::thermal_conductance::temperature_jump;
 use contact_types::{ModelError, Named, require};
 use serde::{Deserialize, Serialize};
 
-/// What of a gas the table has:
-/// - thermal conductivity at [`TEMPERATURES`] (0.01 W/m/K): Smirnov, *Fundamentals of Ionized Gases* (2012), table 4.6;
-/// - mean free path at 298 K and 1 atm (nm): Karniadakis, Beskok & Aluru, *Microflows and Nanoflows* (2005), table 1.1;
-/// - Prandtl number μ c_p/k, of viscosity, specific heat and conductivity in the same table;
-/// - ratio of specific heats of an ideal gas: 7/5 of two atoms, 5/3 of one.
-type GasProperties = ([f64; 7], f64, f64, f64);
+/// What of a gas the table has.
+#[derive(Debug, Clone, Copy)]
+struct GasProperties {
+    /// Thermal conductivity at [`TEMPERATURES`] (W/m/K): Smirnov, *Fundamentals of Ionized Gases* (2012), table 4.6.
+    conductivity: [f64; 7],
+    /// Mean free path at 298 K and 1 atm (m): Karniadakis, Beskok & Aluru, *Microflows and Nanoflows* (2005), table 1.1.
+    free_path: f64,
+    /// Prandtl number μ c_p/k, of viscosity, specific heat and conductivity in the same table.
+    prandtl: f64,
+    /// Ratio of specific heats of an ideal gas: 7/5 of two atoms, 5/3 of one.
+    heat_ratio: f64,
+}
 
 const TEMPERATURES: [f64; 7] = [100.0, 200.0, 300.0, 400.0, 600.0, 800.0, 1000.0];
 const ATMOSPHERE: f64 = 101_325.0;
@@ -38,7 +44,7 @@ impl Named for Gas {
 
 impl Gas {
     fn row(self) -> GasProperties {
-        match self {
+        let (conductivity, free_path, prandtl, heat_ratio) = match self {
             Self::Air => {
                 ([0.95, 1.83, 2.62, 3.28, 4.69, 5.73, 6.67], 61.11, 1.85e-5 * 1004.5 / 0.0261, 1.4)
             }
@@ -57,7 +63,9 @@ impl Gas {
             Self::Nitrogen => {
                 ([0.96, 1.83, 2.59, 3.27, 4.46, 5.48, 6.47], 60.44, 1.80e-5 * 1038.3 / 0.0260, 1.4)
             }
-        }
+        };
+        let conductivity = conductivity.map(|k| 0.01 * k);
+        GasProperties { conductivity, free_path: 1e-9 * free_path, prandtl, heat_ratio }
     }
 }
 
@@ -84,7 +92,11 @@ impl GapGas {
         Self { gas, temperature: room(), pressure: atmosphere(), accommodation: full() }
     }
 
-    /// Refuses a temperature that the table does not reach, a pressure that is not positive, an accommodation outside (0, 1].
+    /// Refuses what is no state of the gas.
+    ///
+    /// # Errors
+    /// [`ModelError`] of a temperature that the table does not reach, of a pressure that is not positive, of an
+    /// accommodation outside (0, 1].
     pub(crate) fn check(&self) -> Result<(), ModelError> {
         const MODEL: &str = "gas in the gap";
         require::positive(MODEL, "temperature", self.temperature)?;
@@ -99,7 +111,7 @@ impl GapGas {
 
     /// Thermal conductivity (W/m/K), a power of the temperature between those of the table.
     pub fn conductivity(&self) -> f64 {
-        let list = self.gas.row().0.map(|k| 0.01 * k);
+        let list = self.gas.row().conductivity;
         let above = TEMPERATURES.iter().position(|t| *t >= self.temperature);
         let i = above.unwrap_or(TEMPERATURES.len() - 1).max(1);
         let [low, high] = [TEMPERATURES[i - 1], TEMPERATURES[i]];
@@ -109,7 +121,8 @@ impl GapGas {
 
     /// Mean free path (m), as temperature over pressure.
     pub fn free_path(&self) -> f64 {
-        1e-9 * self.gas.row().1 * (self.temperature / OF_PATHS) * (ATMOSPHERE / self.pressure)
+        let row = self.gas.row();
+        row.free_path * (self.temperature / OF_PATHS) * (ATMOSPHERE / self.pressure)
     }
 
     /// Length of the temperature jumps at both walls, M (m); NaN of a gas that is refused.
@@ -118,8 +131,8 @@ impl GapGas {
     }
 
     fn jump_length(&self) -> Result<f64, ModelError> {
-        let (.., prandtl, heat_ratio) = self.gas.row();
-        temperature_jump(self.free_path(), prandtl, heat_ratio, self.accommodation)
+        let row = self.gas.row();
+        temperature_jump(self.free_path(), row.prandtl, row.heat_ratio, self.accommodation)
     }
 }
 
@@ -151,7 +164,7 @@ mod tests {
         for (i, t) in TEMPERATURES.into_iter().enumerate() {
             for gas in Gas::all() {
                 let found = GapGas { temperature: t, ..GapGas::new(gas) }.conductivity();
-                assert!((found / (0.01 * gas.row().0[i]) - 1.0).abs() < 1e-14);
+                assert!((found / gas.row().conductivity[i] - 1.0).abs() < 1e-14);
             }
         }
     }

@@ -7,7 +7,7 @@ use crate::findings::cleaned;
 use crate::needs::Inputs;
 use crate::result::{ModelComparison, ModelCurve};
 use crate::scene::Scene;
-use crate::study::{check_asked, headline, loads, nearest};
+use crate::study::{check_request, headline, loads, nearest};
 use crate::theory::Theory;
 use crate::verdict::{Judged, verdict};
 use crate::{Origin, Registry, Settings, StudyError};
@@ -143,7 +143,7 @@ impl ProfileComparison {
     ) -> Result<Self, StudyError> {
         let start = Clock::now();
         let modulus = ContactModulus::from_pascals(settings.modulus)?;
-        check_asked(&settings, registry)?;
+        check_request(&settings, registry)?;
         if settings.joint().is_asked() {
             return Err(StudyError::NoConductance);
         }

@@ -156,7 +156,8 @@ pub struct DeterministicAnswer {
 
 impl DeterministicAnswer {
     /// Of a load on a map of which `map` tells, with its fields, or of the best iterate of one that missed its tolerance.
-    /// Modulus and hardness are known as well as those of the `materials` that were used.
+    /// Modulus and hardness are known as well as those of the `materials` that were used, which moves the uncertainty of an
+    /// answer, not of an iterate. `None` of an error without an iterate.
     pub fn of(
         result: Result<Answered, SolverError>,
         materials: &[MaterialUse],

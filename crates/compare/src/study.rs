@@ -50,7 +50,7 @@ impl Comparison {
             return Err(StudyError::NoSurface);
         }
         let modulus = ContactModulus::from_pascals(settings.modulus)?;
-        check_asked(&settings, registry)?;
+        check_request(&settings, registry)?;
         check_combinations(&settings)?;
         let asked = (&settings, registry);
         let (done, refused) =
@@ -100,7 +100,7 @@ fn check_combinations(settings: &Settings) -> Result<(), StudyError> {
 }
 
 /// Refuses loads that are none, and models that there are not.
-pub(crate) fn check_asked(settings: &Settings, registry: &Registry) -> Result<(), StudyError> {
+pub(crate) fn check_request(settings: &Settings, registry: &Registry) -> Result<(), StudyError> {
     let given = settings.pressures.iter().flatten().chain(&settings.headline);
     let is_empty = settings.pressures.as_ref().is_some_and(Vec::is_empty).then_some(0.0);
     let wrong = given.copied().find(|p| !(p.is_finite() && *p > 0.0)).or(is_empty);

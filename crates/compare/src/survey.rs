@@ -8,10 +8,33 @@ pub const SIMILAR: [f64; 2] = [1.5, 1.6];
 /// Fewest surfaces that a range is quoted from.
 const FEWEST: usize = 5;
 
+/// One surface at one load.
+struct SurveyRow {
+    surface: u32,
+    bandwidth: f64,
+    load: f64,
+    uncertainty: f64,
+    /// Of each model.
+    errors: Vec<f64>,
+}
+
+impl SurveyRow {
+    fn parse(line: &str) -> Option<Self> {
+        let (surface, numbers) = line.split_once(',')?;
+        let mut numbers = numbers.split(',').map(|cell| cell.parse().ok());
+        Some(Self {
+            surface: surface.parse().ok()?,
+            bandwidth: numbers.next()??,
+            load: numbers.next()??,
+            uncertainty: numbers.next()??,
+            errors: numbers.collect::<Option<_>>()?,
+        })
+    }
+}
+
 struct Survey {
     models: Vec<&'static str>,
-    /// Number, bandwidth, load and uncertainty of one surface at one load, then the error of each model.
-    rows: Vec<Vec<f64>>,
+    rows: Vec<SurveyRow>,
 }
 
 fn built_in() -> &'static Survey {
@@ -19,8 +42,8 @@ fn built_in() -> &'static Survey {
     SURVEY.get_or_init(|| {
         let mut lines = include_str!("../data/survey.csv").lines().filter(|l| !l.starts_with('#'));
         let models = lines.next().unwrap_or_default().split(',').skip(4).collect();
-        let cells = |line: &str| line.split(',').map(|c| c.parse().unwrap_or(f64::NAN)).collect();
-        Survey { models, rows: lines.map(cells).collect() }
+        let rows = lines.map(SurveyRow::parse).collect::<Option<Vec<_>>>();
+        Survey { models, rows: rows.expect("a test reads the committed table") }
     })
 }
 
@@ -29,19 +52,20 @@ fn built_in() -> &'static Survey {
 /// `None` if there are fewer than five, or the model is none of those of the study.
 pub fn gaussian_errors(model: &str, bandwidth: f64, load: f64) -> Option<([f64; 2], usize)> {
     let survey = built_in();
-    let column = 4 + survey.models.iter().position(|m| *m == model)?;
+    let column = survey.models.iter().position(|m| *m == model)?;
     let near = |a: f64, b: f64, factor: f64| (a / b).ln().abs() <= factor.ln();
     let (mut low, mut high, mut surfaces) = (f64::INFINITY, f64::NEG_INFINITY, 0);
-    let mut last = f64::NAN;
+    let mut last = None;
     for row in &survey.rows {
-        let similar = near(row[1], bandwidth, SIMILAR[0]) && near(row[2], load, SIMILAR[1]);
-        if !similar {
+        let is_near = near(row.bandwidth, bandwidth, SIMILAR[0]);
+        if !(is_near && near(row.load, load, SIMILAR[1])) {
             continue;
         }
-        let (error, reference) = (row[column], row[3] * (1.0 + row[column]));
+        let error = row.errors[column];
+        let reference = row.uncertainty * (1.0 + error);
         (low, high) = (low.min(error - reference), high.max(error + reference));
-        surfaces += usize::from(last.to_bits() != row[0].to_bits()); // rows come by surface
-        last = row[0];
+        surfaces += usize::from(last != Some(row.surface)); // rows come by surface
+        last = Some(row.surface);
     }
     (surfaces >= FEWEST).then_some(([low, high], surfaces))
 }
@@ -57,7 +81,9 @@ mod tests {
     fn the_table_is_whole() {
         let survey = built_in();
         assert_eq!(survey.rows.len(), 7 * 107);
-        assert!(survey.rows.iter().flatten().all(|cell| cell.is_finite()));
+        let of_all = |row: &SurveyRow| row.errors.len() == survey.models.len();
+        assert!(survey.rows.iter().all(of_all));
+        assert!(survey.rows.iter().flat_map(|row| &row.errors).all(|error| error.is_finite()));
         for model in &survey.models {
             let ([low, high], surfaces) = gaussian_errors(model, 5.0, 0.03).expect("surfaces");
             assert!(low < high && surfaces >= 20, "{model}: {low} {high} {surfaces}");
@@ -74,15 +100,15 @@ mod tests {
     fn the_errors_are_those_of_the_models_as_they_are() {
         let modulus = ContactModulus::from_pascals(1.0).unwrap();
         let survey = built_in();
-        let error = |row: &[f64], model: &str| {
-            row[4 + survey.models.iter().position(|m| *m == model).unwrap()]
+        let error = |row: &SurveyRow, model: &str| {
+            row.errors[survey.models.iter().position(|m| *m == model).unwrap()]
         };
         for row in &survey.rows {
-            let moments = SpectralMoments { m0: 1.0, m2: 0.5, m4: 0.25 * row[1] };
+            let moments = SpectralMoments { m0: 1.0, m2: 0.5, m4: 0.25 * row.bandwidth };
             let inputs = Inputs { moments: Some(moments), ..Inputs::new(modulus) };
             let area = |model: &str| {
                 let model = find(model).unwrap().build(&inputs).unwrap();
-                model.at_pressure(row[2]).unwrap().area_fraction
+                model.at_pressure(row.load).unwrap().area_fraction
             };
             let persson = area("persson") / (1.0 + error(row, "persson"));
             for model in ["gw", "bgt", "greenwood-elliptical", "equation"] {

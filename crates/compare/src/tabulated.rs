@@ -99,8 +99,11 @@ impl ContactModel for Tabulated {
         let above = self.points.partition_point(|p| p.mean_pressure < mean_pressure);
         let high = self.points[above];
         let low = if high.mean_pressure > mean_pressure { self.points[above - 1] } else { high };
-        let of_low = |pressure: f64| (pressure / low.mean_pressure).ln();
-        let part = of_low(mean_pressure) / of_low(high.mean_pressure);
+        let part = if high.mean_pressure > low.mean_pressure {
+            (mean_pressure / low.mean_pressure).ln() / (high.mean_pressure / low.mean_pressure).ln()
+        } else {
+            0.0
+        };
         Ok(ContactState {
             mean_pressure,
             area_fraction: between(low.area_fraction, high.area_fraction, part),
@@ -111,9 +114,9 @@ impl ContactModel for Tabulated {
     }
 }
 
-/// By a straight line of the logarithms; of the numbers where one of them is 0. At a point of the curve the part is NaN.
+/// By a straight line of the logarithms; of the numbers where one of them is 0.
 fn between(low: f64, high: f64, part: f64) -> f64 {
-    if part.is_nan() {
+    if part <= 0.0 {
         low
     } else if low > 0.0 && high > 0.0 {
         low * (part * (high / low).ln()).exp()

@@ -240,7 +240,7 @@ impl ModelSubject {
             ModelPoint {
                 mean_pressure: state.map_or(is_load.then_some(value), |s| Some(s.mean_pressure)),
                 separation: state.map_or((!is_load).then_some(value), |s| s.separation),
-                force: spread.map(|spread| value * spread.area),
+                force: spread.filter(|_| is_load).map(|spread| value * spread.area),
                 answer,
                 interval: None,
             }

@@ -251,8 +251,16 @@ pub(crate) fn object(
         }
         return json;
     }
-    let none = "touching_fraction approach max_pressure iterations transforms seconds residuals duality_gap";
-    for key in none.split(' ') {
+    for key in [
+        "touching_fraction",
+        "approach",
+        "max_pressure",
+        "iterations",
+        "transforms",
+        "seconds",
+        "residuals",
+        "duality_gap",
+    ] {
         json[key] = Value::Null;
     }
     json["stopped_at_rounding"] = json!(false);

@@ -76,8 +76,8 @@ impl Reporter {
     }
 }
 
-/// Does the work on `threads` threads that are its own: what it came to, and why it was to end before, if it was.
-/// `progress` is called with what it tells, on this thread. Work that is left behind ends by itself where it next looks up.
+/// Does the work on `threads` threads that are its own: what it came to, `None` if it was left behind and ends by itself where
+/// it next looks up; and why it was to end before, if it was. `progress` is called with what it tells, on this thread.
 ///
 /// Work that is stopped is waited for if a load was done, which is not to be lost; else for a moment only.
 pub(crate) fn watched<T: Send + 'static>(

@@ -140,7 +140,11 @@ pub(crate) fn load_ends(first: f64, last: f64) -> [f64; 2] {
 }
 
 pub(crate) fn min_max(values: impl Iterator<Item = f64>) -> Option<(f64, f64)> {
-    values.map(|v| (v, v)).reduce(|(lo, hi), (v, _)| (lo.min(v), hi.max(v)))
+    let is_below = |a: f64, b: f64| a.total_cmp(&b).is_lt(); // NaN is the upper end, and seen
+    let wider = |(lo, hi), (v, _)| {
+        (if is_below(v, lo) { v } else { lo }, if is_below(hi, v) { v } else { hi })
+    };
+    values.map(|v| (v, v)).reduce(wider)
 }
 
 pub(crate) fn range_words(values: &[Option<f64>], unit: &str) -> String {

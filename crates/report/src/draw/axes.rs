@@ -239,7 +239,7 @@ mod tests {
         let last = PlotAxis::log([0.49, 1.93]).major().pop();
         assert_eq!(last, Some(1.5));
         assert_eq!(wide.tick_text(1e-6), "10⁻⁶");
-        assert!((wide.at(25.0_f64.sqrt() * 0.5) - 1.0 / 3.0).abs() < 1e-9);
+        assert!((wide.at(25.0_f64.sqrt() * 0.5) - 1.0 / 3.0).abs() < 1e-11);
     }
 
     #[test]

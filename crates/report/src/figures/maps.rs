@@ -343,12 +343,22 @@ pub(crate) fn busiest_window(pressure: &[f64], [ny, nx]: [usize; 2]) -> Option<M
     if ny.min(nx) < 2 * side {
         return None;
     }
-    let half = side * side / 2;
-    let mut best: Option<(usize, MapPart)> = None;
+    // Summed-area table of contact points.
+    let stride = nx + 1;
+    let mut sums = vec![0_u32; (ny + 1) * stride];
+    for y in 0..ny {
+        let mut row = 0;
+        for x in 0..nx {
+            row += u32::from(pressure[y * nx + x] > 0.0);
+            sums[(y + 1) * stride + x + 1] = sums[y * stride + x + 1] + row;
+        }
+    }
+    let half = (side * side / 2) as u32;
+    let mut best: Option<(u32, MapPart)> = None;
     for y in (0..=ny - side).step_by(side / 4) {
         for x in (0..=nx - side).step_by(side / 4) {
-            let rows = pressure[y * nx..].chunks(nx).take(side);
-            let found = rows.flat_map(|row| &row[x..x + side]).filter(|p| **p > 0.0).count();
+            let [top, bottom] = [y * stride + x, (y + side) * stride + x];
+            let found = sums[bottom + side] + sums[top] - sums[top + side] - sums[bottom];
             let score = if found <= half { found } else { (2 * half).saturating_sub(found) };
             if score > best.map_or(0, |(s, _)| s) {
                 best = Some((score, [y, x, side, side]));
