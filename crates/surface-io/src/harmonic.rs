@@ -179,11 +179,8 @@ fn levels(finest: GridLevel, [dy, dx]: [f64; 2]) -> Vec<GridLevel> {
             break;
         }
         let level = last.coarser(block);
-        if block[0] == 1 {
-            (wx, wy) = (wx / 2.0, wy * 2.0);
-        } else if block[1] == 1 {
-            (wx, wy) = (wx * 2.0, wy / 2.0);
-        }
+        let turn = block[0] as f64 / block[1] as f64;
+        (wx, wy) = (wx * turn, wy / turn);
         levels.push(level);
     }
     levels

@@ -264,11 +264,8 @@ fn title(cell: &str) -> Title {
     let word = |c: char| c.is_whitespace() || matches!(c, '_' | '[' | ']' | '(' | ')' | '/');
     let words: Vec<&str> = cell.split(word).filter(|w| !w.is_empty()).collect();
     let unit = words.last().filter(|w| metres_per(w).is_some()).map(|w| (*w).to_owned());
-    let name = match (&unit, words.len()) {
-        (Some(_), 1) => String::new(),
-        _ => words.first().map(|w| (*w).to_owned()).unwrap_or_default(),
-    };
-    Title { name, unit }
+    let name = words.first().filter(|_| unit.is_none() || words.len() > 1);
+    Title { name: name.map_or(String::new(), |name| (*name).to_owned()), unit }
 }
 
 #[cfg(test)]

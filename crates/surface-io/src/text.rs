@@ -161,14 +161,9 @@ impl<'a> NumberTable<'a> {
             (2 * alike >= cells.len()).then(|| (cells.len(), not_a_number(number, bad, cells[bad])))
         });
         // Two lines in a row: one may be a date.
-        let mut before = None;
-        for (cells, error) in obstacles {
-            match before.take() {
-                Some((same, first)) if same == cells => return Some(first),
-                _ => before = Some((cells, error)),
-            }
-        }
-        None
+        let mut obstacles: Vec<(usize, ReadError)> = obstacles.collect();
+        let first = obstacles.windows(2).position(|pair| pair[0].0 == pair[1].0)?;
+        Some(obstacles.swap_remove(first).1)
     }
 
     fn push(

@@ -64,17 +64,13 @@ pub(crate) fn parse(mut b: Bytes<'_>) -> Result<Contents<'_>, ReadError> {
     }
     b.check_points([ny, nx])?;
     b.check_items(layers as u64)?;
-    let sample = match b.i16(80)? {
-        2 => Sample::F32,
-        4 => Sample::F64,
-        8 => Sample::I8,
-        16 => Sample::I16,
-        32 => Sample::I32,
-        72 => Sample::U8,
-        80 => Sample::U16,
-        96 => Sample::U32,
-        kind => return Err(b.unsupported(format!("data of type {kind}"))),
+    let kind = b.i16(80)?;
+    let sample = match kind {
+        2 => Some(Sample::F32),
+        4 => Some(Sample::F64),
+        _ => Sample::of_bits(usize::from(kind.cast_unsigned() & !64), kind & 64 == 0),
     };
+    let sample = sample.ok_or_else(|| b.unsupported(format!("data of type {kind}")))?;
     let layer_size = b.map_length(DATA, [ny, nx], sample)?;
     let behind = b.map_length(DATA, [layers, layer_size], Sample::U8)?;
 

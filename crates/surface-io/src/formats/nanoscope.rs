@@ -43,10 +43,7 @@ pub(crate) fn parse(b: Bytes<'_>) -> Result<Contents<'_>, ReadError> {
     if b.data.starts_with(b"?") {
         return Err(b.unsupported("data stored as text (save the image as binary, or export it)"));
     }
-    let (sections, ended) = sections(b)?;
-    if !ended {
-        return Err(b.fault(b.data.len(), "the header has no end"));
-    }
+    let sections = sections(b)?;
     let mut contents = Contents::default();
     // What the sections that are no images say of all of them.
     let mut common = HeaderSection::new();
@@ -79,13 +76,14 @@ fn is_image(section: &str) -> bool {
         .contains(&section)
 }
 
-/// The sections of the header in order, keys in lower case; and whether its end was found.
-fn sections(b: Bytes<'_>) -> Result<(Vec<(String, HeaderSection)>, bool), ReadError> {
+/// The sections of the header in order, keys in lower case.
+fn sections(b: Bytes<'_>) -> Result<Vec<(String, HeaderSection)>, ReadError> {
     let bytes = b.data;
     let end = bytes.iter().position(|&byte| byte == 0x1a);
     let list_end = find(bytes, b"File list end");
-    let header = &bytes[..end.into_iter().chain(list_end).min().unwrap_or(bytes.len())];
-    let header = text::latin1(header);
+    let end = end.into_iter().chain(list_end).min();
+    let end = end.ok_or_else(|| b.fault(bytes.len(), "the header has no end"))?;
+    let header = text::latin1(&bytes[..end]);
     let mut sections: Vec<(String, HeaderSection)> = Vec::new();
     for (number, line) in text::lines(&header) {
         b.check_items(number as u64)?;
@@ -98,7 +96,7 @@ fn sections(b: Bytes<'_>) -> Result<(Vec<(String, HeaderSection)>, bool), ReadEr
             section.insert(key.trim().to_lowercase(), value.trim().to_owned());
         }
     }
-    Ok((sections, end.is_some() || list_end.is_some()))
+    Ok(sections)
 }
 
 fn channel<'a>(

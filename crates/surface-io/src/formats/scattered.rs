@@ -7,6 +7,7 @@ use crate::{Limits, ReadError, metres_per};
 
 /// Evenly spaced positions found in a column of coordinates.
 pub(crate) struct Line {
+    /// (last - first) / (N - 1).
     pub(crate) step: f64,
     pub(crate) is_falling: bool,
     /// Largest deviation in steps, if more than the printed digits explain, and distances of the points from the lowest

@@ -60,7 +60,7 @@ impl NumberTable<'_> {
         if order.iter().copied().eq(0..self.columns) {
             return self;
         }
-        let digits = |column: usize| self.digits.get(column).copied().unwrap_or(Digits::NONE);
+        let digits = |i: usize| order.get(i).and_then(|&column| self.digits.get(column)).copied();
         Self {
             values: self
                 .values
@@ -69,7 +69,7 @@ impl NumberTable<'_> {
                 .collect(),
             columns: order.len(),
             titles: order.iter().map(|&column| self.titles[column].clone()).collect(),
-            digits: std::array::from_fn(|i| order.get(i).map_or(Digits::NONE, |&c| digits(c))),
+            digits: std::array::from_fn(|i| digits(i).unwrap_or(Digits::NONE)),
             ..self
         }
     }
