@@ -133,10 +133,9 @@ impl Theory for GivenTheory {
 /// Every built-in model that a study asks, as JSON.
 #[pyfunction]
 pub(crate) fn models() -> String {
-    let all = contact_compare::built_in()
-        .iter()
-        .map(|theory| contact_front_end::model::described(theory.card()));
-    serde_json::Value::Array(all.collect()).to_string()
+    let described = |theory: &dyn Theory| contact_front_end::model::described(theory.card());
+    serde_json::Value::Array(contact_compare::built_in().iter().map(described).collect())
+        .to_string()
 }
 
 /// Every number that a model may be made from, as JSON: its name, unit, and what it is.

@@ -24,11 +24,8 @@ pub(crate) fn summary(
     seconds: f64,
 ) -> PyResult<String> {
     let settings: Settings = serde_json::from_str(settings).map_err(|e| bug(&e))?;
-    let digests: Vec<Value> = maps
-        .iter()
-        .map(|(_, digest)| serde_json::from_str(digest))
-        .collect::<Result<_, _>>()
-        .map_err(|e| bug(&e))?;
+    let digests = maps.iter().map(|(_, digest)| serde_json::from_str(digest));
+    let digests: Vec<Value> = digests.collect::<Result<_, _>>().map_err(|e| bug(&e))?;
     let maps = maps.into_iter().zip(&digests).map(|((name, _), digest)| (name, digest)).collect();
     let summary = Summary { maps, failed, settings: &settings, seconds };
     let made = Provenance::here("rough_contact.summary in Python");

@@ -36,11 +36,8 @@ pub fn digest(surface: &Value) -> Value {
     row.insert("seconds".into(), json!(seconds));
     let is_check = |f: &&Value| f["weight"] == "check";
     let all = surface["findings"].as_array().unwrap_or(&empty);
-    let checks: Vec<Value> = all
-        .iter()
-        .filter(is_check)
-        .map(|f| json!({ "kind": kind(f), "claim": f["claim"] }))
-        .collect();
+    let check = |f: &Value| json!({ "kind": kind(f), "claim": f["claim"] });
+    let checks: Vec<Value> = all.iter().filter(is_check).map(check).collect();
     row.insert("to_check".into(), json!(checks.len()));
     row.insert("checks".into(), json!(checks));
     let curve = points.iter().map(|p| json!([p["mean_pressure"], p["area_fraction"]]));

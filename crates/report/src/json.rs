@@ -48,10 +48,8 @@ pub fn findings(found: &[Finding]) -> Value {
 fn surface(s: &SurfaceComparison, comparison: &Comparison) -> Value {
     let grid = s.solved_map().grid();
     let settings = &comparison.settings;
-    let (precision, tolerance) = s
-        .plan
-        .as_ref()
-        .map_or((settings.precision, settings.tolerance), |p| (p.precision, p.tolerance));
+    let plan = s.plan.as_ref().map(|plan| (plan.precision, plan.tolerance));
+    let (precision, tolerance) = plan.unwrap_or((settings.precision, settings.tolerance));
     let method =
         s.deterministic.iter().find_map(|p| Some(p.answer.as_ref()?.diagnostics.method.name()));
     let spots = s.distributions.get(s.headline).and_then(|found| Some(&found.as_ref()?.spots));

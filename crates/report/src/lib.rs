@@ -25,7 +25,7 @@ pub use contact_compare as compare; // whose results are written here
 pub use csv::spots_csv;
 pub use digest::digest;
 pub use documents::{documents, profile_documents};
-pub use figures::cost_plot::{CostFigure, CostSeries};
+pub use figures::cost::{CostFigure, CostSeries};
 pub use figures::heights::{height_map, thumbnail};
 pub use figures::maps::pressures as pressure_picture;
 pub use json::{
@@ -45,7 +45,7 @@ pub use messages::plan::{explanation as plan_explanation, reason as plan_reason}
 pub use messages::profile::profile_headline;
 pub use messages::{headline_line, surface_lines};
 pub use page::html::style;
-pub use page::profile_tables::setting_words;
+pub use page::profile::setting_words;
 pub use page::summary::{Summary, summary_html};
 pub use parts_json::{
     bodies_json, conducted_keys, gas_json, leak_json, leak_point_json, pair_json, solution_keys,

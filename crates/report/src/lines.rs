@@ -108,12 +108,9 @@ impl LoadLines {
         }
     }
 
-    /// The surface, and which bodies these are of where a study is of two kinds.
-    pub(crate) fn named(&self, surface: &SurfaceComparison) -> String {
-        if self.of.is_empty() {
-            return surface.name.clone();
-        }
-        format!("{}, {}", surface.name, self.of)
+    /// ", elastic contact": which bodies these are of, where a study is of two kinds.
+    pub(crate) fn whose(&self) -> String {
+        if self.of.is_empty() { String::new() } else { format!(", {}", self.of) }
     }
 
     pub(crate) fn errors(&self, model: &LoadLine) -> Vec<Option<f64>> {

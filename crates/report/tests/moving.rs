@@ -46,11 +46,8 @@ fn the_moving_map_is_the_contact_of_every_load() {
     for (load, point) in surface.deterministic.iter().enumerate() {
         let off = lost.iter().filter(|l| l[0] == load).count();
         let touching = first.iter().filter(|g| u64::from(**g) <= load as u64 * step).count() - off;
-        assert_eq!(
-            touching,
-            point.answer.as_ref().unwrap().diagnostics.contact_pixels,
-            "load {load}"
-        );
+        let solved = point.answer.as_ref().unwrap().diagnostics.contact_pixels;
+        assert_eq!(touching, solved, "load {load}");
         assert!(facts["titles"][load].as_str().unwrap().contains(&format!(" {touching} of ")));
     }
     let headline = surface.headline as u64 * step;
@@ -131,11 +128,8 @@ fn holds_the_pressure(found: &[f64], page: &str, load: usize, headline: bool, to
     let rounded: f64 = format!("{high:.1e}").parse().unwrap();
     let digits = top.as_str().unwrap().trim_start_matches('≥').replace('\u{202F}', "");
     let shown: f64 = digits.parse().unwrap();
-    let scale = rounded / shown; // the unit of the headline
-    assert!(
-        (scale.log10() / 3.0 - (scale.log10() / 3.0).round()).abs() < 0.02,
-        "{shown} {rounded}"
-    );
+    let thousands = (rounded / shown).log10() / 3.0; // the unit of the headline
+    assert!((thousands - thousands.round()).abs() < 0.02, "{shown} {rounded}");
     assert_eq!(top.as_str().unwrap().starts_with('≥'), contact[contact.len() - 1] > rounded);
     for (i, (class, p)) in classes.iter().zip(found).enumerate() {
         assert_eq!(*class > 0, *p > 0.0, "load {load}, point {i}");

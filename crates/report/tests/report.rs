@@ -154,17 +154,14 @@ fn plotted_numbers_are_in_the_csv() {
     let header: Vec<&str> = rows.next().unwrap().split(',').collect();
     let column = |name: &str| header.iter().position(|h| *h == name).unwrap();
     let (p, a) = (column("mean_pressure [Pa]"), column("area_fraction_deterministic [-]"));
-    let numbers: Vec<[f64; 2]> = rows
-        .map(|r| r.split(',').collect::<Vec<_>>())
-        .map(|r| [r[p].parse().unwrap(), r[a].parse().unwrap()])
-        .collect();
+    let cells = rows.map(|r| r.split(',').collect::<Vec<_>>());
+    let numbers = cells.map(|r| [p, a].map(|column| r[column].parse::<f64>().unwrap()));
+    let numbers: Vec<[f64; 2]> = numbers.collect();
     assert_eq!(numbers.len(), ONE.surfaces[0].deterministic.len());
 
-    let dots: Vec<[f64; 2]> = elements(&file(&ONE, "area.svg"))
-        .into_iter()
-        .filter(|(n, ..)| n == "circle")
-        .map(|(_, a, _)| [a["cx"].parse().unwrap(), a["cy"].parse().unwrap()])
-        .collect();
+    let circles = elements(&file(&ONE, "area.svg")).into_iter().filter(|(n, ..)| n == "circle");
+    let dots = circles.map(|(_, a, _)| ["cx", "cy"].map(|key| a[key].parse::<f64>().unwrap()));
+    let dots: Vec<[f64; 2]> = dots.collect();
     assert_eq!(dots.len(), numbers.len());
     // Both axes are logarithmic: positions are linear in the logarithms of the table.
     for axis in 0..2 {

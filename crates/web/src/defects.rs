@@ -49,10 +49,9 @@ pub(crate) fn of(
             1 => "1 spike.".to_owned(),
             n => format!("{} spikes.", count(n)),
         };
+        let [limit, largest] = [spikes.limit, spikes.largest].map(length);
         let text = format!(
-            "Points more than {} off their neighbours, the farthest {}. Optics make such points, machining does not.",
-            length(spikes.limit),
-            length(spikes.largest)
+            "Points more than {limit} off their neighbours, the farthest {largest}. Optics make such points, machining does not."
         );
         add("check", claim, &text, "spikes", "Remove and fill", Some(numbers));
     }

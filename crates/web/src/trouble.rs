@@ -43,82 +43,72 @@ impl Trouble {
         }
     }
 
-    /// One sentence, its effect, what to do.
-    fn words(&self, place: Host) -> (&'static str, String, Vec<&'static str>) {
-        let words = |heading, text: &str, ways| (heading, text.to_owned(), ways);
-        match self {
-            Self::Unread(ReadError::Empty) => {
-                words("This file is empty.", "It has 0 bytes.", vec![AGAIN])
-            }
-            Self::Unread(ReadError::UnknownFormat { .. }) => words(
+    /// Tells what happened, its effect (the failure itself where there are no words for that), what to do.
+    pub(crate) fn tell(&self, place: Host, out: &mut Messages<'_>) {
+        let limits = place.limits_said();
+        let limits = format!(
+            "It was refused before anything of that size was taken: here {limits} at most."
+        );
+        let [heading, text, ways @ ..] = match self {
+            Self::Unread(ReadError::Empty) => ["This file is empty.", "It has 0 bytes.", AGAIN, ""],
+            Self::Unread(ReadError::UnknownFormat { .. }) => [
                 "This file is not a height map it can read.",
                 "Its content is none of the formats known here; the name does not matter.",
-                vec![
-                    "In the instrument’s software, export the heights as SUR, X3P or text.",
-                    "Some instruments save several files: choose the one with the heights.",
-                ],
-            ),
-            Self::Unread(ReadError::Limit { .. }) => words(
+                "In the instrument’s software, export the heights as SUR, X3P or text.",
+                "Some instruments save several files: choose the one with the heights.",
+            ],
+            Self::Unread(ReadError::Limit { .. }) => [
                 place.asks_for_more(),
-                &format!(
-                    "It was refused before anything of that size was taken: here {} at most.",
-                    place.limits_said()
-                ),
-                vec![
-                    place.way_out(),
-                    "If the file is much smaller than that, it contradicts itself: export it again.",
-                ],
-            ),
-            Self::Unread(ReadError::Malformed { .. }) => words(
+                &limits,
+                place.way_out(),
+                "If the file is much smaller than that, it contradicts itself: export it again.",
+            ],
+            Self::Unread(ReadError::Malformed { .. }) => [
                 "The file contradicts itself; nothing was computed.",
                 "It may be cut short, or made to harm programs that believe it. Nothing of it was run or kept.",
-                vec![AGAIN],
-            ),
-            Self::Unread(ReadError::NotANumber { .. }) => words(
+                AGAIN,
+                "",
+            ],
+            Self::Unread(ReadError::NotANumber { .. }) => [
                 "One cell of this text is no number.",
                 "",
-                vec!["If a point is missing there, leave the cell empty or write NaN.", AGAIN],
-            ),
-            Self::Unread(ReadError::Ambiguous { .. }) => words(
+                "If a point is missing there, leave the cell empty or write NaN.",
+                AGAIN,
+            ],
+            Self::Unread(ReadError::Ambiguous { .. }) => [
                 "This text can be read in two ways.",
                 "",
-                vec![
-                    "Export the heights in one form only, with a decimal point.",
-                    "The command rough-contact has an option for each reading.",
-                ],
-            ),
-            Self::Unread(_) => words("This file gives no surface.", "", vec![AGAIN]),
-            Self::Profile { .. } => words(
+                "Export the heights in one form only, with a decimal point.",
+                "The command rough-contact has an option for each reading.",
+            ],
+            Self::Unread(_) => ["This file gives no surface.", "", AGAIN, ""],
+            Self::Profile { .. } => [
                 "This is a profile, not a surface.",
                 "Where two surfaces touch cannot be told from a line.",
-                vec![
-                    "Measure an area, or choose its file.",
-                    "The command rough-contact says what a profile does tell.",
-                ],
-            ),
+                "Measure an area, or choose its file.",
+                "The command rough-contact says what a profile does tell.",
+            ],
             Self::Incomplete(Incomplete::Fill(FillError::NothingValid { .. })) => {
-                words("Not one point of this map was measured.", "", vec!["Choose another file."])
+                ["Not one point of this map was measured.", "", "Choose another file.", ""]
             }
             Self::Incomplete(_) => {
-                words("The map cannot be made complete.", "", vec!["Change the remedies."])
+                ["The map cannot be made complete.", "", "Change the remedies.", ""]
             }
-            Self::Study(_) => words(
+            Self::Study(_) => [
                 "There is no answer for this surface.",
                 "",
-                vec!["Look at the data-quality warnings.", "Change the bodies or the loads."],
-            ),
+                "Look at the data-quality warnings.",
+                "Change the bodies or the loads.",
+            ],
             Self::Refused(failure) if failure.kind == "internal" => {
-                words("The page asked wrongly; that is a bug.", "", vec![])
+                ["The page asked wrongly; that is a bug.", "", "", ""]
             }
-            Self::Refused(_) => {
-                words("That cannot be computed.", "", vec!["Change what was given."])
-            }
-        }
-    }
-
-    pub(crate) fn tell(&self, place: Host, out: &mut Messages<'_>) {
-        let (failure, (heading, text, ways)) = (self.failure(), self.words(place));
-        let text = if text.is_empty() { capital(&failure.message) } else { text };
+            Self::Refused(_) => ["That cannot be computed.", "", "Change what was given.", ""],
+        };
+        let failure = self.failure();
+        let message = capital(&failure.message);
+        let text = if text.is_empty() { message.as_str() } else { text };
+        let ways: Vec<&str> = ways.into_iter().filter(|way| !way.is_empty()).collect();
         let detail = format!("{}: {}", failure.kind, failure.message);
         let failure = failure.json();
         let said = json!({ "heading": heading, "text": text, "ways": ways, "detail": detail, "failure": failure });

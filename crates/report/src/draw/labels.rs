@@ -2,7 +2,7 @@
 
 use crate::draw::axes::PlotFrame;
 use crate::draw::palette::{Colour, DETERMINISTIC, Stroke};
-use crate::draw::svg::{Canvas, Rect, Text, overlap};
+use crate::draw::svg::{Canvas, Rect, Text};
 use crate::lines::LoadLine;
 
 /// Distance between base lines of neighbouring labels, in units.
@@ -106,7 +106,8 @@ pub(crate) fn place_near(
     let inside =
         |r: &Rect| r[0] >= frame[0] && r[1] >= frame[1] && r[2] <= frame[2] && r[3] <= frame[3];
     let mut boxes = places.into_iter().map(|[l, t]| [l, t, l + width, t + height]);
-    boxes.find(|r| inside(r) && !taken.iter().any(|t| overlap(*t, *r)))
+    let overlap = |a: &Rect, b: &Rect| a[0] < b[2] && b[0] < a[2] && a[1] < b[3] && b[1] < a[3];
+    boxes.find(|r| inside(r) && !taken.iter().any(|t| overlap(t, r)))
 }
 
 #[cfg(test)]

@@ -17,11 +17,6 @@ pub(crate) const KEY: &str = "\u{1}";
 /// A rectangle `[left, top, right, bottom]` in figure units.
 pub(crate) type Rect = [f64; 4];
 
-/// True if two rectangles share more than an edge.
-pub(crate) fn overlap(a: Rect, b: Rect) -> bool {
-    a[0] < b[2] && b[0] < a[2] && a[1] < b[3] && b[1] < a[3]
-}
-
 /// Escapes text for element content and attributes of HTML and XML.
 pub(crate) fn escape(text: &str) -> String {
     let mut out = String::with_capacity(text.len());

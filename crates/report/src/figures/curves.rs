@@ -314,11 +314,11 @@ pub(crate) fn panels(
     draw: fn(&LoadLines, bool) -> Figure,
 ) -> String {
     const NAME: f64 = 18.0;
-    let panels = comparison.surfaces.iter().flat_map(|surface| {
-        LoadLines::panels(surface).into_iter().map(|lines| (lines.named(surface), lines))
+    let figures = comparison.surfaces.iter().flat_map(|surface| {
+        let panels = LoadLines::panels(surface).into_iter();
+        panels.map(|lines| (surface.name.clone() + &lines.whose(), draw(&lines, false)))
     });
-    let figures: Vec<(String, Figure)> =
-        panels.map(|(name, lines)| (name, draw(&lines, false))).collect();
+    let figures: Vec<(String, Figure)> = figures.collect();
     if let [(_, one)] = &figures[..] {
         return one.standalone(&format!("{key}0"));
     }

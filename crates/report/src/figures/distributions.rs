@@ -136,13 +136,11 @@ fn pressure(canvas: &mut Canvas, Axes { frame, .. }: &Axes, found: &Distribution
     let (edges, density) = over_the_mean(&found.pressure);
     let right = frame.x.data[1];
     let seen = edges.windows(2).zip(&density).filter(|(edge, d)| **d > 0.0 && edge[0] < right);
-    let bars: Vec<_> = seen
-        .map(|(edge, density)| {
-            let [left, top] = frame.at([edge[0], *density]);
-            [left + 0.4, top, frame.x.at(edge[1].min(right)) - 0.4, FRAME[3]]
-        })
-        .collect();
-    canvas.bars(&bars, INK2, 0.5);
+    let bars = seen.map(|(edge, density)| {
+        let [left, top] = frame.at([edge[0], *density]);
+        [left + 0.4, top, frame.x.at(edge[1].min(right)) - 0.4, FRAME[3]]
+    });
+    canvas.bars(&bars.collect::<Vec<_>>(), INK2, 0.5);
 }
 
 /// Persson's density at a light load, `(π/2) x exp(−π x²/4)`, which has no parameter there.
@@ -152,10 +150,8 @@ fn density(x: f64) -> f64 {
 
 fn persson(canvas: &mut Canvas, Axes { frame, .. }: &Axes) {
     let right = frame.x.data[1];
-    let line: Vec<[f64; 2]> = (0..=120)
-        .map(|i| right * f64::from(i) / 120.0)
-        .map(|x| frame.at([x, density(x)]))
-        .collect();
+    let places = (0..=120).map(|i| right * f64::from(i) / 120.0);
+    let line: Vec<[f64; 2]> = places.map(|x| frame.at([x, density(x)])).collect();
     let at = frame.at([2.0, density(2.0)]);
     let label = Text::start([at[0] + 6.0, at[1] - 8.0], "Persson", PERSSON).halo();
     canvas.series("persson", |canvas| {
@@ -189,12 +185,8 @@ fn gap(canvas: &mut Canvas, Axes { frame, unit }: &Axes, found: &Distributions) 
     let Some(found) = &found.gap else { return };
     let level = frame.y.at(100.0 * touching);
     canvas.rect([FRAME[0], level, FRAME[2], FRAME[3]], INK2, 0.5);
-    let line: Vec<[f64; 2]> = found
-        .gaps
-        .iter()
-        .zip(&found.below)
-        .map(|(gap, share)| frame.at([gap / unit.scale, 100.0 * share]))
-        .collect();
+    let of = |(gap, share): (&f64, &f64)| frame.at([gap / unit.scale, 100.0 * share]);
+    let line: Vec<[f64; 2]> = found.gaps.iter().zip(&found.below).map(of).collect();
     canvas.polyline(&line, Stroke::solid(DETERMINISTIC, 1.8));
     canvas.label(&Text::end([FRAME[2] - 4.0, level - 5.0], "touches", INK2).halo());
 }

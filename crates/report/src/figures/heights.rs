@@ -1,6 +1,6 @@
 //! The height map: heights by colour with hill shading, and rings round single points.
 
-use super::maps::{averaged, colour_bar, map_canvas, map_figure, map_size, picture, shading};
+use super::maps::{averaged, colour_bar, map_canvas, map_size, picture, shading, with_legend};
 use crate::draw::palette::{HEIGHT_RAMP, OkLab, ramp_table};
 use crate::draw::svg::{Canvas, Figure, KEY, num};
 use crate::numbers::{METRES, chosen, significant, unit_for};
@@ -73,12 +73,13 @@ pub(crate) fn figure(
         "Height map, {width} by {height}, heights from {low} to {high} {} between the 0.1 and 99.9 percentiles.",
         unit.name
     );
+    let size = with_legend(grid.size());
     if points.is_empty() {
-        return map_figure(canvas, grid.size(), "Shaded height map", description);
+        return canvas.figure("Shaded height map", description, size);
     }
     draw_rings(&mut canvas, points, grid);
     let description = format!("{description} Ringed points: {}.", points.len());
-    map_figure(canvas, grid.size(), "Shaded height map with ringed points", description)
+    canvas.figure("Shaded height map with ringed points", description, size)
 }
 
 /// Centre `[x, y]`, down from the upper left corner of the map, and radius of rings that hold all `points` (indices

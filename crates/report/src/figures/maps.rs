@@ -6,7 +6,7 @@ use crate::draw::png;
 use crate::draw::svg::{COLUMN, Canvas, Figure, KEY, Text, num, text_width};
 use crate::numbers::{METRES, PASCALS, Unit, chosen, significant, unit_for};
 use contact_accuracy::Flow;
-use contact_compare::{PressureMaps, pressure_top};
+use contact_compare::{PressureMaps, SurfaceComparison, pressure_top};
 use contact_types::Grid;
 use grid_fft::parallel::join;
 use std::borrow::Cow;
@@ -52,9 +52,8 @@ pub(crate) fn averaged(
     let span = |j: usize, n: usize, m: usize| -> Vec<(usize, f64)> {
         let (a, b) = (j as f64 * n as f64 / m as f64, (j + 1) as f64 * n as f64 / m as f64);
         let last = (b.ceil() as usize).clamp(1, n);
-        (a.floor() as usize..last)
-            .map(|i| (i, (b.min((i + 1) as f64) - a.max(i as f64)).max(0.0)))
-            .collect()
+        let part = |i: usize| (i, (b.min((i + 1) as f64) - a.max(i as f64)).max(0.0));
+        (a.floor() as usize..last).map(part).collect()
     };
     let columns: Vec<_> = (0..shape[1]).map(|jx| span(jx, nx, shape[1])).collect();
     for jy in 0..shape[0] {
@@ -91,15 +90,14 @@ pub(crate) fn combined<T: Copy>(
 
 /// Slope towards the light in the upper left, scaled so that two standard deviations are 1.
 pub(super) fn shading(heights: &[f64], [ny, nx]: [usize; 2]) -> Vec<f64> {
-    let slope: Vec<f64> = (0..ny * nx)
-        .map(|i| {
-            let (y, x) = (i / nx, i % nx);
-            let at = |y: usize, x: usize| heights[y * nx + x];
-            let across = at(y, (x + 1).min(nx - 1)) - at(y, x.saturating_sub(1));
-            let down = at((y + 1).min(ny - 1), x) - at(y.saturating_sub(1), x);
-            across + down
-        })
-        .collect();
+    let at = |y: usize, x: usize| heights[y * nx + x];
+    let steep = |i: usize| {
+        let (y, x) = (i / nx, i % nx);
+        let across = at(y, (x + 1).min(nx - 1)) - at(y, x.saturating_sub(1));
+        let down = at((y + 1).min(ny - 1), x) - at(y.saturating_sub(1), x);
+        across + down
+    };
+    let slope: Vec<f64> = (0..ny * nx).map(steep).collect();
     let rms = (slope.iter().map(|s| s * s).sum::<f64>() / slope.len() as f64).sqrt();
     if rms > 0.0 {
         slope.iter().map(|s| (s / (2.0 * rms)).clamp(-1.0, 1.0)).collect()
@@ -156,12 +154,12 @@ pub(super) fn map_size([height, width]: [f64; 2]) -> [f64; 2] {
 /// The contact at one load: pressure by colour, the surface in grey, and what is shown elsewhere: the part that
 /// [`enlarged`] shows, and the row of the section.
 pub(crate) fn contact(
-    pressure: &[f64],
-    heights: &[f64],
-    grid: Grid,
+    surface: &SurfaceComparison,
     (window, row): (Option<MapPart>, Option<usize>),
     limit: usize,
 ) -> Figure {
+    let (map, pressure) = (surface.solved_map(), &surface.pressure);
+    let (grid, heights) = (map.grid(), map.heights());
     let small = limited(grid.shape(), limit);
     let ((h, shape), p) = join(
         || averaged(heights, grid.shape(), limit),
@@ -174,13 +172,11 @@ pub(crate) fn contact(
     let (title, high) = (format!("Local pressure ({})", unit.name), upper_end(top, clipped, unit));
     colour_bar(&mut canvas, grid.size(), ["0", &high, &title], &PRESSURE_RAMP);
     let touching = pressure.iter().filter(|p| **p > 0.0).count();
-    let description = format!(
-        "{touching} of {} points of the map carry pressure; highest {} {}.",
-        grid.len(),
-        significant(pressure.iter().copied().fold(0.0, f64::max) / unit.scale, 2),
-        unit.name
-    );
-    map_figure(canvas, grid.size(), "Contact map", description)
+    let highest = pressure.iter().copied().fold(0.0, f64::max) / unit.scale;
+    let (all, highest, unit) = (grid.len(), significant(highest, 2), unit.name);
+    let description =
+        format!("{touching} of {all} points of the map carry pressure; highest {highest} {unit}.");
+    canvas.figure("Contact map", description, with_legend(grid.size()))
 }
 
 pub(crate) fn upper_end(top: f64, clipped: bool, unit: Unit) -> String {
@@ -189,16 +185,11 @@ pub(crate) fn upper_end(top: f64, clipped: bool, unit: Unit) -> String {
 }
 
 /// The window of the contact map, one square per point of the grid.
-pub(crate) fn enlarged(
-    pressure: &[f64],
-    heights: &[f64],
-    grid: Grid,
-    window: MapPart,
-    row: Option<usize>,
-) -> Figure {
-    let [y0, _, ny, nx] = window;
-    let [p, h] = [pressure, heights].map(|field| cut(field, grid, window));
-    let (top, _) = pressure_top(pressure);
+pub(crate) fn enlarged(surface: &SurfaceComparison, window: MapPart, row: Option<usize>) -> Figure {
+    let ([y0, _, ny, nx], map) = (window, surface.solved_map());
+    let grid = map.grid();
+    let [p, h] = [&surface.pressure[..], map.heights()].map(|field| cut(field, grid, window));
+    let (top, _) = pressure_top(&surface.pressure);
     let [dy, dx] = grid.pixel();
     let size = [ny as f64 * dy, nx as f64 * dx];
     let squares = " style=\"image-rendering:pixelated\"";
@@ -207,7 +198,7 @@ pub(crate) fn enlarged(
     mark(&mut canvas, size, [ny, nx], None, inside);
     let [height, width] = size.map(|side| chosen(side, METRES));
     let description = format!("{width} by {height} of the contact map, one square per point.");
-    map_figure(canvas, size, "Enlargement of the boxed area", description)
+    canvas.figure("Enlargement of the boxed area", description, with_legend(size))
 }
 
 /// The flux over its mean, dark where the bodies touch, a ring around the bottleneck.
@@ -240,7 +231,7 @@ pub(crate) fn flux(flow: &Flow, pressure: &[f64], grid: Grid, limit: usize) -> F
     }
     let most = significant(flow.flux.iter().copied().fold(0.0, f64::max), 2);
     let description = format!("Largest flux {most} times the mean.{at}");
-    map_figure(canvas, size, "Flow through the gap", description)
+    canvas.figure("Flow through the gap", description, with_legend(size))
 }
 
 /// A map of this size (m) around the picture at this address.
@@ -257,13 +248,9 @@ pub(super) fn map_canvas(address: &str, size: [f64; 2], extra: &str) -> Canvas {
     canvas
 }
 
-pub(super) fn map_figure(
-    canvas: Canvas,
-    size: [f64; 2],
-    title: &str,
-    description: String,
-) -> Figure {
-    canvas.figure(title, description, [COLUMN, map_size(size)[1] + LEGEND])
+/// Width and height of a map of this size (m) with its bar of colours.
+pub(super) fn with_legend(size: [f64; 2]) -> [f64; 2] {
+    [COLUMN, map_size(size)[1] + LEGEND]
 }
 
 /// A dashed line along a row, and a box around a part of a map of this size (m) and shape.

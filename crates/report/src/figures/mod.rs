@@ -2,7 +2,6 @@
 
 pub(crate) mod conduction;
 pub(crate) mod cost;
-pub(crate) mod cost_plot;
 pub(crate) mod curves;
 pub(crate) mod deformed;
 pub(crate) mod distributions;

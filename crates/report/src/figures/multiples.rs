@@ -37,7 +37,7 @@ impl<'a> Panel<'a> {
         };
         let zero = || lines.area.iter().map(|a| a.map(|_| 0.0)).collect();
         Self {
-            name: lines.named(surface),
+            name: surface.name.clone() + &lines.whose(),
             load: lines.pressures.iter().map(|p| p / scale).collect(),
             reference: if of_errors { zero() } else { percent(&lines.area) },
             models: lines.models.iter().map(of_model).collect(),
@@ -90,7 +90,7 @@ pub(crate) fn figure(
         let inside = [left, top, left + PANEL[0], top + PANEL[1]];
         let titles = ["", if is_first { y_title } else { "" }];
         let frame = PlotFrame::new(inside, [PlotAxis::log(x_data), axis(limits)], titles);
-        let name = shortened(&panel.name, 30);
+        let name = shortened(&panel.name);
         canvas.text(&Text::start([left, top - head + 11.0], &name, INK).bold());
         for (row, (model, text)) in notes.iter().enumerate() {
             let at = [left, top - head + 22.5 + NOTE * row as f64];
@@ -98,7 +98,7 @@ pub(crate) fn figure(
             canvas.series(&model.name, |canvas| canvas.label(&note));
         }
         let clip = format!("c{i}");
-        let ends = draw_panel(&mut canvas, panel, &frame, of_errors, &clip, is_first);
+        let ends = draw_panel(&mut canvas, panel, &frame, &clip);
         if i % PER_ROW == PER_ROW - 1 || i + 1 == panels.len() {
             draw_end_labels(&mut canvas, &frame, 0.0, &ends);
         }
@@ -127,14 +127,14 @@ fn shared_log_limits(panels: &[Panel<'_>]) -> [f64; 2] {
     log_limits(reference, panels.iter().flat_map(beside), 100.0)
 }
 
+/// Its vertical axis has numbers if it has a title.
 fn draw_panel(
     canvas: &mut Canvas,
     panel: &Panel<'_>,
     frame: &PlotFrame,
-    of_errors: bool,
     clip: &str,
-    numbered: bool,
 ) -> Vec<EndLabel> {
+    let (of_errors, numbered) = (!frame.y.is_log, !frame.y_title.is_empty());
     let ([left, right], [bottom, top]) = (frame.x.units, frame.y.units);
     if of_errors {
         canvas.rect([left, frame.y.at(10.0), right, frame.y.at(-10.0)], BAND, 1.0);
@@ -172,10 +172,7 @@ fn draw_panel(
     ends
 }
 
-fn shortened(name: &str, most: usize) -> String {
-    if name.chars().count() <= most {
-        name.into()
-    } else {
-        name.chars().take(most - 1).chain(['…']).collect()
-    }
+fn shortened(name: &str) -> String {
+    let is_long = name.chars().count() > 30;
+    if is_long { name.chars().take(29).chain(['…']).collect() } else { name.into() }
 }

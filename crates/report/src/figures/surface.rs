@@ -79,17 +79,15 @@ pub(crate) fn heights(histogram: &Histogram, at: &str) -> Figure {
     }
     // phi(x) falls below the floor at |x| = sqrt(-2 ln(floor sqrt(2 pi))).
     let reach = (-2.0 * (FLOOR * TAU.sqrt()).ln()).sqrt();
-    let normal: Vec<[f64; 2]> = (0..=80)
-        .map(|i| reach * (f64::from(i) / 40.0 - 1.0))
-        .map(|x| frame.at([x, (-x * x / 2.0).exp() / TAU.sqrt()]))
-        .collect();
+    let places = (0..=80).map(|i| reach * (f64::from(i) / 40.0 - 1.0));
+    let normal = places.map(|x| frame.at([x, (-x * x / 2.0).exp() / TAU.sqrt()]));
+    let normal: Vec<[f64; 2]> = normal.collect();
     canvas.polyline(&normal, Stroke::solid(DETERMINISTIC, 1.2));
     canvas.label(&Text::end(frame.at([-2.35, 0.045]), "normal", INK).halo());
     canvas.label(&Text::middle(frame.at([-0.35, 0.012]), "measured", INK2));
+    let [from, to] = [*start, end].map(|edge| significant(edge, 2));
     let mut description = format!(
-        "Semi-log histogram of heights from {} to {} rms heights with the normal curve.",
-        significant(*start, 2),
-        significant(end, 2)
+        "Semi-log histogram of heights from {from} to {to} rms heights with the normal curve."
     );
     if let Some(lowest) = histogram.lowest_touching() {
         let place = [FRAME[2] - 2.0, frame.y.at(0.35)];
@@ -135,11 +133,8 @@ pub(crate) fn spectrum(spectrum: &Spectrum) -> Option<Figure> {
         canvas.rect([at(long), FRAME[1], at(short), FRAME[3]], BAND, 0.9);
     }
     frame.draw(&mut canvas);
-    let line: Vec<[f64; 2]> = points
-        .iter()
-        .filter(|p| p[1] >= lowest)
-        .map(|[l, c]| frame.at([l / unit.scale, c / psd]))
-        .collect();
+    let place = |[l, c]: &[f64; 2]| frame.at([l / unit.scale, c / psd]);
+    let line: Vec<_> = points.iter().filter(|p| p[1] >= lowest).map(place).collect();
     canvas.polyline(&line, Stroke::solid(DETERMINISTIC, 1.4));
     let [from, to] = [first, last].map(|p| chosen(p[0], METRES));
     let what = name.to_lowercase().replace("psd", "PSD");

@@ -50,14 +50,11 @@ pub(crate) fn of_fact(fact: &Fact) -> Words {
             let indicator = significant(*indicator, 2);
             let some = (of > loads).then(|| format!("At {loads} of {}. ", counted(*of, "load")));
             let some = some.unwrap_or_default();
-            words(
-                format!(
-                    "Result depends on interpolation between points (indicator {indicator}, limit {INDICATOR_LIMIT})."
-                ),
-                format!(
-                    "{some}The uncertainty covers both ways to interpolate. Measure on a finer grid."
-                ),
-            )
+            let claim = format!(
+                "Result depends on interpolation between points (indicator {indicator}, limit {INDICATOR_LIMIT})."
+            );
+            let text = "The uncertainty covers both ways to interpolate. Measure on a finer grid.";
+            words(claim, some + text)
         }
         Fact::BelowPoint { loads, of } => words(
             format!(
@@ -212,10 +209,8 @@ pub(crate) fn edge_words(surface: &SurfaceComparison) -> String {
 }
 
 fn seam_effect(seam: &Seam) -> String {
-    format!(
-        "The strip along the edges moves the area by {}.",
-        signed_percent(seam.share.direct_effect())
-    )
+    let effect = signed_percent(seam.share.direct_effect());
+    format!("The strip along the edges moves the area by {effect}.")
 }
 
 /// Part of the points from which spikes of an instrument are not the likely reading.
@@ -223,10 +218,13 @@ const MANY_SPIKES: f64 = 0.01;
 
 /// Claim and text: what `count` spikes of `of` points say, after `taken` were taken out.
 fn spikes([count, taken, of]: [usize; 3], largest: f64, share: Option<f64>) -> Words {
-    let (who, stand) = if count == 1 { ("It carries", "stands") } else { ("They carry", "stand") };
+    let (who, stand, are) = match count {
+        1 => ("It carries", "stands", "is a spike"),
+        _ => ("They carry", "stand", "are spikes"),
+    };
     let carried = share.map_or_else(String::new, |s| format!("{who} {} of the load. ", percent(s)));
     let [part, ever] = [count, count + taken].map(|n| n as f64 / of.max(1) as f64);
-    let up_to = quantity(largest, METRES, 2);
+    let (part, up_to) = (percent(part), quantity(largest, METRES, 2));
     let points = if count == 1 { "1 point".to_owned() } else { format!("{count} points") };
     let many = "So many are seldom spikes of an instrument: a surface of smooth ground with peaks, grains or walls on it \
                 looks so too";
@@ -248,17 +246,11 @@ fn spikes([count, taken, of]: [usize; 3], largest: f64, share: Option<f64>) -> W
             },
         ],
         (false, true) => [
-            format!(
-                "{} of the points stand far from their neighbours, up to {up_to}.",
-                percent(part)
-            ),
+            format!("{part} of the points stand far from their neighbours, up to {up_to}."),
             format!("{carried}{many}. Look at the map before you take all out."),
         ],
         (false, false) => [
-            format!(
-                "{points} {}, up to {up_to} from the neighbours.",
-                if count == 1 { "is a spike" } else { "are spikes" }
-            ),
+            format!("{points} {are}, up to {up_to} from the neighbours."),
             format!(
                 "{carried}If they are errors of the instrument, take them out and fill: outliers {SPIKE_THRESHOLD}, \
                  fill harmonic."
@@ -369,10 +361,8 @@ fn tested(passed: &Passed) -> Words {
             .map(|ratio| ("isotropy", format!("slope anisotropy {}", significant(ratio, 3)))),
         passed.resolved.map(|resolved| {
             let share = percent(resolved);
-            (
-                "resolution",
-                format!("finite differences recover {share} of the spectral rms gradient"),
-            )
+            let text = format!("finite differences recover {share} of the spectral rms gradient");
+            ("resolution", text)
         }),
         passed.independence.as_ref().map(|found| {
             ("independence", format!("moments of the two bodies add ({})", pair::excess(found)))

@@ -8,12 +8,8 @@ use contact_types::Named;
 
 /// A sentence for each thing that limits the leaks of a study with this contact modulus (Pa).
 pub fn leak_notes(leaks: &[&Leaks], modulus: f64, yields: bool) -> Vec<&'static str> {
-    let is = |name: &str| {
-        leaks
-            .iter()
-            .flat_map(|l| &l.along)
-            .any(|(_, l)| l.as_ref().is_ok_and(|l| l.channel() == name))
-    };
+    let along = || leaks.iter().flat_map(|l| &l.along);
+    let is = |name: &str| along().any(|(_, l)| l.as_ref().is_ok_and(|l| l.channel() == name));
     let notes = [
         (
             is("sealed"),

@@ -23,11 +23,8 @@ pub fn explanation(reached: &Reached) -> String {
     match &reached.next {
         Some(next) => {
             let better = next.half_width.map_or_else(String::new, |h| plus_minus(h) + ", ");
-            format!(
-                "{line}; next: {}, about {better}{}",
-                points(next.shape),
-                duration(next.seconds)
-            )
+            let (points, time) = (points(next.shape), duration(next.seconds));
+            format!("{line}; next: {points}, about {better}{time}")
         }
         None => line,
     }

@@ -57,11 +57,10 @@ pub(crate) fn section(comparison: &Comparison, made: &Provenance) -> String {
         rows.push((several.unwrap_or_else(|| "Accuracy".into()), plan_messages(plan)));
     }
     rows.push(("Solver".into(), solver_words(comparison)));
+    let (terms, repeat) = (terms(&rows), escape(&made.repeat));
     format!(
-        "<h2>How this was made</h2>\n{}<pre>{}</pre>\n<p class=\"why\">All numbers: <code>curves.csv</code>, \
-         <code>results.json</code>; settings: <code>run.toml</code>.</p>\n",
-        terms(&rows),
-        escape(&made.repeat)
+        "<h2>How this was made</h2>\n{terms}<pre>{repeat}</pre>\n<p class=\"why\">All numbers: <code>curves.csv</code>, \
+         <code>results.json</code>; settings: <code>run.toml</code>.</p>\n"
     )
 }
 
@@ -117,19 +116,15 @@ pub(crate) fn origin_words(origin: &Origin) -> String {
     match origin {
         Origin::File(file) => {
             let FileOrigin { sha256, format, fill, missing, crop, channel, .. } = file;
-            let mut text = format!("{} ({})", escape(file.name()), escape(format));
-            if let Some(channel) = channel {
-                text.push_str(&format!(", channel {}", escape(channel)));
-            }
-            if let Some([y0, x0, ny, nx]) = crop {
-                text.push_str(&format!(", cut to {nx} × {ny} points from column {x0}, row {y0}"));
-            }
-            if *missing > 0 {
-                let points = counted(*missing, "missing point");
-                text.push_str(&format!(", {points} filled ({})", escape(fill)));
-            }
-            text.push_str(&format!(", SHA-256 <code>{}</code>", escape(sha256)));
-            text
+            let channel = channel.iter().map(|name| format!(", channel {}", escape(name)));
+            let part = crop.map(|[y0, x0, ny, nx]| {
+                format!(", cut to {nx} × {ny} points from column {x0}, row {y0}")
+            });
+            let points = counted(*missing, "missing point");
+            let filled = (*missing > 0).then(|| format!(", {points} filled ({})", escape(fill)));
+            let said: String = channel.chain(part).chain(filled).collect();
+            let [name, format, hash] = [file.name(), format, sha256.as_str()].map(escape);
+            format!("{name} ({format}){said}, SHA-256 <code>{hash}</code>")
         }
         Origin::Pair(pair) => {
             let cleaned = |step: &Record| format!("; cleaned: {}", escape(&step.to_string()));

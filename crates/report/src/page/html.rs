@@ -4,9 +4,9 @@ use crate::draw::palette::{Colour, ROLES, SERIES};
 use crate::draw::svg::escape;
 use crate::messages;
 use crate::page::shared::{Numbering, SurfacePart, date};
-use crate::page::{conduction, contact_map, how_made, leak, overview, sections, slider};
+use crate::page::{conduction, contact_map, how_made, leak, overview, sections, slider, tables};
 use crate::provenance::Provenance;
-use contact_compare::Comparison;
+use contact_compare::{Comparison, findings};
 use contact_types::Citation;
 use grid_fft::parallel::join;
 
@@ -88,7 +88,8 @@ fn surface_sections(mut part: SurfacePart<'_>, made: &Provenance) -> String {
     let part = &mut part;
     let mut out = format!("<{element} class=\"surface\" data-loads=\"{loads}\">\n{title}");
     out += &opening(part, made);
-    out += &sections::key_and_notes(part);
+    let (key, notes) = (tables::key_numbers(part), sections::notes(&findings(surface), part.id));
+    out += &format!("<div class=\"two\">\n{key}{notes}</div>\n");
     out += &sections::over_load(part);
     out += &sections::models(part);
     let (touches, heights) =
@@ -108,10 +109,9 @@ fn opening(part: &SurfacePart<'_>, made: &Provenance) -> String {
     if part.comparison.surfaces.len() > 1 {
         return format!("<header><p class=\"say\">{say}</p></header>\n");
     }
+    let (name, date) = (escape(&part.surface.name), date(made.unix_time));
     format!(
-        "<header><p class=\"file\">rough-contact report · <b>{}</b> · {}</p>\n<h1>{say}</h1></header>\n",
-        escape(&part.surface.name),
-        date(made.unix_time)
+        "<header><p class=\"file\">rough-contact report · <b>{name}</b> · {date}</p>\n<h1>{say}</h1></header>\n"
     )
 }
 

@@ -3,14 +3,12 @@
 pub(crate) mod budget;
 pub(crate) mod conduction;
 pub(crate) mod contact_map;
-pub(crate) mod deformed;
 pub(crate) mod how_made;
 pub(crate) mod html;
 pub(crate) mod leak;
 pub(crate) mod moving;
 pub(crate) mod overview;
 pub(crate) mod profile;
-pub(crate) mod profile_tables;
 pub(crate) mod sections;
 pub(crate) mod shared;
 pub(crate) mod slider;

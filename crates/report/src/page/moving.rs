@@ -60,10 +60,8 @@ pub(crate) fn whole(
     let lost: Vec<_> = if shape == [ny, nx] { contact.lost.clone() } else { Vec::new() };
     let points = grid.len();
     let title = |p: &DeterministicPoint| {
-        let (touching, highest) = p
-            .answer
-            .as_ref()
-            .map_or((0, 0.0), |a| (a.diagnostics.contact_pixels, a.diagnostics.max_pressure));
+        let found = p.answer.as_ref().map(|a| &a.diagnostics);
+        let (touching, highest) = found.map_or((0, 0.0), |d| (d.contact_pixels, d.max_pressure));
         let load = crate::messages::load(p.mean_pressure, surface.load_area);
         let highest = quantity(highest, PASCALS, 2);
         format!(
@@ -103,10 +101,8 @@ pub(crate) fn relief(surface: &SurfaceComparison, window: MapPart, limit: usize)
     format!(r#"<img class="relief" hidden alt="" src="{picture}" data-part="{place}">"#)
 }
 
-/// The pressures of the loads besides that of the headline, in as many steps as the share of a surface in a page of
-/// `surfaces` bears; if that is too much even in the fewest, every second, every fourth, and at least the lightest and the
-/// heaviest. Points along the side of a dot; of each load that has a picture the number at the upper end of the bar, in the
-/// unit of the headline; the pictures.
+/// The pressures of the loads besides that of the headline, in as many steps as a page of so many `surfaces` bears, else of
+/// fewer loads: points along the side of a dot; numbers at the ends of the bars, in the unit of the headline; pictures.
 fn pressures(surface: &SurfaceComparison, surfaces: usize) -> (usize, Vec<Option<String>>, String) {
     let Some(maps) = &surface.pressure_maps else { return Default::default() };
     let most = PRESSURES / surfaces.max(1);

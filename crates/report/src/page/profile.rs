@@ -5,16 +5,17 @@ use crate::figures::profiles;
 use crate::figures::surface::{Spectrum, spectrum};
 use crate::messages;
 use crate::messages::loads::loads_line;
-use crate::messages::profile::{area_range, profile_headline};
-use crate::numbers::{METRES, PASCALS, SPACE, chosen, percent, quantity};
+use crate::messages::profile::{area_range, profile_headline, spread};
+use crate::numbers::{METRES, PASCALS, SPACE, chosen, percent, quantity, significant, unit_for};
 use crate::page::how_made::{bodies_words, modulus_in_head, origin_words};
 use crate::page::html::{document, references};
-use crate::page::profile_tables::{key_numbers, roughness, sampling};
 use crate::page::sections::notes;
-use crate::page::shared::{Numbering, date, table, terms};
+use crate::page::shared::{Numbering, date, key_table, row, table, terms, why};
 use crate::page::tables::{applies, cells, cited, model_area, model_head, model_pressure};
 use crate::provenance::Provenance;
 use contact_compare::{ModelComparison, ProfileComparison};
+use contact_types::SpectralMoments;
+use surface_stats::profile::{ParameterMean, ProfileStatistics, SettingSource};
 
 pub(crate) fn report(studies: &[ProfileComparison], provenance: &Provenance) -> String {
     let several = studies.len() > 1;
@@ -57,16 +58,14 @@ fn opening(study: &ProfileComparison, several: bool, provenance: &Provenance) ->
         let before = format!("rough-contact report · <b>{name}</b> · ");
         [before, format!(" · {date}"), format!("<h1>{say}</h1>")]
     };
+    let (points, modulus) = (s.points, modulus_in_head(&study.settings));
+    let (length, spacing) = (chosen(s.length, METRES), quantity(s.spacing, METRES, 3));
     format!(
-        "<header><p class=\"file\">{before}profile, {traces} of {}, {} points every {} · \
-         {}{after}</p>\n{first}\n<p>A trace is one line of a surface: it has no \
+        "<header><p class=\"file\">{before}profile, {traces} of {length}, {points} points every {spacing} · \
+         {modulus}{after}</p>\n{first}\n<p>A trace is one line of a surface: it has no \
          deterministic answer but that of parallel ridges \
          (<code>solve --plane-strain</code>). The models take the moments of the trace for those of \
-         an isotropic surface.</p></header>\n",
-        chosen(s.length, METRES),
-        s.points,
-        quantity(s.spacing, METRES, 3),
-        modulus_in_head(&study.settings)
+         an isotropic surface.</p></header>\n"
     )
 }
 
@@ -163,11 +162,9 @@ fn how_made(studies: &[ProfileComparison], made: &Provenance) -> String {
             rows.push(("Height step".into(), quantity(step, METRES, 2)));
         }
         if let Some([m2, m4]) = s.seen {
+            let (m2, m4) = (percent(m2), percent(m4));
             let text = format!(
-                "finite differences of neighbouring points; they recover {} of m₂ and {} of m₄ of the \
-                 spectrum",
-                percent(m2),
-                percent(m4)
+                "finite differences of neighbouring points; they recover {m2} of m₂ and {m4} of m₄ of the spectrum"
             );
             rows.push(("Moments".into(), text));
         }
@@ -177,12 +174,176 @@ fn how_made(studies: &[ProfileComparison], made: &Provenance) -> String {
         rows.push(("Material".into(), bodies_words(settings)));
         rows.extend(loads_line(settings).map(|words| ("Loads".into(), words)));
     }
+    let (terms, repeat) = (terms(&rows), escape(&made.repeat));
     format!(
-        "<h2>How this was made</h2>\n{}<p>Repeat, from the folder it was made in, \
-         with</p><pre>{}</pre>\n<p class=\"why\">The numbers behind the figures are in \
+        "<h2>How this was made</h2>\n{terms}<p>Repeat, from the folder it was made in, \
+         with</p><pre>{repeat}</pre>\n<p class=\"why\">The numbers behind the figures are in \
          <code>curves.csv</code>, all results in <code>results.json</code>, every setting in \
-         <code>run.toml</code>.</p>\n",
-        terms(&rows),
-        escape(&made.repeat)
+         <code>run.toml</code>.</p>\n"
+    )
+}
+
+fn key(name: &str, value: String, why: impl Into<String>) -> [String; 3] {
+    [name.into(), value, why.into()]
+}
+
+/// Moments with what the length leaves open, and what is made of them.
+fn key_numbers(study: &ProfileComparison) -> String {
+    let s = &study.statistics;
+    let m = s.moments;
+    let ends = |k: usize| {
+        let factor =
+            s.intervals[k].and_then(|[low, high]| (low > 0.0).then(|| (high / low).sqrt()));
+        spread(factor)
+    };
+    let height = unit_for(m.rms_height(), METRES);
+    let gradient = significant(m.rms_gradient(), 3);
+    let mut rows = vec![
+        key(
+            "<i>m</i><sub>0</sub>",
+            format!("{}{SPACE}{}²", significant(m.m0 / height.scale.powi(2), 3), height.name),
+            format!("{}; rms height {}", ends(0), quantity(m.rms_height(), METRES, 3)),
+        ),
+        key(
+            "<i>m</i><sub>2</sub>",
+            significant(m.m2, 3),
+            format!("{}; rms gradient of the surface {gradient}", ends(1)),
+        ),
+        key(
+            "<i>m</i><sub>4</sub>",
+            format!("{}{SPACE}µm⁻²", significant(m.m4 * 1e-12, 3)),
+            ends(2),
+        ),
+    ];
+    if let Some(bandwidth) = s.bandwidth {
+        rows.push(key("Bandwidth <i>α</i>", significant(bandwidth, 3), "m₀ m₄ / m₂²"));
+    }
+    if let Some(a) = s.asperities {
+        let density = format!("{}{SPACE}mm⁻²", significant(a.density * 1e-6, 3));
+        let [radius, height] = [a.radius, a.height_std].map(|l| quantity(l, METRES, 3));
+        let of = "of the isotropic Gaussian surface";
+        let why = format!("radius {radius}, height deviation {height}, {of}");
+        rows.push(key("Summits", density, why));
+    }
+    if let (Some(hurst), Some([short, long])) = (s.hurst, s.fractal_range) {
+        rows.push(key(
+            "Hurst exponent",
+            significant(hurst, 2),
+            format!("PSD between {} and {}", quantity(long, METRES, 2), quantity(short, METRES, 2)),
+        ));
+    }
+    if let Some(rolloff) = s.rolloff {
+        rows.push(key("Roll-off", quantity(rolloff, METRES, 2), "longer waves have a flat PSD"));
+    }
+    if let Some(rms) = s.noise_rms {
+        let why = s.reliable_wavelength.map_or("nothing stands out of it".to_owned(), |l| {
+            format!("waves longer than {} stand out of it", quantity(l, METRES, 2))
+        });
+        rows.push(key("Noise", quantity(rms, METRES, 2), why));
+    }
+    let traces = if s.traces == 1 { "trace" } else { "traces (mean)" };
+    key_table(&format!("Moments of the {traces}, finite differences"), &rows)
+}
+
+fn shown(symbol: &str, value: Option<f64>) -> String {
+    let Some(value) = value else { return "–".into() };
+    match &symbol[1..] {
+        "sk" | "ku" | "dq" => significant(value, 3).replace('-', "\u{2212}"),
+        "mr1" | "mr2" => percent(value),
+        _ => quantity(value, METRES, 3),
+    }
+}
+
+fn meaning(symbol: &str) -> &'static str {
+    match &symbol[1..] {
+        "a" => "mean absolute height",
+        "q" => "rms height",
+        "z" => "highest less lowest, mean of the sections",
+        "p" => "highest peak, mean of the sections",
+        "v" => "deepest pit, mean of the sections",
+        "t" => "highest less lowest of the whole evaluation length",
+        "sk" => "skewness",
+        "ku" => "kurtosis",
+        "dq" => "rms slope, seven-point differences",
+        "Sm" => "mean width of the profile elements",
+        "k" => "core height",
+        "pk" => "reduced peak height",
+        "vk" => "reduced valley depth",
+        "mr1" => "material ratio at the top of the core",
+        "mr2" => "material ratio at the bottom of the core",
+        _ => "",
+    }
+}
+
+/// Which waves are roughness and how long a part was evaluated: plain text.
+pub fn setting_words(s: &ProfileStatistics) -> String {
+    let found = match &s.roughness {
+        Ok(found) => found,
+        Err(error) => return format!("No roughness parameters: {error}."),
+    };
+    let (setting, sections) = (found.setting, found.sections);
+    let why = match setting.source {
+        SettingSource::Asked => "as asked for".to_owned(),
+        SettingSource::Class(n) => format!("setting class Sc{n} of ISO 21920-3, by Ra"),
+        SettingSource::Longest(n) => {
+            format!("setting class Sc{n} of ISO 21920-3, the coarsest that the length allows")
+        }
+    };
+    let short = setting
+        .short
+        .map_or_else(|| "no λs".to_owned(), |short| format!("λs = {}", chosen(short, METRES)));
+    let number = if sections == 1 { "section length" } else { "section lengths" };
+    let five = if sections < 5 { " (five are usual)" } else { "" };
+    format!(
+        "Gaussian filter (ISO 16610-21): λc = {}, {short}; {why}. {sections} {number}{five} evaluated; \
+         half a cut-off is left out at both ends, where the filter sees one side only.",
+        chosen(setting.cutoff, METRES)
+    )
+}
+
+fn roughness(study: &ProfileComparison) -> String {
+    let s = &study.statistics;
+    let several = s.traces > 1;
+    let line = |(k, whole): (usize, &ParameterMean)| {
+        let symbol = whole.symbol.as_str();
+        let rough = s.roughness.as_ref().ok().map(|found| &found.parameters[k]);
+        let numbers = [
+            shown(symbol, rough.and_then(|r| r.mean)),
+            shown(symbol, rough.and_then(|r| r.deviation)),
+            shown(symbol, whole.mean),
+            shown(symbol, whole.deviation),
+        ];
+        let (head, meaning) = (format!("R{0}, P{0}", &symbol[1..]), why(meaning(symbol)));
+        match numbers {
+            all if several => row(&head, all, &meaning),
+            [rough, _, whole, _] => row(&head, [rough, whole], &meaning),
+        }
+    };
+    let rows: String = s.primary.iter().enumerate().map(line).collect();
+    let deviation = if several { "#s|" } else { "" };
+    let columns = format!("ISO 21920-2|#Roughness R|{deviation}#Whole trace P|{deviation}");
+    let table = table(r#"class="stat""#, "", &columns, &rows);
+    format!("<p>{}</p>\n{table}", escape(&setting_words(s)))
+}
+
+fn sampling(study: &ProfileComparison) -> String {
+    let s = &study.statistics;
+    let Some((_, first)) = s.by_spacing.first() else { return String::new() };
+    let ratio = |value: f64, of: f64| if of > 0.0 { percent(value / of) } else { "–".into() };
+    let line = |(distance, m): &(f64, SpectralMoments)| {
+        row(&quantity(*distance, METRES, 3), [ratio(m.m2, first.m2), ratio(m.m4, first.m4)], "")
+    };
+    let rows: String = s.by_spacing.iter().take(8).map(line).collect();
+    let seen = s.seen.map_or(String::new(), |[m2, m4]| {
+        let (m2, m4) = (percent(m2), percent(m4));
+        format!(
+            "Differences of neighbouring points recover {m2} of m₂ and {m4} of m₄ of the waves in the trace. "
+        )
+    });
+    let caption = "Differences over longer distances, against those of neighbours";
+    let columns = "Distance|#<i>m</i><sub>2</sub>|#<i>m</i><sub>4</sub>";
+    let table = table(r#"class="stat""#, caption, columns, &rows);
+    format!(
+        "<p>{seen}A stylus smooths what is narrower than its tip, which no number here can undo.</p>\n{table}"
     )
 }

@@ -17,16 +17,11 @@ use crate::page::slider::dial;
 use crate::page::{statistics, tables};
 use crate::plot_styles::plot_style;
 use contact_compare::{
-    Finding, Independence, ModelComparison, PairOrigin, SurfaceComparison, Weight, findings,
+    Finding, Independence, ModelComparison, PairOrigin, SurfaceComparison, Weight,
 };
 use contact_types::SpectralMoments;
 
 const MOST: usize = 3;
-
-pub(crate) fn key_and_notes(part: &SurfacePart<'_>) -> String {
-    let (key, notes) = (tables::key_numbers(part), notes(&findings(part.surface), part.id));
-    format!("<div class=\"two\">\n{key}{notes}</div>\n")
-}
 
 /// The worst findings, a sentence each; effect and remedy unfold.
 pub(crate) fn notes(found: &[Finding], id: &str) -> String {
@@ -34,11 +29,9 @@ pub(crate) fn notes(found: &[Finding], id: &str) -> String {
     let item = |found: &&Finding| {
         let check = found.weight == Weight::Check;
         let (class, word) = if check { ("check", "Check") } else { ("note", "Note") };
-        let [claim, text] = finding(found);
+        let [claim, text] = finding(found).map(|text| escape(&text));
         format!(
-            "<li><span class=\"tag {class}\">{word}</span><details><summary>{}</summary>{}</details></li>\n",
-            escape(&claim),
-            escape(&text)
+            "<li><span class=\"tag {class}\">{word}</span><details><summary>{claim}</summary>{text}</details></li>\n"
         )
     };
     let mut items: String = open.iter().take(MOST).map(item).collect();
@@ -77,12 +70,8 @@ pub(crate) fn over_load(part: &mut SurfacePart<'_>) -> String {
     out + "</div>\n"
 }
 
-fn of(lines: &LoadLines) -> String {
-    if lines.of.is_empty() { String::new() } else { format!(", {}", lines.of) }
-}
-
 fn panel(part: &mut SurfacePart<'_>, lines: &LoadLines) -> String {
-    let of = of(lines);
+    let of = lines.whose();
     let band =
         if lines.interval.iter().flatten().count() > 1 { "; grey: ± of this map" } else { "" };
     let elastic = if lines.of == YIELDING { "; rings: elastic contact" } else { "" };
@@ -101,7 +90,7 @@ fn errors(part: &mut SurfacePart<'_>, lines: &LoadLines) -> String {
     let dark = if has_band { "; dark: ± of the solver" } else { "" };
     let caption = format!(
         "Error of each closed form{}</b> against the solver. Light band: 10{SPACE}%{dark}.",
-        of(lines)
+        lines.whose()
     );
     part.figure(curves::error(lines), &caption)
 }
@@ -114,15 +103,12 @@ fn relative_uncertainty(surface: &SurfaceComparison) -> Option<f64> {
 
 fn cost_routes(surface: &SurfaceComparison) -> Option<Vec<CostRoute>> {
     let answer = surface.headline_answer()?;
-    let mut routes: Vec<CostRoute> = messages::ranked(surface)
-        .into_iter()
-        .map(|r| {
-            let (card, look) = (&r.model.card, plot_style(&r.model.card.name, r.place));
-            let route = CostRoute::new(card.label.as_ref(), look, r.seconds, r.error);
-            CostRoute { series: card.name.to_string(), typed: r.typed, ..route }
-        })
-        .collect();
-    routes.extend(messages::coarser_routes(surface));
+    let forms = messages::ranked(surface).into_iter().map(|r| {
+        let (card, look) = (&r.model.card, plot_style(&r.model.card.name, r.place));
+        let route = CostRoute::new(card.label.as_ref(), look, r.seconds, r.error);
+        CostRoute { series: card.name.to_string(), typed: r.typed, ..route }
+    });
+    let mut routes: Vec<CostRoute> = forms.chain(messages::coarser_routes(surface)).collect();
     if routes.is_empty() {
         return None;
     }

@@ -127,11 +127,8 @@ pub(crate) fn levelled(surface: &SurfaceComparison) -> &'static str {
 /// A tolerance, as a power of ten if it is one.
 pub(crate) fn tolerance_words(tolerance: f64) -> String {
     let e = tolerance.log10();
-    if (e - e.round()).abs() < 1e-9 {
-        power_of_ten(e.round() as i32)
-    } else {
-        significant(tolerance, 2)
-    }
+    let is_power = (e - e.round()).abs() < 1e-9;
+    if is_power { power_of_ten(e.round() as i32) } else { significant(tolerance, 2) }
 }
 
 /// How much of the row touches at each load, as the caption says it.
@@ -159,11 +156,9 @@ pub(crate) fn table(attributes: &str, caption: &str, columns: &str, rows: &str) 
         Some(name) => format!(r#"<th scope="col" class="n">{name}</th>"#),
         None => format!(r#"<th scope="col">{name}</th>"#),
     };
-    let head = match columns {
-        "" => String::new(),
-        names => names.split('|').map(column).collect(),
-    };
-    let head = if head.is_empty() { head } else { format!("<thead><tr>{head}</tr></thead>") };
+    let head = columns.split('|').map(column).collect::<String>();
+    let head = format!("<thead><tr>{head}</tr></thead>");
+    let head = if columns.is_empty() { "" } else { &head };
     format!("<table {attributes}>{caption}{head}<tbody>\n{rows}</tbody></table>\n")
 }
 

@@ -157,16 +157,12 @@ fn standing(summary: &Summary<'_>) -> String {
 }
 
 fn load_and_errors(summary: &Summary<'_>, numbers: &mut Numbering) -> String {
-    let list: Vec<Strip> = summary
-        .models()
-        .into_iter()
-        .enumerate()
-        .filter_map(|(place, card)| {
-            let errors = Quantiles::of(summary.errors(&card.name).into_iter().flatten())?;
-            let (label, look) = (card.label.to_string(), plot_style(&card.name, place));
-            Some(Strip { label, look, errors })
-        })
-        .collect();
+    let strip = |(place, card): (usize, &'static Card)| {
+        let errors = Quantiles::of(summary.errors(&card.name).into_iter().flatten())?;
+        let (label, look) = (card.label.to_string(), plot_style(&card.name, place));
+        Some(Strip { label, look, errors })
+    };
+    let list: Vec<Strip> = summary.models().into_iter().enumerate().filter_map(strip).collect();
     let caption = "Real contact area</b> of every map by the deterministic solution. Thick: median; grey: 10th–90th percentile.";
     let area = numbers.figure("b", curves(&summary.curves()), caption);
     let caption = format!(

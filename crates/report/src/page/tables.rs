@@ -65,9 +65,8 @@ pub(crate) fn key_numbers(part: &SurfacePart<'_>) -> String {
 
 /// A model's area at one load, "1.67 %".
 pub(crate) fn model_area(point: &Result<ContactState, ModelError>) -> String {
-    point
-        .as_ref()
-        .map_or("–".into(), |s| format!("{}{SPACE}%", significant(100.0 * s.area_fraction, 3)))
+    let area = |s: &ContactState| format!("{}{SPACE}%", significant(100.0 * s.area_fraction, 3));
+    point.as_ref().map_or("–".into(), area)
 }
 
 /// The mean pressure on what a model says touches, "3.2 GPa".
