@@ -30,7 +30,6 @@ pub(super) fn contact_sums<S: Simd, T: Real>(vectors: S, p: &[T], u: &[T], h: &[
     [sum + more, count + others, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0]
 }
 
-/// The same over whole vectors.
 #[inline(always)]
 fn contact_sums_by_fours<S: Simd, T: Real>(vectors: S, p: &[T], u: &[T], h: &[T]) -> [f64; 2] {
     let (zero, one) = (f64x4::splat(vectors, 0.0), f64x4::splat(vectors, 1.0));

@@ -21,7 +21,6 @@ use std::f64::consts::{PI, TAU};
 
 /// Below this many pixels an axis is not coarsened.
 const SHORTEST: usize = 16;
-/// Columns handled at a time.
 const TILE: usize = 512;
 /// Pixels per coarse cell: about square, and 16 to 32 of them.
 const CELLS: &[[usize; 2]] = &[[4, 4], [4, 8], [2, 8], [2, 16], [1, 16]];
@@ -31,7 +30,6 @@ const LEAST_RESPONSE: f64 = 0.8;
 /// Largest radius of the stencil: half a cell.
 const MAX_RADIUS: usize = 8;
 
-/// `S` for one grid.
 pub(crate) struct Stiffness {
     shape: [usize; 2],
     /// Pixels per coarse cell along each axis; [1, 1] if the coarse grid is the grid itself and

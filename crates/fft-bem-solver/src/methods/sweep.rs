@@ -216,7 +216,6 @@ fn add(row: Option<&[f32]>, to: &mut [f32]) {
     }
 }
 
-/// Cells that are looked at in one go.
 const BLOCK: usize = 32;
 
 /// Of a block of cells, 1 for those below which a pressure is negative once so much is added.

@@ -16,7 +16,6 @@ use grid_fft::parallel::prelude::*;
 /// pixels are longer than wide, where a line of them may stand off as a whole for a lack of little load.
 pub(super) const RELEASE: f64 = 0.1;
 
-/// Nodes looked at together.
 const BLOCK: usize = 256;
 
 #[derive(Debug, Clone, Copy)]
@@ -138,7 +137,6 @@ impl<T: Real, C: Ceiling<T>> Run<'_, T, C> {
     }
 }
 
-/// What decides whether a node belongs to F.
 #[derive(Clone, Copy)]
 struct Classify<'a, T, C> {
     ceiling: C,

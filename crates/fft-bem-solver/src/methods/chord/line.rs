@@ -66,7 +66,6 @@ impl Products {
     }
 }
 
-/// How far a trial is made.
 #[derive(Debug, Clone, Copy)]
 pub(super) enum Trial {
     /// Swept, and what was swept is still to be added.
