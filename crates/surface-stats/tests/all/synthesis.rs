@@ -13,8 +13,7 @@ fn waves(map: &HeightMap) -> PowerSpectrum {
 }
 
 proptest! {
-    /// Any shape and pixel: rms height or gradient as asked for, mean zero, no wave beyond the
-    /// cut-off.
+    /// Any shape and pixel: scale as asked for, mean zero, no wave beyond the cut-off.
     #[test]
     fn scale_and_band_hold_on_every_grid(
         ny in 20usize..60, nx in 20usize..60, dy in 0.5..2.0f64, hurst in 0.0..=1.0,
@@ -40,8 +39,7 @@ proptest! {
     }
 }
 
-/// Maps of an expected gradient have it on average over seeds, and scatter about it as the number
-/// of waves says: the mean square of 2 x 24 maps of 32² points to 3 standard errors.
+/// To three standard errors; they scatter about it as the number of waves says.
 #[test]
 fn an_expected_gradient_is_the_mean_over_seeds() {
     let grid = Grid::new([32, 33], [1e-6, 1.1e-6]).unwrap();
@@ -57,8 +55,7 @@ fn an_expected_gradient_is_the_mean_over_seeds() {
     assert!(variance.sqrt() > 0.02, "{variance}");
 }
 
-/// The PSD follows the recipe: over 16 maps each band of waves has its share of the variance to
-/// four standard deviations, 4 sqrt(2 / waves).
+/// Over 16 maps each band has its share to four standard deviations, 4 sqrt(2 / waves).
 #[test]
 fn the_spectrum_is_the_one_asked_for() {
     let mut mean: Vec<[f64; 3]> = Vec::new();
@@ -85,7 +82,6 @@ fn the_spectrum_is_the_one_asked_for() {
     }
 }
 
-/// What the statistics read off a map is what the recipe put in.
 #[test]
 fn statistics_recover_the_recipe() {
     for (hurst, seed) in [(0.8, 1), (0.5, 2), (0.3, 3)] {
