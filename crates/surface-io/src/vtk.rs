@@ -59,10 +59,8 @@ mod tests {
         vti(&mut out, grid, &[("pressure", &a), ("gap", &b)]).unwrap();
         let start = out.windows(2).position(|w| w == b"\n_").unwrap() + 2;
         let head = std::str::from_utf8(&out[..start]).unwrap();
-        assert!(
-            head.contains("WholeExtent=\"0 2 0 1 0 0\"")
-                && head.contains("Spacing=\"1e-6 2e-6 1\"")
-        );
+        assert!(head.contains("WholeExtent=\"0 2 0 1 0 0\""), "{head}");
+        assert!(head.contains("Spacing=\"1e-6 2e-6 1\""), "{head}");
         for (name, values) in [("pressure", a), ("gap", b)] {
             let at = head.split(&format!("Name=\"{name}\"")).nth(1).unwrap();
             let offset: usize =

@@ -169,3 +169,17 @@ fn nanoscope_with_other_beginnings() {
     let curve = nanoscope("\\Operating mode: Force\r\n", image, 64);
     assert_refused(unaided(&curve), &["force curve"]);
 }
+
+#[test]
+fn meshes_are_named_with_the_way_out() {
+    let text = b"solid part\n  facet normal 0 0 1\n    outer loop\n      vertex 0 0 0\n";
+    let mut binary = vec![0; 84 + 2 * 50];
+    binary[80] = 2;
+    for mesh in [&text[..], b" SOLID\r\nFACET NORMAL 0 0 1\r\n", &binary] {
+        assert_refused(unaided(mesh), &["an STL mesh", "grid"]);
+    }
+    binary.push(0);
+    for other in [b"solid steel, measured\n1 2 3 4\n5 6 7 8\n", &binary[..]] {
+        assert!(!unaided(other).unwrap_err().to_string().contains("STL"));
+    }
+}

@@ -138,15 +138,6 @@ fn an_archive_without_its_end_is_called_one() {
     assert_refused(unaided(&whole[..60]), &["ZIP"]);
 }
 
-/// SPIP writes the scale of its numbers into the header.
-#[test]
-fn a_conversion_factor_is_a_unit() {
-    let text = b"# x-length = 2000\n# y-length = 2000\n# x-unit = nm\n# y-unit = nm\n\
-                 # height conversion factor (-> m)=2.5e-008\n1 2\n3 4\n";
-    let found = unaided(text).unwrap();
-    assert!((found.heights()[3] / 1e-7 - 1.0).abs() < 1e-12);
-}
-
 /// A list without units has steps: the unit of x and y is needed, not the pixel.
 #[test]
 fn a_list_needs_the_unit_of_its_coordinates() {

@@ -2,6 +2,7 @@
 #![allow(clippy::float_cmp, reason = "what is read is the number that was written")]
 
 use crate::common::{self, SayMore as _, unaided, units};
+use contact_types::Grid;
 use std::fmt::Write as _;
 use surface_io::HeightUnit::Always;
 use surface_io::{
@@ -100,11 +101,7 @@ fn a_row_and_a_column_of_coordinates_are_no_heights() {
     for corner in ["", "y\\x", "0", "5"] {
         let text = with(corner, "0.0,0.5,1.0,1.5,2.0", ["0.0,", "1.5,", "3.0,", "4.5,"]);
         let found = read_bytes(text.as_bytes(), &no_pixel).unwrap();
-        assert_eq!(
-            (found.grid().shape(), found.grid().pixel()),
-            ([4, 5], [1.5e-6, 0.5e-6]),
-            "{text}"
-        );
+        assert_eq!(found.grid(), Grid::new([4, 5], [1.5e-6, 0.5e-6]).unwrap(), "{text}");
         assert_eq!(heights(&text, &no_pixel), all());
         assert!(found.metadata["left out"].contains("coordinates"));
     }
@@ -138,11 +135,8 @@ fn a_first_column_that_rises_may_be_positions() {
     for y in [["0,", "1,", "2,", "3,"], ["0.0,", "0.5,", "1.0,", "1.5,"]] {
         let text = rows(&y, ",", |z| format!("{z:.2}"));
         let error = refusal(&text, &scaled().lateral(1e-6));
-        assert_eq!(
-            error.needs(),
-            [Need::Layout(Layout::Traces), Need::Layout(Layout::Matrix)],
-            "{error}"
-        );
+        let layouts = [Layout::Traces, Layout::Matrix].map(Need::Layout);
+        assert_eq!(error.needs(), layouts, "{error}");
         let traces = scaled().layout(Layout::Traces);
         assert_eq!(read_traces_bytes(text.as_bytes(), &traces).unwrap().len(), 5);
         assert_eq!(heights(&text, &scaled().layout(Layout::Matrix)).len(), 24);
@@ -178,11 +172,7 @@ fn lists_have_further_columns_and_any_order() {
     ] {
         let text = format!("{titles}{text}");
         let found = read_bytes(text.as_bytes(), &options).unwrap_or_else(|e| panic!("{text}: {e}"));
-        assert_eq!(
-            (found.grid().shape(), found.grid().pixel()),
-            ([4, 5], [2e-6, 0.5e-6]),
-            "{text}"
-        );
+        assert_eq!(found.grid(), Grid::new([4, 5], [2e-6, 0.5e-6]).unwrap(), "{text}");
         assert_eq!(heights(&text, &options), all(), "{text}");
     }
     // By rows and columns.
@@ -304,10 +294,8 @@ fn thousands_are_told_by_their_pattern_or_asked_for() {
     // Both marks, each with three digits.
     assert_eq!(refusal("1,855;2\n3.853;4\n", &scaled()).needs(), [Need::DecimalMark]);
     // A mark of missing points among decimals is no thousands.
-    assert_eq!(
-        heights(&format!("{GWYDDION}1.855 999\n2.184 3.853\n"), &ReadOptions::default())[0],
-        1.855
-    );
+    let marked = format!("{GWYDDION}1.855 999\n2.184 3.853\n");
+    assert_eq!(heights(&marked, &ReadOptions::default())[0], 1.855);
     // Whole coordinates beside heights with three decimals.
     let list = "0 0 1.855\n1 0 2.184\n2 0 3.853\n0 1 4.291\n1 1 5.125\n2 1 6.375\n";
     let options = scaled().lateral(1e-6);
