@@ -159,8 +159,7 @@ mod tests {
     use super::*;
     use crate::close;
 
-    /// Middle of a uniformly loaded square of side s: u = 4 s p asinh(1) / (pi E*)
-    /// (Johnson 1985, §3.3).
+    /// Middle of a loaded square of side s: u = 4 s p asinh(1) / (pi E*) (Johnson 1985, §3.3).
     #[test]
     fn square_under_uniform_pressure() {
         let exact = 4.0 * 1.0_f64.asinh() / PI;
