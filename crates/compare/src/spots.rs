@@ -117,11 +117,9 @@ mod tests {
         assert!(sorted && list.iter().all(|s| (s.load / s.area - 1.0).abs() < 1e-12));
         // Three points around the corner of the map: (0, 0), (0, 5), (5, 5) in rows and columns.
         let corner = list.iter().find(|s| s.centroid[1] > 3.0).unwrap();
-        let [y, x] = corner.centroid;
-        assert!(
-            (y - 2.0 * (6.0 - 1.0 / 3.0)).abs() < 1e-12 && (x - (6.0 - 2.0 / 3.0)).abs() < 1e-12,
-            "{y} {x}"
-        );
+        for (found, exact) in corner.centroid.iter().zip([12.0 - 2.0 / 3.0, 6.0 - 2.0 / 3.0]) {
+            assert!((found - exact).abs() < 1e-12, "{found} {exact}");
+        }
         assert!(of(&[0.0; 36], true).is_empty() && of(&[1.0; 35], true).is_empty());
     }
 }
