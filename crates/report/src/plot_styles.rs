@@ -95,12 +95,10 @@ mod tests {
             let is_known = STYLES.iter().any(|row| row.0 == card.name);
             assert!(!is_known || !styles[..i].contains(&styles[i]), "{}", card.name);
         }
-        for place in 0..RESERVE.len() {
-            assert!(!styles.contains(&plot_style("another", place)));
-            assert!(
-                (0..place)
-                    .all(|other| plot_style("another", other) != plot_style("another", place))
-            );
+        let others: Vec<Style> =
+            (0..RESERVE.len()).map(|place| plot_style("another", place)).collect();
+        for (place, style) in others.iter().enumerate() {
+            assert!(!styles.contains(style) && !others[..place].contains(style), "{place}");
         }
     }
 }

@@ -164,10 +164,8 @@ mod tests {
         }
         let at = |name: &str| head.iter().position(|h| *h == name).unwrap();
         let last: Vec<&str> = lines[3].split(',').collect();
-        assert_eq!(
-            (last[at("rms_height (m)")], last[at("converged")], last[at("shape.0")]),
-            ("0.25", "true", "")
-        );
+        let cells = ["rms_height (m)", "converged", "shape.0"].map(|name| last[at(name)]);
+        assert_eq!(cells, ["0.25", "true", ""]);
         assert!(lines[1].starts_with("\"a, b\",") && lines[1].contains(",1,"), "{}", lines[1]);
         assert!(lines[2].ends_with("\"no; \"\"file\"\"\""), "{}", lines[2]);
         assert!(lines.iter().skip(2).all(|l| l.matches(',').count() == head.len() - 1), "{text}");

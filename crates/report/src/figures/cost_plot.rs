@@ -279,8 +279,7 @@ mod tests {
     }
 
     proptest! {
-        /// A point is on the front if and only if no other is at least as good in both and better
-        /// in one; of equal points one is kept.
+        /// No other is at least as good in both and better in one; of equal points one is kept.
         #[test]
         fn front_is_pareto(points in prop::collection::vec((1u8..9, 1u8..9), 1..30)) {
             let points: Vec<[f64; 2]> =

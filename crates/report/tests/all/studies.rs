@@ -1,5 +1,4 @@
 //! Real studies of small surfaces, each solved once.
-#![allow(clippy::unwrap_used, unreachable_pub, reason = "a helper that fails is a failed test")]
 
 use contact_compare::{
     Comparison, FileOrigin, Origin, Settings, Surface, built_in, built_in_recipes,
@@ -9,12 +8,12 @@ use contact_types::{Grid, HeightMap};
 use std::ops::ControlFlow;
 use std::sync::OnceLock;
 
-pub fn run(surfaces: Vec<Surface>, settings: Settings) -> Comparison {
+pub(crate) fn run(surfaces: Vec<Surface>, settings: Settings) -> Comparison {
     Comparison::run(surfaces, settings, built_in(), &mut |_| ControlFlow::Continue(())).unwrap()
 }
 
 /// The built-in surfaces on 96 x 96 points.
-pub fn small(names: &[&str]) -> Vec<Surface> {
+pub(crate) fn small(names: &[&str]) -> Vec<Surface> {
     let mut recipes = built_in_recipes();
     recipes.retain(|r| names.contains(&r.name.as_str()));
     for recipe in &mut recipes {
@@ -23,7 +22,7 @@ pub fn small(names: &[&str]) -> Vec<Surface> {
     recipes.iter().map(|recipe| recipe.make().unwrap()).collect()
 }
 
-pub fn one() -> &'static Comparison {
+pub(crate) fn one() -> &'static Comparison {
     static ONE: OnceLock<Comparison> = OnceLock::new();
     ONE.get_or_init(|| {
         let mut study = run(small(&["ground"]), Settings::default());
@@ -38,13 +37,13 @@ pub fn one() -> &'static Comparison {
     })
 }
 
-pub fn three() -> &'static Comparison {
+pub(crate) fn three() -> &'static Comparison {
     static THREE: OnceLock<Comparison> = OnceLock::new();
     THREE.get_or_init(|| run(small(&["polished", "ground", "blasted"]), Settings::default()))
 }
 
 /// Names that would break a page if they were not escaped, heights that do not repeat.
-pub fn hostile() -> &'static Comparison {
+pub(crate) fn hostile() -> &'static Comparison {
     static HOSTILE: OnceLock<Comparison> = OnceLock::new();
     HOSTILE.get_or_init(|| {
         let grid = Grid::new([40, 56], [2e-6, 1e-6]).unwrap();
@@ -60,7 +59,7 @@ pub fn hostile() -> &'static Comparison {
 }
 
 /// A ground metal that yields.
-pub fn yielding() -> &'static Comparison {
+pub(crate) fn yielding() -> &'static Comparison {
     static YIELDING: OnceLock<Comparison> = OnceLock::new();
     YIELDING.get_or_init(|| {
         let settings = Settings {
@@ -74,25 +73,18 @@ pub fn yielding() -> &'static Comparison {
     })
 }
 
-pub fn all() -> [&'static Comparison; 4] {
+pub(crate) fn all() -> [&'static Comparison; 4] {
     [one(), three(), hostile(), yielding()]
 }
 
-pub fn provenance() -> Provenance {
-    Provenance {
-        version: "0".into(),
-        platform: "test".into(),
-        unix_time: 0,
-        repeat: "rough-contact compare <x> --out y".into(),
-    }
-}
-
 /// The text of a file of a study.
-pub fn file(comparison: &Comparison, name: &str) -> String {
-    let files = documents(comparison, &provenance());
-    files.into_iter().find(|f| f.0 == name).unwrap().1
+pub(crate) fn file(comparison: &Comparison, name: &str) -> String {
+    let [version, platform] = ["0", "test"].map(String::from);
+    let repeat = "rough-contact compare <x> --out y".into();
+    let made = Provenance { version, platform, unix_time: 0, repeat };
+    documents(comparison, &made).into_iter().find(|f| f.0 == name).unwrap().1
 }
 
-pub fn html(comparison: &Comparison) -> String {
+pub(crate) fn html(comparison: &Comparison) -> String {
     file(comparison, "report.html")
 }

@@ -1,14 +1,10 @@
 //! What the slider and the zoom of a report show is what the solver found, at every load.
 
-#![allow(clippy::unwrap_used, reason = "a check that cannot be made has failed")]
-
-mod studies;
-
+use crate::studies::{all, html, one, yielding};
 use base64::Engine as _;
 use base64::engine::general_purpose::STANDARD;
 use contact_compare::{Load, Solver, SurfaceComparison};
 use serde_json::Value;
-use studies::{all, html, one, yielding};
 
 /// The element that begins so, up to its end.
 fn element<'a>(page: &'a str, begins: &str) -> &'a str {
@@ -46,11 +42,8 @@ fn the_moving_map_is_the_contact_of_every_load() {
     for (load, point) in surface.deterministic.iter().enumerate() {
         let off = lost.iter().filter(|l| l[0] == load).count();
         let touching = first.iter().filter(|g| u64::from(**g) <= load as u64 * step).count() - off;
-        assert_eq!(
-            touching,
-            point.answer.as_ref().unwrap().diagnostics.contact_pixels,
-            "load {load}"
-        );
+        let solved = &point.answer.as_ref().unwrap().diagnostics;
+        assert_eq!(touching, solved.contact_pixels, "load {load}");
         assert!(facts["titles"][load].as_str().unwrap().contains(&format!(" {touching} of ")));
     }
     let headline = surface.headline as u64 * step;
@@ -131,11 +124,8 @@ fn holds_the_pressure(found: &[f64], page: &str, load: usize, headline: bool, to
     let rounded: f64 = format!("{high:.1e}").parse().unwrap();
     let digits = top.as_str().unwrap().trim_start_matches('≥').replace('\u{202F}', "");
     let shown: f64 = digits.parse().unwrap();
-    let scale = rounded / shown; // the unit of the headline
-    assert!(
-        (scale.log10() / 3.0 - (scale.log10() / 3.0).round()).abs() < 0.02,
-        "{shown} {rounded}"
-    );
+    let thousands = (rounded / shown).log10() / 3.0; // the unit of the headline
+    assert!((thousands - thousands.round()).abs() < 0.02, "{shown} {rounded}");
     assert_eq!(top.as_str().unwrap().starts_with('≥'), contact[contact.len() - 1] > rounded);
     for (i, (class, p)) in classes.iter().zip(found).enumerate() {
         assert_eq!(*class > 0, *p > 0.0, "load {load}, point {i}");
@@ -166,8 +156,7 @@ fn every_surface_that_is_rough_has_its_section() {
     }
 }
 
-/// Each model that answers can be followed: a row of the table, its line in every figure over the load, and a
-/// cell for each load in the lists beside the curves.
+/// In a row of the table, a line in every figure over the load, a cell for each load in the lists.
 #[test]
 fn models_carry_their_names_through_the_page() {
     for study in all() {
