@@ -49,8 +49,7 @@ fn limits_are_right() {
     assert!(Equation::from_moments(moments(0.0), pascals(1.0)).is_err());
 }
 
-/// The line that the report prints is the law that is computed: its five numbers, typed into the formula, give the
-/// area; it is cited as this program's.
+/// Its five numbers, typed into the formula, give the area; it is cited as this program's.
 #[test]
 fn the_printed_formula_is_the_law() {
     let law = law(10.0);
