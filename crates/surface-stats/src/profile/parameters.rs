@@ -147,6 +147,9 @@ mod tests {
         Trace::new(1e-6, (0..n).map(|i| z(i as f64 * 1e-6)).collect()).unwrap()
     }
 
+    /// Height by place (m).
+    type Shape<'f> = &'f dyn Fn(f64) -> f64;
+
     /// Symbol, value, and its relative error; the absolute one of 0.
     type Expected = [(&'static str, f64, f64)];
 
@@ -189,7 +192,7 @@ mod tests {
             ("sk", skew, 1e-12),
         ];
         let peaks: &Expected = &[("z", 4.0 * a, 1e-12), ("t", 6.0 * a, 1e-12)];
-        let shapes: [(&dyn Fn(f64) -> f64, &Expected); 4] = [
+        let shapes: [(Shape<'_>, &Expected); 4] = [
             (&|x| a * (TAU * phase(x)).sin(), sine),
             (&|x| a * (4.0 * (phase(x) - 0.5).abs() - 1.0), triangle),
             (&|x| if at(x) % 10 == 3 { a } else { 0.0 }, points),
@@ -231,7 +234,7 @@ mod tests {
         let wave = |x: f64, length: f64| 1e-6 * (TAU * x / length).sin();
         let ripple = |x: f64| wave(x + 5e-6 / TAU, 5e-6);
         let dale = |x: f64| if (x + 0.5e-6).rem_euclid(400e-6) < 100e-6 { 1e-6 } else { -1e-6 };
-        let shapes: [(&dyn Fn(f64) -> f64, Option<f64>, f64); 6] = [
+        let shapes: [(Shape<'_>, Option<f64>, f64); 6] = [
             (&|x| wave(x, 250e-6) + 0.05 * ripple(x), Some(250e-6), 2e-3),
             (&ripple, Some(5e-6), 1e-2),
             (&dale, Some(400e-6), 1e-9),
