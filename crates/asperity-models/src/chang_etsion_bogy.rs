@@ -209,8 +209,7 @@ mod tests {
         assert!(count >= 18 && worst.iter().all(|w| *w < 1e-13), "{count}: {worst:?}");
     }
 
-    /// Hard bodies are those of Greenwood and Williamson, soft ones carry K H times their area; and a load
-    /// leads back to itself.
+    /// Hard bodies are those of Greenwood and Williamson, soft ones carry K H times their area.
     #[test]
     fn limits_and_inverse() {
         for alpha in [-2.0, 0.0, 0.7, 4.0, 20.0] {

@@ -37,14 +37,5 @@ fn case(row: &ReferenceRow) -> Case {
 
 #[test]
 fn every_extreme_has_an_answer() {
-    let cases = cases();
-    assert!(cases.len() > 60);
-    for case in cases {
-        let (place, answer) = (&case.place, case.answer.expect("never refused"));
-        assert!(answer.is_finite(), "{place}");
-        match case.error() {
-            Some(error) => assert!(error < 1e-14, "{place}: {error:e}"),
-            None => assert!(answer.abs() < f64::MIN_POSITIVE, "{place}"),
-        }
-    }
+    common::assert_answered(cases(), |_| 1e-14);
 }

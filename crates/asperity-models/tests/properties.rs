@@ -66,8 +66,7 @@ proptest! {
         }
     }
 
-    /// Down to a separation change of 1e-13 of itself, and of 1e-13 rms heights around 0; and the
-    /// inverse finds its way back, at any bandwidth and any load.
+    /// Down to a change of 1e-13 of itself, or of 1e-13 rms heights; at any bandwidth and any load.
     #[test]
     fn area_and_load_fall_with_separation_and_pressure_leads_back(
         bandwidth in bandwidth(), h in -6.0..37.0f64, fraction in 1.0..100.0f64,

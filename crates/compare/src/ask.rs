@@ -75,7 +75,7 @@ mod tests {
     use super::*;
     use crate::built_in;
 
-    /// Every built-in theory at a load that closes any contact: full contact at most, or no answer.
+    /// At loads that close any contact.
     #[test]
     fn no_model_answers_more_than_everything() {
         let mut refused = Vec::new();

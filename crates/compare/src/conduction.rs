@@ -211,7 +211,6 @@ mod tests {
     use contact_types::{AsperityStatistics, SpectralMoments};
     use gw_closed_form::GreenwoodWilliamson;
 
-    /// The slope of Greenwood and Williamson's load is the stiffness that their closed form has.
     #[test]
     fn the_slope_of_a_theory_is_its_stiffness() {
         let modulus = ContactModulus::from_pascals(1e11).expect("a modulus");

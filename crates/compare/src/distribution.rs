@@ -268,8 +268,7 @@ fn beside(i: usize, n: usize) -> [(usize, isize); 3] {
 mod tests {
     use super::*;
 
-    /// Hertz: p = p0 √(1 − r²/a²), so that the share of the contact with less pressure than p is (p/p0)²: the density
-    /// rises linearly, 2 p/p0².
+    /// p = p0 √(1 − r²/a²): the share of the contact with less pressure than p is (p/p0)².
     #[test]
     fn hertz_has_a_density_that_rises_linearly() {
         let (n, radius, highest) = (801, 300.0, 2e9);
@@ -313,19 +312,15 @@ mod tests {
         let integral: f64 = p.density.iter().map(|d| d * (p.edges[1] - p.edges[0])).sum();
         assert!((integral + p.apart - 1.0).abs() < 1e-12 && (p.apart - 0.85).abs() < 1e-12);
         assert!((p.above[0] - 0.15).abs() < 1e-12 && p.above[CLASSES] == 0.0);
-        assert_eq!(
-            (&found.spots.areas[..], &found.spots.count_at_least[..]),
-            (&[1.0, 2.0][..], &[2, 1][..])
-        );
-        assert_eq!(found.spots.load_share, [1.0, 0.5]);
-        let [median, largest] = [found.spots.median_area, found.spots.largest_area];
+        let spots = &found.spots;
+        assert_eq!((&spots.areas[..], &spots.count_at_least[..]), (&[1.0, 2.0][..], &[2, 1][..]));
+        assert_eq!(spots.load_share, [1.0, 0.5]);
+        let [median, largest] = [spots.median_area, spots.largest_area];
         assert!((median - 2.0).abs() < 1e-12 && (largest - 2.0).abs() < 1e-12);
         let gap = found.gap.unwrap();
-        assert!(
-            (gap.mean - 1e-6).abs() < 1e-18
-                && (gap.below[CLASSES - 1] - 1.0).abs() < 1e-12
-                && (gap.below[0] - 0.15).abs() < 1e-12
-        );
+        let [lowest, highest] = [0, CLASSES - 1].map(|i| gap.below[i]);
+        assert!((gap.mean - 1e-6).abs() < 1e-18);
+        assert!((highest - 1.0).abs() < 1e-12 && (lowest - 0.15).abs() < 1e-12);
         assert!(Distributions::of(&[0.0; 20], &[], &[]).is_none());
     }
 

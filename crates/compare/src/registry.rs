@@ -78,7 +78,6 @@ mod tests {
     use crate::theory::BuildError;
     use contact_types::{Citation, ContactModulus};
 
-    /// Every row makes its model, which answers and cites its paper; names are unique.
     #[test]
     fn every_built_in_theory_is_complete() {
         let registry = built_in();

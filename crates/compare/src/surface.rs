@@ -434,10 +434,8 @@ mod tests {
     #[test]
     fn hash_of_the_nist_example() {
         // FIPS 180-4, appendix: "abc".
-        assert_eq!(
-            sha256_hex(b"abc"),
-            "ba7816bf8f01cfea414140de5dae2223b00361a396177a9cb410ff61f20015ad"
-        );
+        let digest = "ba7816bf8f01cfea414140de5dae2223b00361a396177a9cb410ff61f20015ad";
+        assert_eq!(sha256_hex(b"abc"), digest);
     }
 
     /// The bytes of two heights, 1 and -2: 3ff0… and c000… as doubles, low byte first.

@@ -94,8 +94,7 @@ mod tests {
         assert_eq!(gaussian_errors("archard", 5.0, 0.03), None);
     }
 
-    /// The models are those that answer today: areas over the deterministic one, 1 + error, are in proportion to the
-    /// areas that they answer with, whatever the reference.
+    /// Areas over the deterministic one, 1 + error, are in proportion to those of the models today.
     #[test]
     fn the_errors_are_those_of_the_models_as_they_are() {
         let modulus = ContactModulus::from_pascals(1.0).unwrap();

@@ -130,8 +130,7 @@ fn caveat(points: &[Result<ContactState, ModelError>], pressures: &[f64]) -> Opt
 mod tests {
     use super::*;
 
-    /// Full contact and a slope beyond the model are strains; an area that underflows is none, and one beyond the model is
-    /// judged by the loads alone.
+    /// An area that underflows is no strain, and one beyond the model is judged by the loads alone.
     #[test]
     fn a_caveat_that_is_not_about_area_is_a_strain() {
         let beyond = |quantity: &'static str| Caveat::BeyondModel {

@@ -104,8 +104,7 @@ mod tests {
     use crate::{Boundary, HalfSpace, close};
     use contact_types::ContactModulus;
 
-    /// Middle of a uniformly loaded square of side s: u = 4 s p asinh(1) / (pi E*)
-    /// (Johnson 1985, §3.3).
+    /// Middle of a loaded square of side s: u = 4 s p asinh(1) / (pi E*) (Johnson 1985, §3.3).
     #[test]
     fn square_under_uniform_pressure() {
         let exact = 4.0 * 1.0_f64.asinh() / PI;

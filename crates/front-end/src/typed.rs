@@ -187,8 +187,7 @@ mod tests {
         inputs(&typed, theory.card(), modulus, option, None)
     }
 
-    /// Every set of every model, with nothing but what it requires, makes the model; without any one of
-    /// these, that one is named.
+    /// What a set requires makes the model; without any one of these, that one is named.
     #[test]
     fn every_set_is_enough_and_nothing_in_it_too_much() {
         let value = |input: Input, model: &str| match input {
@@ -231,11 +230,8 @@ mod tests {
                             let missing: Vec<&str> =
                                 missing.take_while(|w| !w.is_empty()).collect();
                             assert!(!missing.is_empty(), "{failure}");
-                            let given = rest.iter().map(|r| option(r.0));
-                            assert!(
-                                !given.into_iter().any(|g| missing.contains(&&*g)),
-                                "{failure}"
-                            );
+                            let mut given = rest.iter().map(|r| option(r.0));
+                            assert!(!given.any(|g| missing.contains(&&*g)), "{failure}");
                         }
                         // What is left may be another set of the model, or the start of one.
                         Ok(_) => assert!(card.inputs.len() > 1, "{model} without {absent:?}"),

@@ -77,8 +77,7 @@ impl<'a> Gap<'a> {
 mod tests {
     use super::*;
 
-    /// Four gaps, 1000 points, against the root found at 45 digits
-    /// with mpmath.
+    /// Four gaps, 1000 points, against the root found at 45 digits with mpmath.
     #[test]
     fn bruggeman_is_the_root_of_its_sum() {
         let mixture: [(f64, usize); 4] = [(0.3, 308), (0.571, 249), (6.8e-6, 263), (0.045, 180)];

@@ -1,7 +1,9 @@
 //! Each model at the ends of its inputs: each case with its relative error.
 #![allow(clippy::print_stdout, reason = "the lines are the purpose")]
 
-#[path = "../tests/extremes.rs"]
+#[path = "../../gw-closed-form/tests/common/mod.rs"]
+mod common;
+#[path = "../tests/all/extremes.rs"]
 mod extremes;
 
 fn main() {

@@ -240,8 +240,7 @@ mod tests {
         assert_eq!([20_312.0, 21.4].map(times), ["20\u{202F}000", "21"]);
     }
 
-    /// One number has one unit, whatever its interval. A load of 630 MPa on 1.8 ± 1.4 % of the area: 630/0.032 to
-    /// 630/0.004 MPa.
+    /// A load of 630 MPa on 1.8 ± 1.4 % of the area: 630/0.032 to 630/0.004 MPa, in one unit.
     #[test]
     fn an_interval_is_said_as_it_is() {
         for (value, ends, text) in [

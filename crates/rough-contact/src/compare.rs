@@ -418,14 +418,13 @@ mod tests {
 
     #[test]
     fn the_command_to_repeat_names_the_run_file_and_a_new_folder() {
-        assert_eq!(
-            repeat_command(Path::new("out/a")),
-            "rough-contact compare --from out/a/run.toml --out out/a-again"
-        );
-        assert_eq!(
-            repeat_command(Path::new("my out")),
-            "rough-contact compare --from 'my out/run.toml' --out 'my out-again'"
-        );
+        for (folder, arguments) in [
+            ("out/a", "out/a/run.toml --out out/a-again"),
+            ("my out", "'my out/run.toml' --out 'my out-again'"),
+        ] {
+            let expected = format!("rough-contact compare --from {arguments}");
+            assert_eq!(repeat_command(Path::new(folder)), expected);
+        }
         assert_eq!(quoted("it's"), "'it'\\''s'");
     }
 }

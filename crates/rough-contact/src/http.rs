@@ -171,10 +171,8 @@ mod tests {
             assert!(matches!(parse(&text[..end]), Ok(None)), "{end}");
         }
         let head = parse(text).unwrap().unwrap();
-        assert_eq!(
-            (head.method.as_str(), head.path.as_str(), head.length),
-            ("POST", "/x", Some(3))
-        );
+        let (method, path) = (head.method.as_str(), head.path.as_str());
+        assert_eq!((method, path, head.length), ("POST", "/x", Some(3)));
         assert_eq!((head.host.as_deref(), head.rest.as_slice()), (Some("a:1"), &b"ab"[..]));
     }
 }

@@ -230,29 +230,18 @@ fn same(a: Option<f64>, b: Option<f64>) -> bool {
 mod tests {
     use super::*;
 
+    const ROW: &str =
+        "ground,0.05,chord,0.5,500,f32,1e-4,0.0912,0.0845,0.084,5e-4,7.5e-5,6.5,0.0213,no";
+
     fn row() -> TradeoffRow {
-        TradeoffRow {
-            surface: "ground".into(),
-            load: Some(0.05),
-            method: "chord".into(),
-            scale: Some(0.5),
-            points: Some(500),
-            precision: Some("f32".into()),
-            tolerance: Some(1e-4),
-            area: Some(0.0912),
-            corrected: Some(0.0845),
-            truth: Some(0.084),
-            bar: Some(0.0005),
-            pressure_error: Some(7.5e-5),
-            pairs: Some(6.5),
-            seconds: 0.0213,
-            is_capped: false,
-        }
+        TradeoffRow::parse(ROW).unwrap()
     }
 
     #[test]
     fn a_row_is_read_as_written() {
         let full = row();
+        assert_eq!(full.line(), ROW);
+        assert_eq!((&*full.surface, full.points, full.area), ("ground", Some(500), Some(0.0912)));
         let model =
             TradeoffRow { scale: None, points: None, precision: None, tolerance: None, ..row() };
         let pair = TradeoffRow { load: None, area: None, truth: None, is_capped: true, ..row() };
@@ -261,20 +250,17 @@ mod tests {
         let table = TradeoffTable::parse(&format!("# made here\n{HEADER}\n{text}")).unwrap();
         assert_eq!(table.origin, ["made here"]);
         assert_eq!(table.rows, rows);
-        assert!(
-            (table.rows[0].error_of(table.rows[0].corrected).unwrap() - 5e-4 / 0.084).abs() < 1e-12
-        );
+        let error = row().error_of(row().corrected).unwrap();
+        assert!((error - 5e-4 / 0.084).abs() < 1e-12);
     }
 
     #[test]
     fn a_damaged_table_is_refused_with_its_line() {
-        let line = row().line();
-        for bad in [line.replace("0.0912", "x"), format!("{line},"), line.replace(",no", ",maybe")]
-        {
+        for bad in [ROW.replace("0.0912", "x"), format!("{ROW},"), ROW.replace(",no", ",maybe")] {
             let error = TradeoffTable::parse(&format!("{HEADER}\n{bad}")).unwrap_err();
             assert!(error.contains("ground"), "{error}");
         }
-        assert!(TradeoffTable::parse(&line).is_err()); // no header
+        assert!(TradeoffTable::parse(ROW).is_err()); // no header
     }
 
     #[test]

@@ -125,33 +125,30 @@ fn nearest(grid: Grid, heights: &mut [f64]) {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use rand_pcg::Pcg64Mcg;
-    use rand_pcg::rand_core::{Rng, SeedableRng};
+    use proptest::prelude::*;
 
-    /// Against the definition, on random masks with pixels of any shape.
-    #[test]
-    fn nearest_is_nearest() {
-        let mut random = Pcg64Mcg::seed_from_u64(7);
-        for case in 0..60 {
-            let (ny, nx) = (1 + case % 9, 2 + case % 7);
-            let grid = Grid::new([ny, nx], [1.0, [0.3, 1.0, 2.5][case % 3]]).unwrap();
-            let [dy, dx] = grid.pixel();
-            let mut heights: Vec<f64> = (0..ny * nx)
-                .map(|i| if random.next_u32() % 3 == 0 { i as f64 } else { f64::NAN })
-                .collect();
-            heights[(random.next_u32() as usize) % (ny * nx)] = -1.0;
-            let given = heights.clone();
+    proptest! {
+        /// Against the definition, on random masks with pixels of any shape.
+        #[test]
+        fn nearest_is_nearest(
+            ny in 1usize..10, nx in 2usize..9, dx in 0.3..2.5f64, first in 0usize..8,
+            valid in prop::collection::vec(prop::bool::weighted(0.33), 72),
+        ) {
+            let grid = Grid::new([ny, nx], [1.0, dx]).unwrap();
+            let height = |i: usize| if valid[i] || i == first % nx { i as f64 } else { f64::NAN };
+            let given: Vec<f64> = (0..ny * nx).map(height).collect();
+            let mut heights = given.clone();
             nearest(grid, &mut heights);
-            for (i, &found) in heights.iter().enumerate() {
+            for (i, found) in heights.iter().enumerate() {
                 let distance = |j: usize| {
-                    let rows = (i / nx) as f64 - (j / nx) as f64;
-                    let columns = (i % nx) as f64 - (j % nx) as f64;
-                    (rows * dy).hypot(columns * dx)
+                    let [rows, columns] = [i / nx, i % nx].map(|k| k as f64);
+                    (rows - (j / nx) as f64).hypot((columns - (j % nx) as f64) * dx)
                 };
-                let valid = (0..ny * nx).filter(|&j| !given[j].is_nan());
-                let least = valid.map(distance).fold(f64::INFINITY, f64::min);
-                let source = given.iter().position(|g| g.to_bits() == found.to_bits()).unwrap();
-                assert!(distance(source) <= least * (1.0 + 1e-12), "case {case}, point {i}");
+                let there = (0..ny * nx).filter(|j| !given[*j].is_nan());
+                let least = there.map(distance).fold(f64::INFINITY, f64::min);
+                // A height is the number of its point.
+                let is_near = distance(*found as usize) <= least * (1.0 + 1e-12);
+                prop_assert!(given.contains(found) && is_near, "point {i}: {found}");
             }
         }
     }

@@ -172,8 +172,6 @@ mod tests {
         let sign = |i: usize| if (i / 22 + i % 22).is_multiple_of(2) { a } else { -a };
         let map = HeightMap::new(grid, (0..grid.len()).map(sign).collect()).unwrap();
         let m = DirectionalMoments::of(&map, Edges::Open).unwrap();
-        close(m.m2_x, (2.0 * a / d[1]).powi(2), 1e-12);
-        close(m.m4_y, (4.0 * a / d[0] / d[0]).powi(2), 1e-12);
         assert_eq!((m.m2_x_central, m.m2_y_central, m.anisotropy()), (0.0, 0.0, None));
     }
 }

@@ -112,9 +112,8 @@ mod tests {
         NoiseFloor::of(&rings, map.grid().pixel())
     }
 
-    /// White noise of 3 nm has the moments that are said of it. Under a surface that ends at 8 µm its level is found, and
-    /// the end of the reliable band; also with every second column off by as much as the noise, a line at the shortest
-    /// wave, which is no surface.
+    /// It has the moments that are said of it. Under a surface that ends at 8 µm level and end of
+    /// the band are found; a line at the shortest wave is no surface.
     #[test]
     fn white_noise_is_found_under_a_surface() {
         let grid = Grid::new([300, 256], [1e-6, 1.2e-6]).unwrap();

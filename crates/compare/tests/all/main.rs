@@ -5,7 +5,6 @@
 use contact_types::{Grid, HeightMap};
 use surface_stats::synthesis::{Scale, SelfAffine};
 
-mod light_load;
 mod mirrored;
 mod pair;
 mod persson_gap;

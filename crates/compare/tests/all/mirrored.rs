@@ -1,9 +1,4 @@
 //! Mirror images at the edges: the answer is that of the map among its images, and its intervals hold.
-#![allow(
-    clippy::unwrap_used,
-    clippy::print_stdout,
-    reason = "tests: a panic is the report, and the errors are worth seeing"
-)]
 
 use contact_accuracy::{Ladder, Setup};
 use contact_types::{ContactModulus, Grid, HeightMap};
@@ -26,8 +21,7 @@ fn ladder(map: HeightMap, tolerance: f64) -> Ladder {
 }
 
 /// Cosines with a crest or a trough at the edges are their own mirror images: on twice the sides
-/// they repeat, and their answer there, on the first quarter, is that of the mirrored map. Odd and
-/// even sides, oblong pixels, by pressure and by gap.
+/// they repeat. Odd and even sides, oblong pixels, by pressure and by gap.
 #[test]
 fn the_answer_is_that_of_the_map_among_its_images() {
     let [ny, nx] = [25, 36];
@@ -60,11 +54,9 @@ fn the_answer_is_that_of_the_map_among_its_images() {
     }
 }
 
-/// Crops whose edges do not match, with their mirror images, against the same on four times as many
-/// points a side: the comparison intervals of area and gap hold.
+/// Crops whose edges do not match, against the same on four times as many points a side.
 #[test]
 fn the_intervals_hold() {
-    let (mut areas, mut gaps, mut answers) = (0, 0, 0);
     for seed in 1..=6 {
         let n = 96;
         let grid = Grid::new([2 * n, 2 * n], [1e-6; 2]).unwrap();
@@ -86,10 +78,7 @@ fn the_intervals_hold() {
         for load in [0.02, 0.2] {
             let load = Load::MeanPressure(load * 1e9 * 0.1);
             let answered = ladder.solve(load, |_| ()).unwrap();
-            assert_ne!(
-                answered.coarser[0], answered.coarser[1],
-                "seed {seed}: one choice of points"
-            );
+            assert_ne!(answered.coarser[0], answered.coarser[1], "seed {seed}: one choice");
             let given = answered.budget;
             let truth = solve(&mirrored(&finer).unwrap(), load, 1e-5);
             let gap = given.mean_gap.unwrap();
@@ -97,11 +86,7 @@ fn the_intervals_hold() {
             let area =
                 off(given.area.value, truth.state.area_fraction, given.area.half_width().unwrap());
             let gap = off(gap.value, truth.state.mean_gap.unwrap(), gap.half_width().unwrap());
-            println!("seed {seed}: errors over half widths: area {area:.2}, gap {gap:.2}");
-            answers += 1;
-            areas += usize::from(area <= 1.0);
-            gaps += usize::from(gap <= 1.0);
+            assert!(area <= 1.0 && gap <= 1.0, "seed {seed}: area {area:.2}, gap {gap:.2}");
         }
     }
-    assert_eq!([areas, gaps], [answers; 2], "held, of {answers}");
 }

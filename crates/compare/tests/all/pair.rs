@@ -49,7 +49,6 @@ fn the_models_get_the_moments_of_the_sum_and_it_is_said_how_they_add() {
     assert_eq!(passed, Some(independence));
 }
 
-/// Heights that a program handed over cannot be made again, in a pair either.
 #[test]
 fn a_run_file_with_heights_handed_over_is_refused() {
     let Surface { name, mut origin, heights } =

@@ -74,8 +74,7 @@ fn uncertainties_hold_the_surface_of_the_formula() {
 /// A surface on so many points a side.
 type Make<'a> = &'a dyn Fn(usize) -> HeightMap;
 
-/// Bodies that yield, an isolated ball, pixels three times as long as wide: no number is without an uncertainty, and it
-/// holds four times the points.
+/// Bodies that yield, an isolated ball, oblong pixels, against four times the points.
 #[test]
 fn no_map_is_without_an_uncertainty() {
     let heights = family("waves, 8 points", 32).unwrap();
@@ -135,7 +134,6 @@ fn an_answer_that_depends_on_interpolation_is_solved_on_twice_the_points() {
     assert!((low..=high).contains(&found.finer.unwrap().area));
 }
 
-/// A ladder that takes another map answers as a fresh one does.
 #[test]
 fn another_map_is_taken() {
     let (a, b) =
@@ -166,7 +164,7 @@ impl Sink for Nowhere {
     }
 }
 
-/// The tighter the request, the narrower the answer, down to what the map can say; the fast one is the widest.
+/// Down to what the map can say; the fast one is the widest.
 #[test]
 fn asking_for_more_never_gives_less() {
     let heights = family("waves, 8 points", 35).unwrap();
@@ -180,11 +178,8 @@ fn asking_for_more_never_gives_less() {
         reached
     };
     let fast = reach(Aim::Fast);
-    assert!(
-        fast.factor() < 0.6
-            && fast.unmet.is_none()
-            && fast.next.is_some_and(|n| n.shape == [128, 128])
-    );
+    assert!(fast.factor() < 0.6 && fast.unmet.is_none());
+    assert!(fast.next.is_some_and(|n| n.shape == [128, 128]));
     let mut last = f64::INFINITY;
     for percent in [40.0, 8.0, 4.0, 1.0, 0.1] {
         let request = AccuracyRequest::new(percent / 100.0).unwrap();

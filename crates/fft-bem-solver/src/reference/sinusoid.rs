@@ -99,11 +99,8 @@ mod tests {
             // 1 - m + m ln m loses digits as m -> 1.
             assert_abs_diff_eq!(contact.mean_gap() / 0.3, mean_gap, epsilon = 1e-15);
             // Near the contact line p goes as the root of a difference.
-            assert_abs_diff_eq!(
-                contact.pressure(5.0 * x) / p_star,
-                p,
-                epsilon = 1e-7 * f64::from(p < 1e-6) + 1e-12
-            );
+            let epsilon = 1e-7 * f64::from(p < 1e-6) + 1e-12;
+            assert_abs_diff_eq!(contact.pressure(5.0 * x) / p_star, p, epsilon = epsilon);
             assert_abs_diff_eq!(contact.gap(5.0 * x) / 0.3, gap, epsilon = 1e-12);
             rows += 1;
         }

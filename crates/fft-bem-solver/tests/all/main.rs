@@ -15,7 +15,6 @@ mod numpy_normal;
 
 mod analytic;
 mod certificate;
-mod chord;
 mod direct;
 mod extremes;
 mod perimeter_correction;
@@ -25,6 +24,5 @@ mod reference_points;
 mod set_stiffness;
 mod solver;
 mod thin_pixels;
-mod weierstrass;
 mod work;
 mod yielding;

@@ -53,8 +53,7 @@ fn the_constant_is_the_mean_over_the_directions_of_straight_edges() {
     assert!((sum / edges - PERIMETER_CORRECTION).abs() < 5e-4, "{}", sum / edges);
 }
 
-/// Strips under the periodic half-space: the count of touching points exceeds what it tends to on finer grids by
-/// 0.19 points an edge in the mean over the places of the grid.
+/// Strips: 0.19 points an edge, in the mean over the places of the grid.
 #[test]
 fn edges_along_rows_exceed_by_as_much_as_the_formula_says() {
     let (n, loads) = (96, 160);

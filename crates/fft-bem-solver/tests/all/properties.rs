@@ -1,8 +1,8 @@
-//! What must hold for any surface and load, for every method.
+//! What must hold for any surface and load, for every method; and what must not matter: threads, the shape of the grid.
 
 use crate::common;
 
-use common::{Uniform, difference, unit_modulus};
+use common::{Uniform, difference, self_affine, unit_grid, unit_modulus};
 use contact_types::{ContactModulus, Grid, HeightMap};
 use fft_bem_solver::{Boundary, Load, Method, Precision, Solution, Solver};
 use proptest::prelude::*;
@@ -131,8 +131,7 @@ proptest! {
         assert_same_field(&transpose(&original.pressure), &transposed.pressure, 1e-6);
     }
 
-    /// Units change no digit beyond rounding: heights, pixels and modulus scaled independently by
-    /// powers of two, which do not round, leave every bit; by any other number, rounding.
+    /// Powers of two, which do not round, leave every bit; any other number all but rounding.
     #[test]
     fn units_change_nothing(
         seed in 0u64..10000, log_h in -12.0..3.0f64, log_d in -9.0..3.0f64, log_e in 0.0..12.0f64,
@@ -179,7 +178,6 @@ proptest! {
         assert_same_field(&by_load.pressure, &found.pressure, 1e-5);
     }
 
-    /// Single precision finds the same contact to its own accuracy.
     #[test]
     fn single_precision(seed in 0u64..10000, log_load in -3.0..0.5f64, method in any_method()) {
         let grid = Grid::new([24, 25], [1.0, 1.0]).unwrap();
@@ -191,4 +189,79 @@ proptest! {
         let error = difference(&single.pressure, &double.pressure);
         prop_assert!(error < 3e-4, "{error}");
     }
+}
+
+/// Sums are taken piece by piece, so the number of threads changes no bit, whatever the method.
+#[test]
+fn threads_change_no_bit() {
+    let surface = self_affine(unit_grid(260, 233), 0.8, 30.0, 2.0, 11);
+    let with = |method| Solver::builder().method(method);
+    let free = with(Method::Chord).boundary(Boundary::Free);
+    for builder in [
+        with(Method::Chord),
+        with(Method::Chord).precision(Precision::Single),
+        free,
+        with(Method::PolonskyKeer).tolerance(0.05),
+        with(Method::StanleyKato).tolerance(0.05),
+    ] {
+        let solved = [1, 2, 3].map(|n| common::solve(&surface, builder.clone().threads(n), 0.05));
+        let bits = |s: &Solution| -> Vec<u64> {
+            let fields = s.pressure.iter().chain(&s.gap).chain([&s.diagnostics.transforms]);
+            fields.map(|x| x.to_bits()).collect()
+        };
+        let [one, two, three] = solved.each_ref().map(bits);
+        assert!(one == two && one == three, "{builder:?}");
+        let [one, two, three] = solved.map(|s| s.diagnostics.iterations);
+        assert!(one == two && one == three, "{builder:?}");
+    }
+}
+
+/// From 1 x N to pixels of 1:1000, from a single spike to a plateau, all loads.
+#[test]
+fn odd_grids_and_surfaces_converge() {
+    let mut random = Uniform(7);
+    let maps: [([usize; 2], [f64; 2]); 8] = [
+        ([1, 1], [1.0, 1.0]),
+        ([1, 2], [1.0, 1.0]),
+        ([3, 2], [1.0, 5.0]),
+        ([1, 1009], [1.0, 1.0]),
+        ([1009, 1], [1.0, 1.0]),
+        ([5, 331], [1.0, 1.0]),
+        ([127, 131], [1.0, 1.0]),
+        ([64, 96], [1.0, 1000.0]),
+    ];
+    for (shape, pixel) in maps {
+        let grid = Grid::new(shape, pixel).unwrap();
+        let noise: Vec<f64> = (0..grid.len()).map(|_| random.normal()).collect();
+        let mut spike = vec![0.0; grid.len()];
+        spike[grid.len() / 2] = 1.0;
+        let plateau: Vec<f64> = noise.iter().map(|h| h.min(0.0)).collect();
+        let offset: Vec<f64> = noise.iter().map(|h| 1e6 + h).collect();
+        for (kind, heights) in
+            [("noise", noise), ("spike", spike), ("plateau", plateau), ("offset", offset)]
+        {
+            let surface = HeightMap::new(grid, heights).unwrap();
+            for load in [1e-9, 1e-3, 0.1, 100.0] {
+                let builder = Solver::builder().method(Method::Chord).tolerance(1e-8);
+                let mut solver = builder.build(grid, unit_modulus()).unwrap();
+                let found = solver.solve(&surface, Load::MeanPressure(load));
+                let found = found.unwrap_or_else(|e| {
+                    panic!("{kind} on {shape:?} of {pixel:?} at {load:e}: {e}")
+                });
+                let mean = found.pressure.iter().sum::<f64>() / grid.len() as f64;
+                assert!((mean / load - 1.0).abs() < 1e-9, "{shape:?}: {mean} for {load}");
+                assert!(found.pressure.iter().all(|p| *p >= 0.0));
+            }
+        }
+    }
+}
+
+#[test]
+fn single_precision_reaches_what_it_states() {
+    let surface = self_affine(unit_grid(128, 150), 0.8, 20.0, 2.0, 2);
+    let with = |precision| Solver::builder().precision(precision);
+    let exact = common::solve(&surface, with(Precision::Double).tolerance(1e-10), 0.05);
+    let found = common::solve(&surface, with(Precision::Single).tolerance(2e-5), 0.05);
+    let error = difference(&found.pressure, &exact.pressure);
+    assert!(error < 2e-5, "{error:e}");
 }

@@ -83,6 +83,9 @@ fn survey(count: u64, longest: f64) -> ([Vec<f64>; 3], f64) {
         assert!(last <= 3e-10, "{what}: error {last:e}");
         assert!(found.pressure.iter().all(|p| *p >= 0.0), "{what}: tension");
         let range = surface.range().1 - surface.range().0;
+        let across: f64 = found.pressure.iter().zip(&found.gap).map(|(p, g)| p * g).sum();
+        let carried = load * found.pressure.len() as f64;
+        assert!(across.abs() <= 1e-7 * range * carried, "{what}: {across:e} across gaps");
         let deepest = found.gap.iter().fold(0.0_f64, |m, g| m.min(*g));
         assert!(-deepest <= 1e-7 * range, "{what}: penetration {deepest:e} of {range:e}");
         for (pairs, tolerance) in pairs.iter_mut().zip([1e-2, 1e-4, 1e-6]) {

@@ -73,8 +73,7 @@ fn agrees_with_the_secant_of_the_load() {
     }
 }
 
-/// The trap: the slope of the loading curve of a yielding contact is the stiffness of what has not yielded,
-/// thirty times too small for the conductance of the contact.
+/// The slope is the stiffness of what has not yielded, thirty times too small.
 #[test]
 fn conductance_of_a_yielded_contact_is_not_the_slope_of_its_curve() {
     let map = npy::unit_cell("rough256.npy");
@@ -88,7 +87,6 @@ fn conductance_of_a_yielded_contact_is_not_the_slope_of_its_curve() {
     assert!(found.residual <= 1e-8 && found.transforms < 25.0, "{}", found.transforms);
 }
 
-/// Nothing, everything, one pixel.
 #[test]
 fn limits_are_answers() {
     let grid = Grid::new([12, 10], [1e-6, 2e-6]).unwrap();

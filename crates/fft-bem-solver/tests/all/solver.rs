@@ -2,20 +2,15 @@
 
 use crate::common;
 
-use common::{self_affine, solve, unit_grid, unit_modulus};
+use common::{self_affine, solve, to, unit_grid, unit_modulus};
 use fft_bem_solver::{
-    Boundary, End, Grid, HeightMap, Iteration, Load, Maps, Method, Precision, Solver,
-    SolverBuilder, SolverError,
+    Boundary, End, Grid, HeightMap, Iteration, Load, Maps, Method, Precision, Solver, SolverError,
 };
 use std::ops::ControlFlow;
 use std::panic::{AssertUnwindSafe, catch_unwind};
 
 fn surface() -> HeightMap {
     self_affine(unit_grid(64, 48), 0.8, 16.0, 4.0, 3)
-}
-
-fn to(tolerance: f64) -> SolverBuilder {
-    Solver::builder().tolerance(tolerance)
 }
 
 /// Closures that answer nothing, or whether to go on, by value or by reference; a solver that was stopped goes on.
@@ -86,8 +81,7 @@ fn a_section_is_a_row_of_the_maps() {
     }
 }
 
-/// With the level prescribed to a method that controls the load, an observer is not told that it has
-/// converged before the level is right.
+/// With the level prescribed to a method that controls the load.
 #[test]
 fn an_observer_sees_no_convergence_before_the_level_is_right() {
     let map = surface();
@@ -107,8 +101,7 @@ fn an_observer_sees_no_convergence_before_the_level_is_right() {
     }
 }
 
-/// Pixels up to 1:30 000 are solved as fast as others, up to 1:100 000 solved; beyond, the refusal names
-/// the ratio.
+/// Up to 1:30 000 they are solved as fast as others, up to 1:100 000 solved.
 #[test]
 fn pixels_too_long_are_refused_with_the_reason() {
     let map = self_affine(unit_grid(32, 32), 0.8, 16.0, 4.0, 3);

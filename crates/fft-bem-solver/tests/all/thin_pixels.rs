@@ -2,9 +2,9 @@
 
 use crate::common;
 
-use common::{curve, difference, self_affine, solve, unit_grid, unit_modulus};
+use common::{curve, difference, self_affine, solve, to, unit_grid, unit_modulus};
 use contact_types::{Grid, HeightMap};
-use fft_bem_solver::{Boundary, Load, Precision, Solution, Solver, SolverBuilder};
+use fft_bem_solver::{Boundary, Load, Precision, Solution};
 
 const SHAPE: [usize; 2] = [112, 91];
 
@@ -38,10 +38,6 @@ fn with_unit_gradient(grid: Grid, h: &[f64]) -> HeightMap {
     HeightMap::new(grid, h.iter().map(|h| h / gradient).collect()).unwrap()
 }
 
-fn to(tolerance: f64) -> SolverBuilder {
-    Solver::builder().tolerance(tolerance)
-}
-
 /// Pairs spent, and the relative rms error of the pressure.
 fn spent_and_missed(found: &Solution, exact: &Solution) -> (f64, f64) {
     (found.diagnostics.transforms, difference(&found.pressure, &exact.pressure))
@@ -62,8 +58,7 @@ fn thin_pixels_need_at_most_twenty_pairs() {
     }
 }
 
-/// Isolated maps that are much longer than wide, for their pixels or for their number: their copies would
-/// be nearer than their own ends, and the estimate many times too small.
+/// Copies of these would be nearer than their own ends, and the estimate many times too small.
 #[test]
 fn slender_isolated_maps_need_few_pairs_and_know_their_error() {
     let long = |shape: [usize; 2]| {

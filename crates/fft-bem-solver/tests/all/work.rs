@@ -6,8 +6,7 @@ use crate::common;
 use common::{curve, measured_like, self_affine, solve, unit_grid, unit_modulus};
 use fft_bem_solver::{Boundary, Method, Solver};
 
-/// Convolutions to 1e-4 by chord, Polonsky-Keer, Stanley-Kato, and with the free boundary, under a light and a
-/// heavy load.
+/// Convolutions to 1e-4 by chord, Polonsky-Keer, Stanley-Kato, and with the free boundary.
 #[test]
 fn pairs() {
     let n = 128;
@@ -83,8 +82,7 @@ fn pairs_and_iterations_of_the_chord() {
     assert_eq!(found, expected, "iterations or convolutions changed");
 }
 
-/// A curve of 16 loads over two decades on a map that is stepped and does not repeat: iterations of
-/// all its loads together.
+/// 16 loads over two decades, all together, on a map that is stepped and does not repeat.
 #[test]
 fn iterations_along_a_curve() {
     let n = 256;

@@ -100,7 +100,6 @@ fn conditions_hold_for_spots_punches_and_arrays() {
     }
 }
 
-/// A hardness that no pressure reaches.
 #[test]
 fn without_yielding_the_answer_is_elastic() {
     let map = self_affine(unit_grid(96, 128), 0.8, 16.0, 4.0, 5);
@@ -140,7 +139,6 @@ fn the_load_is_at_most_the_hardness() {
     }
 }
 
-/// A prescribed open gap leads to the load that it belongs to.
 #[test]
 fn a_gap_finds_its_load() {
     let map = self_affine(unit_grid(64, 64), 0.8, 16.0, 4.0, 3);

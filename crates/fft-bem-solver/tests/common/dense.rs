@@ -59,14 +59,8 @@ pub(crate) fn solution(map: &HeightMap, mean_pressure: f64) -> Dense {
             (false, false) => 0.0,
             _ => -1.0,
         });
-        let right =
-            Mat::from_fn(
-                m + 1,
-                1,
-                |a, _| {
-                    if a < m { h[on[a]] - top } else { -mean_pressure * n as f64 }
-                },
-            );
+        let right = |a: usize| if a < m { h[on[a]] - top } else { -mean_pressure * n as f64 };
+        let right = Mat::from_fn(m + 1, 1, |a, _| right(a));
         let x = system.lblt(Side::Lower).solve(&right);
         let level = x[(m, 0)];
         let mut p = vec![0.0; n];

@@ -8,21 +8,16 @@ use fft_bem_solver::reference::Westergaard;
 use fft_bem_solver::{Load, Solution, Solver};
 use std::f64::consts::{PI, SQRT_2, TAU};
 
-/// One line of the table.
 pub(crate) struct Case {
-    pub(crate) what: &'static str,
-    /// What is extreme about it.
-    pub(crate) extreme: &'static str,
-    pub(crate) compared_with: &'static str,
+    /// Which map, what is extreme about it, and what it is compared with.
+    pub(crate) what: String,
     /// Worst errors: of a pressure, relative to the highest; of the area, relative; of a gap,
     /// relative to the range of the heights.
     pub(crate) errors: [f64; 3],
-    /// What the test allows.
     #[allow(dead_code, reason = "the example prints no limit")]
     pub(crate) limits: [f64; 3],
 }
 
-/// All lines.
 pub(crate) fn cases() -> Vec<Case> {
     let all = [scales, offsets, loads, shapes_of_heights, shapes_of_grids, profiles];
     all.into_iter().flat_map(|of| of()).collect()
@@ -69,16 +64,11 @@ fn with_heights(map: &HeightMap, heights: impl IntoIterator<Item = f64>) -> Heig
 }
 
 impl Case {
-    fn new(
-        what: &'static str,
-        extreme: &'static str,
-        compared_with: &'static str,
-        limits: [f64; 3],
-    ) -> Self {
-        Self { what, extreme, compared_with, errors: [0.0; 3], limits }
+    fn new(what: &str, extreme: &str, compared_with: &str, limits: [f64; 3]) -> Self {
+        let what = format!("{what}, {extreme}, against {compared_with}");
+        Self { what, errors: [0.0; 3], limits }
     }
 
-    /// Compares one more solution.
     fn compare(
         &mut self,
         map: &HeightMap,
@@ -121,7 +111,7 @@ impl Case {
 }
 
 /// A map against dense algebra under several loads.
-fn dense_case(what: &'static str, extreme: &'static str, map: &HeightMap, loads: &[f64]) -> Case {
+fn dense_case(what: &str, extreme: &str, map: &HeightMap, loads: &[f64]) -> Case {
     Case::new(what, extreme, DENSE, DENSE_LIMITS).beside(map, loads, (map, 1.0), [1.0; 2])
 }
 

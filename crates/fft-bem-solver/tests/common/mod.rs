@@ -91,6 +91,10 @@ pub(crate) fn measured_like(n: usize, seed: u64) -> HeightMap {
     HeightMap::new(unit_grid(n, n), heights).unwrap()
 }
 
+pub(crate) fn to(tolerance: f64) -> SolverBuilder {
+    Solver::builder().tolerance(tolerance)
+}
+
 /// A solver for E* = 1 Pa.
 pub(crate) fn solver(grid: Grid, builder: SolverBuilder) -> Solver {
     builder.build(grid, unit_modulus()).unwrap()

@@ -19,7 +19,6 @@ pub(crate) fn numbers(name: &str) -> Vec<f64> {
     numbers.iter().map(|x| f64::from_le_bytes(*x)).collect()
 }
 
-/// Heights on a unit cell.
 pub(crate) fn unit_cell(name: &str) -> HeightMap {
     let heights = numbers(name);
     let n = heights.len().isqrt();

@@ -56,7 +56,13 @@ impl Ziggurat {
             let place = ((bits >> 9) & 0xf_ffff_ffff_ffff) as f64;
             let sign = if bits >> 8 & 1 == 1 { -1.0 } else { 1.0 };
             let x = place * (self.width[level] / SCALE);
-            if place < (self.inner(level) / self.width[level] * SCALE).floor() {
+            // How far the density is above the whole box.
+            let inner = match level {
+                0 => TAIL,
+                1 => 0.0,
+                _ => self.width[level - 1],
+            };
+            if place < (inner / self.width[level] * SCALE).floor() {
                 return sign * x;
             }
             if level == 0 {
@@ -66,15 +72,6 @@ impl Ziggurat {
             if low + (high - low) * uniform(random) < (-0.5 * x * x).exp() {
                 return sign * x;
             }
-        }
-    }
-
-    /// How far the density is above the whole box of a level.
-    fn inner(&self, level: usize) -> f64 {
-        match level {
-            0 => TAIL,
-            1 => 0.0,
-            _ => self.width[level - 1],
         }
     }
 }

@@ -64,6 +64,20 @@ impl Case {
     }
 }
 
+/// Asserts that all answers are within their limits, at the end of the doubles where none can be.
+pub(crate) fn assert_answered(cases: Vec<Case>, limit: impl Fn(&str) -> f64) {
+    assert!(cases.len() > 60);
+    for case in cases {
+        let (place, answer) = (&case.place, case.answer.expect("never refused"));
+        assert!(answer.is_finite(), "{place}");
+        match (case.error(), case.reference) {
+            (Some(error), _) => assert!(error < limit(place), "{place}: {error:e}"),
+            (None, Some(huge)) if huge.abs() > 1.0 => assert!(answer.abs() >= f64::MAX, "{place}"),
+            (None, _) => assert!(answer.abs() < f64::MIN_POSITIVE, "{place}: {answer}"),
+        }
+    }
+}
+
 /// |x / reference - 1|; 0 where the reference is 0, subnormal or infinite and no relative error
 /// can be asked for.
 pub(crate) fn relative_error(x: f64, reference: f64) -> f64 {

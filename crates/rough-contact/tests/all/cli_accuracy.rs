@@ -19,8 +19,7 @@ fn areas(answer: &Value) -> Vec<f64> {
     list(&answer["points"]).iter().map(|p| number(&p["area_fraction"])).collect()
 }
 
-/// Every second point for a loose request, more points for a tight one. The areas lie within the request of those of the
-/// tightest, and every point comes with its interval.
+/// The areas lie within the request of those of the tightest, and all come with their intervals.
 #[test]
 fn the_rung_follows_the_request() {
     let at = &surface(12.0);
@@ -63,8 +62,7 @@ fn a_fast_answer_says_what_the_next_rung_gives() {
     has(&said.out, &["96² of 192² points", "next: 192², about ±"]);
 }
 
-/// Waves of two points, contacts of a few points: what was computed is printed, marked, with exit status 1 and the
-/// reason.
+/// Waves of two points, contacts of a few: what was computed is printed, with exit status 1.
 #[test]
 fn what_the_data_cannot_support_is_said() {
     for (cutoff, load, why) in [
@@ -84,8 +82,7 @@ fn what_the_data_cannot_support_is_said() {
     }
 }
 
-/// A single point in contact is solved exactly and says nothing about the area of the surface;
-/// contact everywhere has no line and no error of the grid.
+/// One point says nothing about the area; contact everywhere has no line and no error of the grid.
 #[test]
 fn one_point_of_contact_is_no_accuracy_and_full_contact_is() {
     let at = &surface(12.0);
@@ -117,8 +114,7 @@ fn what_cannot_be_planned_is_refused() {
     at.refuses(&free, &["--gap", "--boundary free", "--pressure"]);
 }
 
-/// The load that belongs to a gap is an answer with an interval. The gap beyond the first contact is no accuracy, and the
-/// message says where contact begins.
+/// A gap beyond the first contact is no accuracy; the message says where contact begins.
 #[test]
 fn a_given_gap_has_an_area_and_a_load_with_their_intervals() {
     let at = &surface(12.0);
@@ -139,8 +135,7 @@ fn a_given_gap_has_an_area_and_a_load_with_their_intervals() {
     has(&said.err, &["at a mean gap of 1\u{202F}mm nothing touches"]);
 }
 
-/// Waves of two points: twice the points are solved unasked, and the text says what they read. A load that does not
-/// depend on them is not solved twice.
+/// Waves of two points, unasked. What does not depend on them is not solved twice.
 #[test]
 fn twice_the_points_are_solved_where_the_answer_depends_on_them() {
     let at = &surface(2.0);
@@ -155,8 +150,7 @@ fn twice_the_points_are_solved_where_the_answer_depends_on_them() {
     assert_eq!(resolved["points"][0]["finer"], Value::Null);
 }
 
-/// A study: its deterministic side on the grid that was chosen, models on the map as it is, the
-/// line in the text, in the report and in the results.
+/// The deterministic side on the grid that was chosen, models on the map as it is.
 #[test]
 fn a_study_takes_a_request() {
     let at = &surface(12.0);

@@ -106,10 +106,8 @@ fn hostile_questions_are_refused_and_the_next_is_answered() {
     assert_eq!(message["kind"], "error");
     assert_eq!(message["failure"]["kind"], "limit", "{message}");
     let message = app.asked("inspect", r#"{"place": {}}"#, b"");
-    assert_eq!(
-        message["failure"]["kind"], "internal",
-        "where it is answered is not the page's to say"
-    );
+    // Where it is answered is not the page's to say.
+    assert_eq!(message["failure"]["kind"], "internal");
     assert_eq!(app.asked("run", "not JSON", b"")["kind"], "error");
 
     // Silent connections take all places, and give them back.

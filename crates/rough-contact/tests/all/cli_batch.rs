@@ -3,8 +3,7 @@
 
 use crate::cli::{TestFolder, folder, has, list, number, timeless};
 use serde_json::Value;
-use std::path::{Path, PathBuf};
-use std::time::SystemTime;
+use std::path::PathBuf;
 
 /// Two maps of the same name in two folders, and a file that is none.
 fn maps() -> TestFolder {
@@ -20,19 +19,12 @@ fn maps() -> TestFolder {
     at
 }
 
-fn changed(path: &Path) -> SystemTime {
-    path.metadata().unwrap().modified().unwrap()
-}
-
-fn kept(at: &TestFolder) -> Vec<PathBuf> {
-    let entries = std::fs::read_dir(at.join("out/answers")).unwrap();
+/// The files of a folder, sorted.
+fn files(at: &TestFolder, folder: &str) -> Vec<PathBuf> {
+    let entries = std::fs::read_dir(at.join(folder)).unwrap();
     let mut all: Vec<_> = entries.map(|e| e.unwrap().path()).collect();
     all.sort();
     all
-}
-
-fn json(path: &Path) -> Value {
-    timeless(&serde_json::from_slice(&std::fs::read(path).unwrap()).unwrap(), &[])
 }
 
 #[test]
@@ -79,25 +71,29 @@ fn a_run_goes_on_with_what_is_whole_and_of_the_same_content_and_options() {
     let resumed = |more: &str| at.run(&format!("{line} --resume {more}"));
     let first = at.run(&format!("{line} --json"));
     assert_eq!(first.status, 1, "{}", first.err);
-    let before = kept(at);
+    let before = files(at, "out/answers");
     assert_eq!(before.len(), 2);
     at.refuses(line, &["table.csv", "--force"]);
-    let written = |e: std::io::Result<std::fs::DirEntry>| e.unwrap().path().join("gap-000.npy");
-    let maps = std::fs::read_dir(at.join("maps")).unwrap().map(written);
-    assert_eq!(maps.filter(|map| map.exists()).count(), 2, "the maps of two files, apart");
+    let maps = files(at, "maps");
+    assert!(maps.len() == 2 && maps.iter().all(|map| map.join("gap-000.npy").exists()), "{maps:?}");
 
     // Nothing has changed: every answer is kept, to the last digit and second.
-    let times: Vec<_> = before.iter().map(|path| changed(path)).collect();
+    let changed = || {
+        before.iter().map(|path| path.metadata().unwrap().modified().unwrap()).collect::<Vec<_>>()
+    };
+    let times = changed();
     has(&resumed("").out, &["2 of 3 answers were there already"]);
-    assert_eq!(times, before.iter().map(|path| changed(path)).collect::<Vec<_>>());
+    assert_eq!(times, changed());
     assert_eq!(resumed("--json").json(), first.json());
 
     // Half an answer, one under its name of the time of writing, and one whose maps are gone.
-    let (whole, answer) = (std::fs::read(&before[0]).unwrap(), json(&before[0]));
+    let answer =
+        || timeless(&serde_json::from_slice(&std::fs::read(&before[0]).unwrap()).unwrap(), &[]);
+    let (whole, kept) = (std::fs::read(&before[0]).unwrap(), answer());
     std::fs::write(&before[0], &whole[..whole.len() / 2]).unwrap();
     std::fs::write(at.join("out/answers/map.x3p-0.json.1.partial"), &whole).unwrap();
     has(&resumed("").out, &["1 of 3 answers"]);
-    assert_eq!(json(&before[0]), answer);
+    assert_eq!(answer(), kept);
     std::fs::remove_dir_all(at.join("maps")).unwrap();
     // Other options and another content of the same name are other answers.
     for more in ["", "--level quadratic"] {

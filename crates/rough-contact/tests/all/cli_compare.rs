@@ -189,8 +189,7 @@ fn what_a_study_refuses() {
     at.refuses_with(1, &study, &["cannot be written"]);
 }
 
-/// Two files of one name, two elastic bodies, a load named as it is printed; and the command on the
-/// page repeats the run.
+/// Two files of one name, two elastic bodies, a load named as it is printed.
 #[test]
 fn a_study_can_be_told_apart_and_repeated_as_its_page_says() {
     let at = &folder();

@@ -1,22 +1,16 @@
 //! The leak through the gap, as a user asks for it.
 
-use crate::cli::{TestFolder, book, close, ends, folder, has, number};
+use crate::cli::{ROUGH, book, close, ends, folder, has, number, surface};
 use serde_json::{Value, json};
 
 const SEAL: &str =
     "--leak both --viscosity 1mPa.s --pressure-drop 1MPa --seal-length 1mm --seal-width 10mm";
 const RUBBER: &str = "a.x3p --modulus 10MPa --pressure 20kPa,100kPa,10MPa";
 
-fn surface() -> TestFolder {
-    let at = folder();
-    at.synth("a.x3p", "--shape 64,64 --rolloff 32um --cutoff 8um --rms-gradient 0.1 --seed 4");
-    at
-}
-
 /// Permeability, rate, closed forms and channel of an open contact, a narrow one and a sealed one.
 #[test]
 fn a_seal_closes_as_it_is_pressed() {
-    let at = &surface();
+    let at = &surface(ROUGH);
     let line = format!("solve {RUBBER} {SEAL}");
     let found = at.answer(&line);
     assert_eq!(found["leak"]["gap"], "elastic");
@@ -55,7 +49,7 @@ fn a_seal_closes_as_it_is_pressed() {
 /// A study says of the leak what `solve` says, in JSON, CSV and page; without `--leak` nothing of it, and of a profile none.
 #[test]
 fn a_study_leaks_as_its_solutions_do() {
-    let at = &surface();
+    let at = &surface(ROUGH);
     let study = |more: &str| {
         let said = at.done(&format!("compare {RUBBER} {more} --out report --force"));
         let found = at.results("report")["surfaces"][0]["leak"].clone();
@@ -91,7 +85,7 @@ fn a_study_leaks_as_its_solutions_do() {
 /// Metals: elastic it is said to be meaningless; yielded the gap is another.
 #[test]
 fn metals_leak_through_the_yielded_gap() {
-    let at = &surface();
+    let at = &surface(ROUGH);
     let line = "solve a.x3p --modulus 110GPa --pressure 800MPa --leak x";
     let [elastic, flattened] =
         [("", "elastic"), ("--hardness 3GPa", "yielded")].map(|(more, gap)| {
@@ -107,7 +101,7 @@ fn metals_leak_through_the_yielded_gap() {
 
 #[test]
 fn what_has_no_leak_is_refused() {
-    let at = &surface();
+    let at = &surface(ROUGH);
     at.refuses_each(
         "solve a.x3p --modulus 10MPa --pressure 20kPa",
         &[

@@ -1,6 +1,6 @@
 //! Loads as forces: the same answers as the pressures they are.
 
-use crate::cli::{TestFolder, UNITS, close, folder, has, number};
+use crate::cli::{ROUGH, TestFolder, UNITS, close, folder, has, number, surface};
 use std::f64::consts::TAU;
 
 const SOLVE: &str = "solve a.txt --pixel 1um --height-unit um --modulus 100GPa";
@@ -78,8 +78,7 @@ fn loads_that_make_no_sense_are_refused() {
 /// With forces the headline, the axes, the read-out and the table are in newtons; the table of numbers always has both.
 #[test]
 fn a_study_at_forces_reads_in_newtons() {
-    let at = &folder();
-    at.synth("a.x3p", "--shape 64,64 --rolloff 32um --cutoff 8um --rms-gradient 0.1 --seed 4");
+    let at = &surface(ROUGH);
     let page = |study: &str| at.read(&format!("{study}/report.html")).replace('\u{202f}', " ");
     let study = |maps: &str, rest: &str| {
         at.done(&format!("compare {maps} --modulus 110GPa --headline 10MPa {rest}")).out

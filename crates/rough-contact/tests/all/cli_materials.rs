@@ -1,19 +1,14 @@
 //! Materials of the table and a work of adhesion, as a user asks for them.
 
-use crate::cli::{TestFolder, book, close, folder, has, list, number};
+use crate::cli::{book, close, folder, has, list, number, surface};
 use std::f64::consts::PI;
 
-/// A folder with the map `a.x3p`.
-fn surface() -> TestFolder {
-    let at = folder();
-    at.synth("a.x3p", "--shape 128,128 --rolloff 32um --cutoff 6um --rms-gradient 0.1 --seed 4");
-    at
-}
+const MAP: &str = "--shape 128,128 --rolloff 32um --cutoff 6um";
 
 /// The table in text and JSON; a name in any case; near ones of a name that is not there.
 #[test]
 fn the_table_is_shown_and_names_are_looked_up() {
-    let at = &surface();
+    let at = &surface(MAP);
     let all = at.answer("materials");
     let listed = list(&all["materials"]);
     assert!(listed.len() >= 25 && listed.iter().all(|m| m["condition"].is_string()));
@@ -24,11 +19,10 @@ fn the_table_is_shown_and_names_are_looked_up() {
     at.refuses("solve a.x3p --material cooper --pressure 1MPa", &["copper", "materials"]);
 }
 
-/// E*, hardness, resistivity and conductivity of two materials are those of their numbers, typed in; own numbers
-/// override; condition and source are said.
+/// As if they were typed in; own numbers override; condition and source are said.
 #[test]
 fn a_material_is_its_numbers() {
-    let at = &surface();
+    let at = &surface(MAP);
     let solve = |bodies: &str| format!("solve a.x3p {bodies} --pressure 50MPa");
     let both = "--material copper --material steel-304 --resistivity table --conductivity table";
     let found = at.answer(&solve(both));
@@ -48,14 +42,8 @@ fn a_material_is_its_numbers() {
     assert!(used[0]["numbers"]["hardness"]["sources"][0].is_string(), "{used}");
     assert!(used[1]["numbers"].get("hardness").is_none(), "the softer body yields: {used}");
     assert!(same.get("materials").is_none());
-    has(
-        &at.run(&solve(both)).out,
-        &[
-            "copper (copper, pure / Cu-ETP; annealed): E = 117 GPa (117 GPa to 130 GPa)",
-            "k = 16.2 W/m/K",
-            "makeitfrom.com",
-        ],
-    );
+    let copper = "copper (copper, pure / Cu-ETP; annealed): E = 117 GPa (117 GPa to 130 GPa)";
+    has(&at.run(&solve(both)).out, &[copper, "k = 16.2 W/m/K", "makeitfrom.com"]);
 
     // Own numbers before those of the table; a modulus leaves the hardness; elastic leaves it out.
     let own = at.answer(&solve("--material copper --young 130GPa --hardness 1GPa"));
@@ -71,7 +59,7 @@ fn a_material_is_its_numbers() {
 
 #[test]
 fn what_the_table_does_not_know_is_asked_for() {
-    let at = &surface();
+    let at = &surface(MAP);
     let line = "solve a.x3p --pressure 1MPa";
     at.refuses_each(
         line,
@@ -94,15 +82,13 @@ fn what_the_table_does_not_know_is_asked_for() {
 /// A study says what its numbers are of, on the page and in its JSON.
 #[test]
 fn a_study_says_its_materials_and_whether_they_stick() {
-    let at = &surface();
+    let at = &surface(MAP);
     let line = "compare a.x3p --material copper --material steel-304 --conductivity table --pressure 20MPa,100MPa \
                 --work-of-adhesion 50mJ/m2 --models gw --out r";
     let copper = "copper (copper, pure";
     has(&at.done(line).out, &[copper]);
-    has(
-        &at.read("r/report.html"),
-        &[copper, "makeitfrom.com", "Adhesion is negligible", "capillary", "Pastewka"],
-    );
+    let page = at.read("r/report.html");
+    has(&page, &[copper, "makeitfrom.com", "Adhesion is negligible", "capillary", "Pastewka"]);
     let found = at.results("r");
     assert_eq!(found["materials"][1]["name"], "steel-304");
     let adhesion = &found["surfaces"][0]["adhesion"];
@@ -110,11 +96,10 @@ fn a_study_says_its_materials_and_whether_they_stick() {
     assert!(number(&adhesion["fuller_tabor"]) > 10.0, "{adhesion}");
 }
 
-/// The numbers of adhesion by their formulas from those of `stats`; steel does not stick, rubber does; solved
-/// contacts have a share of their own; without the option nothing is said.
+/// By the formulas from the numbers of `stats`; solved contacts have a share of their own.
 #[test]
 fn whether_bodies_stick_is_said() {
-    let at = &surface();
+    let at = &surface(MAP);
     let line = "stats a.x3p --modulus 115GPa --work-of-adhesion";
     let steel = at.answer(&format!("{line} 0.05J/m^2"));
     let (a, s) = (&steel["adhesion"], &steel["asperities"]);
@@ -131,10 +116,8 @@ fn whether_bodies_stick_is_said() {
     let rubber = "a.x3p --modulus 1MPa";
     let sticky = format!("stats {rubber} --work-of-adhesion 50mJ/m2");
     assert_eq!(at.answer(&sticky)["adhesion"]["negligible"], false);
-    has(
-        &at.run(&sticky).out,
-        &["check: Adhesion is not negligible: this program does not model it."],
-    );
+    let check = "check: Adhesion is not negligible: this program does not model it.";
+    has(&at.run(&sticky).out, &[check]);
 
     let line = format!("solve {rubber} --pressure 1kPa,10kPa --work-of-adhesion 50mJ/m2");
     let solved = at.answer(&line);
@@ -197,7 +180,7 @@ fn the_page_has_the_table() {
 /// One material presses on a rigid flat, two on each other: half the area of the one. Every command says which.
 #[test]
 fn modulus_and_the_other_body_are_said() {
-    let at = &surface();
+    let at = &surface(MAP);
     // What is left out of the hardness is an option that `model` does not have.
     for (command, rest) in [
         ("solve a.x3p", "--hardness elastic"),

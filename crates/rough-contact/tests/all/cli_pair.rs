@@ -93,10 +93,9 @@ fn both_bodies_are_named_wherever_the_answer_is() {
     let how = "--models gw,persson --pressure 300MPa,1GPa --flip rows --shift 3um,0um --out one";
     let first = at.done(&format!("compare {pair} {STEEL_AND_BRONZE} {how}")).out;
     has(&first, &["a.txt against b.txt", "b.txt E = 100 GPa"]);
-    has(
-        &at.read("one/report.html"),
-        &["a.txt against b.txt", "Composite surface", "a page of a wall calendar", "b.txt E = 100"],
-    );
+    let page = at.read("one/report.html");
+    has(&page, &["a.txt against b.txt", "Composite surface", "a page of a wall calendar"]);
+    has(&page, &["b.txt E = 100"]);
 }
 
 /// Maps of different size and spacing, missing points and options of their own.

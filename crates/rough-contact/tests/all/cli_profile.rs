@@ -56,8 +56,7 @@ fn a_sine_has_the_parameters_of_the_formulas() {
     has(&text, &["λc = 800 µm", "5 section lengths", "Sc3", "if isotropic"]);
 }
 
-/// Three traces beside each other are one surface; a column of it can be asked for alone. Two columns
-/// without titles are asked about and read as one trace.
+/// Traces beside each other are one surface; a column of it can be asked for alone.
 #[test]
 fn several_traces_are_taken_together() {
     let at = &folder();
@@ -119,8 +118,7 @@ fn a_trace_to_a_report() {
     );
 }
 
-/// A cosine in plane strain is Westergaard's: A = 2/π asin √(p/p*), p* = π E* Δ/λ; without being asked
-/// it is refused with the way out.
+/// A = 2/π asin √(p/p*), p* = π E* Δ/λ; unasked it is refused with the way out.
 #[test]
 fn a_sinusoid_in_plane_strain_is_westergaards() {
     let at = &folder();
@@ -151,8 +149,7 @@ fn a_sinusoid_in_plane_strain_is_westergaards() {
     );
 }
 
-/// Uneven points are put at equal distances and it is said; gaps and short traces are refused with
-/// value, limit and way out.
+/// Uneven points are put at equal distances; gaps and short traces are refused with the limit.
 #[test]
 fn what_cannot_be_taken_as_it_is_is_said() {
     let at = &folder();

@@ -93,8 +93,7 @@ fn what_the_file_does_not_say_is_asked_for() {
     at.done(&format!("stats hole.txt {UNITS} --fill nearest"));
 }
 
-/// Three numbers to a row may be x y z or three heights: which they were taken for is said, the
-/// other can be asked for.
+/// What x y z or three heights were taken for is said, and the other can be asked for.
 #[test]
 fn what_three_columns_are() {
     let at = &folder();

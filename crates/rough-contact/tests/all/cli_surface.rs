@@ -1,4 +1,4 @@
-//! info, stats, synth and solve as a script sees them.
+//! info, stats, synth, solve and validate as a script sees them.
 
 use crate::cli::{TestFolder, UNITS, close, ends, folder, has, list, number};
 use serde_json::{Value, json};
@@ -50,8 +50,7 @@ fn info_says_what_the_file_holds() {
     assert!(list(&at.answer("info --list")["formats"]).len() >= 3);
 }
 
-/// The areal parameters are those of `surface-stats`; a ramp of 41 heights from 0 to 4 um shows under which key and in
-/// which unit each stands.
+/// A ramp of 41 heights from 0 to 4 um: under which key and in which unit each stands.
 #[test]
 fn areal_parameters_have_the_symbols_of_the_standard() {
     let at = &folder();
@@ -175,8 +174,7 @@ fn solve_answers_in_the_order_asked_and_carries_the_load() {
     assert_eq!(by["method"], "polonsky-keer");
 }
 
-/// What is proved and what is estimated is null where it is not known. That both hold is tested in the crates of solver and
-/// accuracy.
+/// What is not known is null. That the others hold is tested in the crates of solver and accuracy.
 #[test]
 fn solve_states_how_wrong_it_may_be() {
     let at = &map();
@@ -207,4 +205,20 @@ fn one_refused_load_does_not_lose_the_others() {
     assert_eq!(points[1]["converged"], true);
     assert!(number(&points[1]["area_fraction"]) > 0.0 && points[1]["error"].is_null());
     assert_eq!(said.err.lines().count(), 1, "{}", said.err);
+}
+
+/// At what order the errors fall is tested in `fft-bem-solver`.
+#[test]
+fn every_case_is_compared() {
+    let at = &folder();
+    let object = at.answer("validate --quiet --finest 64");
+    for case in ["Hertz", "Westergaard", "bi-sinusoid", "full contact"] {
+        let named = |row: &&Value| {
+            row["case"].to_string().contains(case) || row["source"].to_string().contains(case)
+        };
+        let finest = list(&object["rows"]).iter().rfind(named);
+        let finest = finest.unwrap_or_else(|| panic!("no {case}"));
+        assert!(number(&finest["error"]).abs() < 0.01, "{finest}");
+    }
+    at.refuses("validate --finest 4", &["4", "32"]);
 }

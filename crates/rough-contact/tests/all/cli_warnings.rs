@@ -1,6 +1,6 @@
-//! What is said before harm: yield, slopes, units, loads beyond a theory.
+//! What is said before harm: yield, slopes, units, loads beyond a theory; the same in JSON, on the terminal and on the page.
 
-use crate::cli::{TestFolder, close, folder, has, list, number};
+use crate::cli::{TestFolder, UNITS, close, folder, has, list, number};
 use serde_json::Value;
 use std::f64::consts::TAU;
 
@@ -30,8 +30,7 @@ fn claims(answer: &Value) -> Vec<&str> {
     list(&surface["findings"]).iter().map(|f| f["claim"].as_str().unwrap()).collect()
 }
 
-/// What is said of a solve, or not: yield, a tilt that was left in where the map does not repeat, heights of 0.1 µm on an
-/// offset of 1e9 m, which are what doubles leave of them.
+/// Yield; a tilt left in a map that does not repeat; 0.1 µm on 1e9 m, which is rounding.
 #[test]
 fn a_solve_says_what_its_map_and_load_give_cause_to() {
     let tilted = &map(|iy, ix| (0.2 * iy as f64).sin() + 0.05 * ix as f64);
@@ -144,8 +143,7 @@ fn rows_that_jump_are_said_to_jump_and_put_in_line() {
     }
 }
 
-/// A tolerance that single precision does not reach: table, findings, reason and error name the same
-/// cause, and nothing says that the iteration did not converge.
+/// In table, findings, reason and error; nothing says that the iteration did not converge.
 #[test]
 fn a_load_that_stopped_at_rounding_is_called_that_everywhere() {
     let at = &waves();
@@ -199,10 +197,8 @@ fn a_spike_that_carries_the_load_is_named() {
     };
     let found = spike(&at.answer(&format!("solve {file}"))).unwrap();
     assert_eq!(found["weight"], "check");
-    has(
-        found["text"].as_str().unwrap(),
-        &["100\u{202F}% of the load", "outliers 8, fill harmonic"],
-    );
+    let text = found["text"].as_str().unwrap();
+    has(text, &["100\u{202F}% of the load", "outliers 8, fill harmonic"]);
     assert!(spike(&at.answer(&format!("model gw {file}"))).is_some());
     let study = at.answer(&format!("compare {file} --out out"));
     let surface = &study["surfaces"][0];
@@ -246,4 +242,71 @@ fn a_load_below_a_point_is_said() {
     let study = at.run(&line("compare --models gw,persson --out out --json", "10mPa")).json();
     assert!(claims(&study).contains(&format!("At 1 of 1 load {claim}.").as_str()), "{study}");
     has(&at.read("out/report.html"), &[claim]);
+}
+
+const INTERPOLATED: &str = "Result depends on interpolation between points";
+
+/// White noise: waves of two points, which no grid error bar covers.
+fn noise() -> TestFolder {
+    let at = folder();
+    at.matrix("noise.txt", 32, 32, |iy, ix| {
+        let i = (32 * iy + ix) as u64;
+        let mixed = (i + 1).wrapping_mul(0x9E37_79B9_7F4A_7C15);
+        ((mixed ^ (mixed >> 29)).wrapping_mul(0xBF58_476D_1CE4_E5B9) >> 40) as f64 / 1e7
+    });
+    at
+}
+
+/// Claims and texts of an array of findings, those that passed left out.
+fn open(findings: &Value) -> Vec<(String, String)> {
+    let text = |f: &Value, key: &str| f[key].as_str().unwrap().to_owned();
+    let subjects = ["material", "surface", "grid", "solution", "edges", "plan"];
+    for f in list(findings) {
+        assert!(["check", "note", "passed"].contains(&f["weight"].as_str().unwrap()));
+        assert!(subjects.contains(&f["subject"].as_str().unwrap()));
+        for key in ["claim", "text"] {
+            assert!(!text(f, key).contains('<'), "plain text: {f}");
+        }
+    }
+    let open = list(findings).iter().filter(|f| f["weight"] != "passed");
+    open.map(|f| (text(f, "claim"), text(f, "text"))).collect()
+}
+
+#[test]
+fn solve_says_on_the_terminal_what_its_json_says() {
+    let at = &noise();
+    let line = format!("solve noise.txt {UNITS} --modulus 1GPa --pressure 1MPa,9MPa");
+    let json = at.answer(&line);
+    let found = open(&json["findings"]);
+    assert!(found.iter().any(|(claim, _)| claim.starts_with(INTERPOLATED)), "{found:?}");
+    assert!(list(&json["findings"]).iter().any(|f| f["subject"] == "grid"), "{json}");
+    let text = at.run(&line).out;
+    for (claim, effect) in found.iter().take(3) {
+        has(&text, &[claim, &effect.replace('\u{202F}', " ")]);
+    }
+    // A surface that is resolved has nothing to check.
+    let line = "solve map.txt --pixel 1um --height-unit nm --modulus 1GPa --pressure 9kPa";
+    assert_eq!(waves().answer(line)["findings"], Value::Array(vec![]));
+}
+
+#[test]
+fn page_terminal_and_results_of_a_study_agree() {
+    let at = &noise();
+    let line = "compare noise.txt --modulus 1GPa --pressure 1MPa,9MPa --out out";
+    let said = at.done(&format!("{line} {UNITS}")).out;
+    let page = at.read("out/report.html");
+    let surface = &at.results("out")["surfaces"][0];
+    // The finer grid was solved unasked.
+    assert!(!surface["finer"].is_null(), "{surface}");
+    let found = open(&surface["findings"]);
+    assert!(found.iter().any(|(claim, _)| claim.starts_with(INTERPOLATED)), "{found:?}");
+    for (claim, text) in found.iter().take(3) {
+        has(&said, &[&claim.replace('\u{202F}', " ")]);
+        for part in [claim, text] {
+            let escaped = part.replace('&', "&amp;").replace('\'', "&#39;");
+            assert!(page.contains(&escaped), "{part} is not on the page");
+        }
+    }
+    let more = found.len().saturating_sub(3);
+    assert_eq!(said.contains(&format!("and {more} more")), more > 0, "{said}");
 }

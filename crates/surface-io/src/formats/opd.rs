@@ -156,32 +156,3 @@ fn parse_text(b: Bytes<'_>) -> Result<Contents<'_>, ReadError> {
     contents.metadata = fields;
     Ok(contents)
 }
-
-#[cfg(test)]
-mod tests {
-    use crate::{ReadOptions, read_bytes};
-
-    /// 2 rows of 3 points: a line is a column.
-    #[test]
-    fn the_export_as_text() {
-        let file = "Wyko ASCII Data File Format 0\t0\t1\nX Size\t3\nY Size\t2\n\
-                    Block Name\tType\tLength\tValue\nPixel_size\t7\t4\t0.002\nAspect\t7\t4\t1.5\n\
-                    Wavelength\t7\t4\t500\nMult\t7\t4\t2\nRAW_DATA\t3\t24\t\n1\t4\n2\tBad\n3\t6\n";
-        let options = ReadOptions::default();
-        for (flag, unit) in [("0\t0\t1", 250e-9), ("0\t1\t1", 1e-9)] {
-            let found = read_bytes(file.replace("0\t0\t1", flag).as_bytes(), &options).unwrap();
-            assert_eq!((found.grid().shape(), found.missing()), ([2, 3], 1));
-            let [dy, dx] = found.grid().pixel();
-            assert!((dx / 2e-6 - 1.0).abs() < 1e-12 && (dy / 3e-6 - 1.0).abs() < 1e-12);
-            for (i, right) in [(0, 1.0), (1, 2.0), (2, 3.0), (3, 4.0), (5, 6.0)] {
-                assert!((found.heights()[i] / (right * unit) - 1.0).abs() < 1e-12);
-            }
-        }
-        for (from, to, word) in
-            [("3\t6\n", "3\n", "line 12"), ("3\t6\n", "", "line 12"), ("500", "0", "Wavelength")]
-        {
-            let error = read_bytes(file.replace(from, to).as_bytes(), &options).unwrap_err();
-            assert!(error.to_string().contains(word), "{error}");
-        }
-    }
-}

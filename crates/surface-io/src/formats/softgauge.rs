@@ -47,34 +47,3 @@ pub(crate) fn parse(b: Bytes<'_>) -> Result<Contents<'_>, ReadError> {
     contents.metadata.retain(|path, _| !path.starts_with("DATAFILE/"));
     Ok(contents)
 }
-
-#[cfg(test)]
-mod tests {
-    use crate::{ReadOptions, read_bytes};
-
-    #[test]
-    fn a_profile_in_xml() {
-        let file = "<?xml version='1.0' encoding='UTF-8'?>\n<?xml-stylesheet type=\"text/xsl\" \
-                    href=\"data.xsl\"?>\n<!DOCTYPE DATA SYSTEM \"data.dtd\">\n<DATA><PART><PART_NAME>sine\
-                    </PART_NAME></PART><DATAFILE>\n<UNITS>um</UNITS><NUMPOINTS>4</NUMPOINTS>\
-                    <SPACING>0.5</SPACING>\n<KCAL>1um/mv</KCAL><DATA_TYPE>2D</DATA_TYPE>\n\
-                    <DATA_POINT_VALUES>0.0\n0.0079\n-1.0E-4\n2</DATA_POINT_VALUES></DATAFILE></DATA>\n";
-        let options = ReadOptions::default();
-        let found = read_bytes(file.as_bytes(), &options).unwrap();
-        assert!(found.is_profile());
-        assert_eq!(found.metadata["PART/PART_NAME"], "sine");
-        assert!((found.grid().pixel()[1] / 0.5e-6 - 1.0).abs() < 1e-12);
-        for (i, right) in [(1, 7.9e-9), (2, -1e-10), (3, 2e-6)] {
-            assert!((found.heights()[i] / right - 1.0).abs() < 1e-12);
-        }
-        for (from, to, word) in [
-            ("<NUMPOINTS>4", "<NUMPOINTS>5", "4 heights"),
-            ("2D", "3D", "type 3D"),
-            ("0.0079", "0.oo79", "point 2"),
-            ("\"data.dtd\">", "\"data.dtd\" [<!ENTITY e \"1\">]>", "document type"),
-        ] {
-            let error = read_bytes(file.replace(from, to).as_bytes(), &options).unwrap_err();
-            assert!(error.to_string().contains(word), "{error}");
-        }
-    }
-}

@@ -5,6 +5,8 @@
 #[path = "../common/mod.rs"]
 mod common;
 
+mod formats;
+mod headers;
 mod hostile;
 mod mountains;
 mod roundtrip;

@@ -1,15 +1,13 @@
 //! Texts as programs and instruments write them: what is read, and what is refused with its readings.
-#![allow(
-    clippy::unwrap_used,
-    clippy::float_cmp,
-    reason = "tests: what is read is the number that was written"
-)]
+#![allow(clippy::float_cmp, reason = "what is read is the number that was written")]
 
 use crate::common::{self, SayMore as _, unaided, units};
+use contact_types::Grid;
 use std::fmt::Write as _;
 use surface_io::HeightUnit::Always;
 use surface_io::{
-    DecimalMark, Layout, Measurement, Need, ReadError, ReadOptions, read_bytes, read_traces_bytes,
+    DecimalMark, Fill, FillError, Layout, Measurement, Need, ReadError, ReadOptions, read_bytes,
+    read_traces_bytes,
 };
 
 const GWYDDION: &str = "# Width: 4 um\n# Height: 3 um\n# Value units: nm\n";
@@ -103,11 +101,7 @@ fn a_row_and_a_column_of_coordinates_are_no_heights() {
     for corner in ["", "y\\x", "0", "5"] {
         let text = with(corner, "0.0,0.5,1.0,1.5,2.0", ["0.0,", "1.5,", "3.0,", "4.5,"]);
         let found = read_bytes(text.as_bytes(), &no_pixel).unwrap();
-        assert_eq!(
-            (found.grid().shape(), found.grid().pixel()),
-            ([4, 5], [1.5e-6, 0.5e-6]),
-            "{text}"
-        );
+        assert_eq!(found.grid(), Grid::new([4, 5], [1.5e-6, 0.5e-6]).unwrap(), "{text}");
         assert_eq!(heights(&text, &no_pixel), all());
         assert!(found.metadata["left out"].contains("coordinates"));
     }
@@ -141,11 +135,8 @@ fn a_first_column_that_rises_may_be_positions() {
     for y in [["0,", "1,", "2,", "3,"], ["0.0,", "0.5,", "1.0,", "1.5,"]] {
         let text = rows(&y, ",", |z| format!("{z:.2}"));
         let error = refusal(&text, &scaled().lateral(1e-6));
-        assert_eq!(
-            error.needs(),
-            [Need::Layout(Layout::Traces), Need::Layout(Layout::Matrix)],
-            "{error}"
-        );
+        let layouts = [Layout::Traces, Layout::Matrix].map(Need::Layout);
+        assert_eq!(error.needs(), layouts, "{error}");
         let traces = scaled().layout(Layout::Traces);
         assert_eq!(read_traces_bytes(text.as_bytes(), &traces).unwrap().len(), 5);
         assert_eq!(heights(&text, &scaled().layout(Layout::Matrix)).len(), 24);
@@ -166,31 +157,22 @@ fn lists_have_further_columns_and_any_order() {
         (0..20).map(|i| line(i % 5, i / 5, height(i)) + "\n").collect::<String>()
     };
     let options = units(1e-6, 1e-9);
-    let fourth =
-        |x: usize, y: usize, z: f64| format!("{} {} {z} {}", x as f64 * 0.5, y * 2, 100 + x);
+    let x = |x: usize| x as f64 * 0.5;
+    let fourth = |i: usize, y: usize, z: f64| format!("{} {} {z} {}", x(i), y * 2, 100 + i);
+    let indexed = |i: usize, y: usize, z: f64| format!("{} {} {} {z}", y * 5 + i, x(i), y * 2);
     for (titles, text) in [
         ("", list(&fourth)),
         ("x y z intensity\n", list(&fourth)),
-        (
-            "index x y z\n",
-            list(&|x, y, z| format!("{} {} {} {z}", y * 5 + x, x as f64 * 0.5, y * 2)),
-        ),
-        ("", list(&|x, y, z| format!("{} {} {} {z}", y * 5 + x, x as f64 * 0.5, y * 2))),
-        ("y x z\n", list(&|x, y, z| format!("{} {} {z}", y * 2, x as f64 * 0.5))),
-        ("z y x\n", list(&|x, y, z| format!("{z} {} {}", y * 2, x as f64 * 0.5))),
-        ("y [um] x [um] z [nm]\n", list(&|x, y, z| format!("{} {} {z}", y * 2, x as f64 * 0.5))),
-        (
-            "x y intensity z\n",
-            list(&|x, y, z| format!("{} {} {} {z}", x as f64 * 0.5, y * 2, 100 + x)),
-        ),
+        ("index x y z\n", list(&indexed)),
+        ("", list(&indexed)),
+        ("y x z\n", list(&|i, y, z| format!("{} {} {z}", y * 2, x(i)))),
+        ("z y x\n", list(&|i, y, z| format!("{z} {} {}", y * 2, x(i)))),
+        ("y [um] x [um] z [nm]\n", list(&|i, y, z| format!("{} {} {z}", y * 2, x(i)))),
+        ("x y intensity z\n", list(&|i, y, z| format!("{} {} {} {z}", x(i), y * 2, 100 + i))),
     ] {
         let text = format!("{titles}{text}");
         let found = read_bytes(text.as_bytes(), &options).unwrap_or_else(|e| panic!("{text}: {e}"));
-        assert_eq!(
-            (found.grid().shape(), found.grid().pixel()),
-            ([4, 5], [2e-6, 0.5e-6]),
-            "{text}"
-        );
+        assert_eq!(found.grid(), Grid::new([4, 5], [2e-6, 0.5e-6]).unwrap(), "{text}");
         assert_eq!(heights(&text, &options), all(), "{text}");
     }
     // By rows and columns.
@@ -228,6 +210,45 @@ fn profiles_in_other_forms() {
         assert_eq!(found.grid().pixel()[1], 0.5e-6, "{text}");
         assert_eq!(heights(&text, &options), [1.0, -2.0, 0.0, 3.0]);
     }
+}
+
+/// Heights on a line stay on it; between 1 and 4 µm a straight line stands for the tent.
+#[test]
+fn points_lie_on_the_lines_between_their_neighbours() {
+    let profile = read("x [um];z [nm]\n5.00;0\n6.00;1\n9.00;7\n10.00;9\n11.00;11\n");
+    assert!(profile.uneven.is_some());
+    assert_eq!(profile.positions.as_ref().unwrap().len(), 5);
+    let (even, steps) = profile.evenly_spaced().unwrap();
+    let (spacing, longest) = (even.grid().pixel()[1], steps.unwrap()[1]);
+    assert!((spacing - 1.5e-6).abs() < 1e-18 && (longest - 3e-6).abs() < 1e-18);
+    let map = even.fill(Fill::Refuse).unwrap();
+    // 5, 6.5, 8, 9.5, 11 µm.
+    for (z, nm) in map.heights().iter().zip([0.0, 2.0, 5.0, 8.0, 11.0]) {
+        assert!((z - 1e-9 * nm).abs() < 1e-20, "{z:e} {nm}");
+    }
+}
+
+/// Falling positions give the same; what is even is left as it is.
+#[test]
+fn either_direction_and_even_profiles() {
+    let up = read("x [um];z [nm]\n0.00;1\n1.00;5\n4.00;2\n5.00;7\n").evenly_spaced().unwrap().0;
+    let down = read("x [um];z [nm]\n5.00;7\n4.00;2\n1.00;5\n0.00;1\n").evenly_spaced().unwrap().0;
+    assert_eq!(up.heights(), down.heights());
+    assert!((up.heights()[1] - 13e-9 / 3.0).abs() < 1e-20, "{up:?}");
+    let even = read("x [um];z [nm]\n0;1\n1;5\n2;2\n3;7\n");
+    let (same, steps) = even.clone().evenly_spaced().unwrap();
+    assert!(steps.is_none() && same == even);
+}
+
+#[test]
+fn a_gap_is_not_bridged() {
+    let mut text = String::from("x [um];z [nm]\n");
+    for i in 0..30 {
+        let x = if i < 15 { i } else { i + 100 };
+        writeln!(text, "{x};{}", i % 3).unwrap();
+    }
+    let refused = read(&text).evenly_spaced();
+    assert!(matches!(refused, Err(FillError::Gap { .. })), "{refused:?}");
 }
 
 #[test]
@@ -273,10 +294,8 @@ fn thousands_are_told_by_their_pattern_or_asked_for() {
     // Both marks, each with three digits.
     assert_eq!(refusal("1,855;2\n3.853;4\n", &scaled()).needs(), [Need::DecimalMark]);
     // A mark of missing points among decimals is no thousands.
-    assert_eq!(
-        heights(&format!("{GWYDDION}1.855 999\n2.184 3.853\n"), &ReadOptions::default())[0],
-        1.855
-    );
+    let marked = format!("{GWYDDION}1.855 999\n2.184 3.853\n");
+    assert_eq!(heights(&marked, &ReadOptions::default())[0], 1.855);
     // Whole coordinates beside heights with three decimals.
     let list = "0 0 1.855\n1 0 2.184\n2 0 3.853\n0 1 4.291\n1 1 5.125\n2 1 6.375\n";
     let options = scaled().lateral(1e-6);

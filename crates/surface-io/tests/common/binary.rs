@@ -123,6 +123,11 @@ fn x3p_samples() -> Vec<SampleFile> {
     ]
 }
 
+/// Bytes after their number.
+pub fn counted(bytes: impl AsRef<[u8]>) -> Vec<u8> {
+    [&(bytes.as_ref().len() as u32).to_le_bytes()[..], bytes.as_ref()].concat()
+}
+
 /// A zlib stream.
 pub fn zlib(content: &[u8]) -> Vec<u8> {
     let mut pack = flate2::write::ZlibEncoder::new(Vec::new(), flate2::Compression::default());
@@ -156,7 +161,7 @@ pub fn samples() -> Vec<SampleFile> {
         .flat_map(|ix| (0..NY).map(move |iy| (iy, ix)))
         .flat_map(|(iy, ix)| (points(f64::NAN)[iy * NX + ix] as f32).to_be_bytes())
         .collect();
-    let integers: Vec<u8> = points(102.0).iter().flat_map(|h| (*h as u16).to_le_bytes()).collect();
+    let integers = shorts(&points(102.0));
     let mut samples = vec![
         SampleFile::new("npy", npy("<f8", false, "(5, 7)", &doubles(&values)))
             .bare(),

@@ -1,6 +1,8 @@
 //! Samples of instrument formats.
 
-use super::binary::{Writer, doubles, floats, latin1, shorts, upside_down, utf16, words, zlib};
+use super::binary::{
+    Writer, counted, doubles, floats, latin1, shorts, upside_down, utf16, words, zlib,
+};
 use super::{DX, DY, NX, NY, SampleFile, points};
 
 fn sur(is_compressed: bool, bits: u16) -> Vec<u8> {
@@ -393,8 +395,7 @@ fn wsxm() -> Vec<u8> {
 }
 
 fn opdx() -> Vec<u8> {
-    let text = |text: &str| [&(text.len() as u32).to_le_bytes()[..], text.as_bytes()].concat();
-    let item = |name: &str, kind: u8, value: Vec<u8>| [text(name), vec![kind], value].concat();
+    let item = |name: &str, kind: u8, value: Vec<u8>| [counted(name), vec![kind], value].concat();
     // The three widths of a length, all of them.
     let sized = |value: Vec<u8>| match value.len() {
         n @ 0..100 => [vec![1, n as u8], value].concat(),
@@ -403,13 +404,13 @@ fn opdx() -> Vec<u8> {
     };
     let quantity = |value: f64, symbol: &str| {
         let value = value.to_le_bytes().to_vec();
-        sized([value, text("unit"), text(symbol), vec![0; 12]].concat())
+        sized([value, counted("unit"), counted(symbol), vec![0; 12]].concat())
     };
     let container = |items: Vec<Vec<u8>>| {
         sized([items.concat(), item("", 127, vec![]), vec![0xff, 0xff]].concat())
     };
     let sides = [NY as u32, NX as u32].map(u32::to_le_bytes).concat();
-    let matrix = [text("Matrix<float>"), sized([sides, floats(&points(f64::NAN))].concat())];
+    let matrix = [counted("Matrix<float>"), sized([sides, floats(&points(f64::NAN))].concat())];
     let raw = container(vec![
         item("Matrix", 69, matrix.concat()),
         item("Dimension1Extent", 19, quantity(12.0, "\u{b5}m")),
@@ -417,7 +418,7 @@ fn opdx() -> Vec<u8> {
         item("DataScale", 19, quantity(1.0, "nm")),
         item("DataKind", 18, sized(b"Height".to_vec())),
     ]);
-    let names = [text("List"), sized([text("Raw")].concat())].concat();
+    let names = [counted("List"), sized([counted("Raw")].concat())].concat();
     let about = container(vec![
         item("Date", 18, sized(b"2026".to_vec())),
         item("Count", 7, 5u32.to_le_bytes().to_vec()),

@@ -1,6 +1,8 @@
 //! Samples of the formats of microscopes and profilers that came later than the others.
 
-use super::binary::{Writer, doubles, floats, gzip, shorts, upside_down, utf16, words, zip, zlib};
+use super::binary::{
+    Writer, counted, doubles, floats, gzip, shorts, upside_down, utf16, words, zip, zlib,
+};
 use super::{DX, DY, NX, NY, SampleFile, points};
 use std::io::Read as _;
 
@@ -341,8 +343,82 @@ pub fn mitutoyo() -> Vec<u8> {
     ])
 }
 
+fn u32_of(value: usize) -> [u8; 4] {
+    (value as u32).to_le_bytes()
+}
+
+fn block(kind: usize, content: &[u8]) -> Vec<u8> {
+    [&u32_of(kind), &[1u8; 32][..], content].concat()
+}
+
+fn chunk(kind: usize, content: &[u8]) -> Vec<u8> {
+    [&u32_of(content.len()), &u32_of(kind), content].concat()
+}
+
+fn piece(name: &str, data: &[u8]) -> Vec<u8> {
+    let head = [&u32_of(0)[..], &u32_of(data.len()), &counted(name)].concat();
+    [&chunk(3, &head)[..], &u32_of(data.len()), &u32_of(4), data].concat()
+}
+
+fn oir_channel(id: &str, kind: &str, bits: usize) -> String {
+    let axes = |name: &str, inner: &str, [x, y, z]: [&str; 3]| {
+        format!(
+            "<commonphase:{name}><{inner}:x>{x}</{inner}:x><{inner}:y>{y}</{inner}:y>\
+             <{inner}:z>{z}</{inner}:z></commonphase:{name}>"
+        )
+    };
+    format!(
+        "<commonphase:channel id=\"{id}\" order=\"1\"><commonphase:imageDefinition>\
+         <commonphase:imageType>{kind}</commonphase:imageType>\
+         <commonphase:bitCounts>{bits}</commonphase:bitCounts></commonphase:imageDefinition>{}{}\
+         </commonphase:channel>",
+        axes("length", "commonparam", ["1.0", "3", "1.0"]),
+        axes("pixelUnit", "commonphase", ["MICRO_METER", "um", "NANO_METER"])
+    )
+}
+
+/// With a picture beside the heights and these in two pieces.
+fn oir() -> Vec<u8> {
+    let properties = format!(
+        "<?xml version=\"1.0\"?><lsmimage:imageProperties><commonimage:general>\
+         <base:creationDateTime>2026-11-23</base:creationDateTime></commonimage:general>\
+         <commonimage:imageInfo><commonimage:width>{NX}</commonimage:width>\
+         <commonimage:height>{NY}</commonimage:height><commonimage:phase><commonphase:group>\
+         {}{}</commonphase:group></commonimage:phase></commonimage:imageInfo>\
+         <commonimage:acquisition><commonimage:microscopeConfiguration>\
+         <commonimage:pixelCalibration><commonparam:x>2</commonparam:x>\
+         </commonimage:pixelCalibration></commonimage:microscopeConfiguration>\
+         </commonimage:acquisition></lsmimage:imageProperties>",
+        oir_channel("c0", "COLOR", 24),
+        oir_channel("c1", "HEIGHT", 16)
+    );
+    let list = |entries: &[&[u8]]| [&u32_of(entries.len())[..], &entries.concat()].concat();
+    let name = |name: &str| [&counted(name)[..], &u32_of(0)].concat();
+    let blocks = [
+        block(1, &counted("<version/>")),
+        block(2, &counted(&properties)),
+        block(5, &list(&[&[counted("t"), counted("<lut/>")].concat()])),
+        block(6, &list(&[&name("t001_0_1")])),
+        block(8, &list(&[&name("c0"), &name("c1")])),
+        block(9, &list(&[&[&u32_of(7)[..], &counted("a"), &counted("b")].concat()])),
+        block(10, &list(&[&[&name("u")[..], &counted("<x/>"), &counted("<y/>")].concat()])),
+        block(14, &counted("<events/>")),
+    ];
+    let data = shorts(&points(102.0));
+    let mut w = Writer::default();
+    w.put("OLYMPUSRAWFORMAT").to(72).put("UNKNOWN").to(96);
+    w.put(chunk(0, &blocks.concat())).put(chunk(1, &block(1, &counted("<frame/>"))));
+    w.put(chunk(2, b"BMP\0BM")).put(chunk(5, &[]));
+    w.put(piece("t001_0_1_c1_1", &data[28..])).put(piece("t001_0_1_c1_0", &data[..28]));
+    w.put([0xff; 4]).put([0; 8]);
+    w.0
+}
+
 pub fn samples() -> Vec<SampleFile> {
+    let packed = zip(&[("about.txt", b"no image"), ("a.oir", &oir()), ("b.oir", &oir()[..300])]);
     vec![
+        SampleFile::new("oir", oir()).complete(),
+        SampleFile::new("oir, packed", packed).complete(),
         SampleFile::new("vk4", vk4()).complete(),
         SampleFile::new("vk6", vk6()).complete(),
         SampleFile::new("vk6, gzip", gzip(&vk6())).complete(),

@@ -13,7 +13,6 @@ pub mod binary;
 pub mod instruments;
 pub mod microscopes;
 pub mod mountains;
-pub mod olympus;
 
 use surface_io::{HeightUnit, Layout, Measurement, ReadError, ReadOptions, read_bytes};
 
@@ -215,6 +214,5 @@ pub fn samples() -> Vec<SampleFile> {
     samples.extend(instruments::samples());
     samples.extend(microscopes::samples());
     samples.extend(mountains::samples());
-    samples.extend(olympus::samples());
     samples
 }

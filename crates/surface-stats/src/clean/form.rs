@@ -325,8 +325,7 @@ mod tests {
         square / (r + r.signum() * (r * r - square).sqrt())
     }
 
-    /// Ball and bowl, off centre, deep and shallow, with a missing corner: radius and apex come
-    /// back and nothing is left.
+    /// Ball and bowl, off centre, deep and shallow, with a missing corner.
     #[test]
     fn spheres_of_all_depths() {
         let apex = [50e-6, 30e-6];

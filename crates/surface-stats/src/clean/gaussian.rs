@@ -142,8 +142,7 @@ mod tests {
         }
     }
 
-    /// A constant passes unchanged to the very corner, beside and despite missing points; missing points far away change
-    /// nothing.
+    /// A constant passes to the very corner; missing points far away change nothing.
     #[test]
     fn missing_points_stay_missing_and_are_local() {
         let grid = Grid::new([64, 64], [1.0, 2.0]).unwrap();

@@ -176,8 +176,7 @@ mod tests {
         find_outliers(grid, heights, 8.0).unwrap().indices
     }
 
-    /// Planted spikes, one of them a pair, one beside missing points, are found and nothing else; also on a slope of a
-    /// hundred times the relief, up to the corners.
+    /// A pair, beside missing points, up to the corners, on a slope of a hundred times the relief.
     #[test]
     fn finds_what_was_planted_and_nothing_else() {
         for (quantise, slope) in [(None, 0.0), (Some(1e-8), 0.0), (None, 1e-7)] {

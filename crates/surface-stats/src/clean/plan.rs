@@ -192,8 +192,7 @@ mod tests {
         assert_eq!(shown, ["322.7 mm", "2.000 mm", "2.300 km", "3.000e7 m", "inf m"]);
     }
 
-    /// A rough ball with a spike and a hole: after spike, form and S-filter the relief is that of
-    /// the rough flat, filtered alike.
+    /// With a spike and a hole; the rough flat is filtered alike.
     #[test]
     fn a_rough_ball_comes_out_as_the_rough_flat() {
         let grid = Grid::new([120, 100], [1e-6, 1e-6]).unwrap();

@@ -158,8 +158,7 @@ mod tests {
         }
     }
 
-    /// A ramp does not repeat: mirrored it stays between its ends but for the kink there, while its
-    /// periodic interpolation swings out by a tenth of the range.
+    /// Mirrored, but for the kink at its ends; its periodic interpolation swings out by a tenth.
     #[test]
     fn a_ramp_keeps_its_range() {
         let grid = Grid::new([4, 64], [1.0, 1.0]).unwrap();
@@ -194,7 +193,7 @@ mod tests {
         }
     }
 
-    /// Refining keeps the old points, also with waves of two pixels.
+    /// Also with waves of two pixels.
     #[test]
     fn fourier_refinement_passes_through_all_points() {
         for shape in [[8, 6], [7, 9]] {

@@ -139,7 +139,7 @@ mod tests {
         2.0 * (x - x.floor()) - 1.0
     }
 
-    /// Offsets planted row by row come off again, beside missing points and a tilt, which stays.
+    /// Beside missing points and a tilt, which stays.
     #[test]
     fn planted_offsets_come_off() {
         let (grid, mut heights) = relief(3);

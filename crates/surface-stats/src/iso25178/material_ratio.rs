@@ -152,8 +152,7 @@ mod tests {
         }
     }
 
-    /// Top and bottom of a sine are equally flat: the window is the one at the top, whatever rounding
-    /// says, so that nothing stands above the core.
+    /// Of top and bottom of a sine the window is at the top: nothing stands above the core.
     #[test]
     fn equally_flat_windows_are_told_by_their_place() {
         for amplitude in [1e-6, -1e-6] {

@@ -205,9 +205,8 @@ mod tests {
         assert_eq!(students_t(1.0), None);
     }
 
-    /// Rows of maps of a known surface, far enough apart to be independent, each half as long as the
-    /// map so that none repeats. The truth is the mean over all rows of all maps; of the 95 %
-    /// intervals nine in ten hold it at least, and they are no wider than thrice what the rows scatter.
+    /// Rows that are independent, half as long as the map; the truth is the mean over all. Nine in
+    /// ten hold it, and they are no wider than thrice what the rows scatter.
     #[test]
     fn intervals_hold_the_truth() {
         let mut all = Vec::new();

@@ -172,9 +172,7 @@ mod tests {
         close(spectrum.moments().m2, 0.5e-14 * q * q, 1e-3);
     }
 
-    /// White noise of rms 3 nm under a wave of 1 µm: its rms, and the wave stands out; also where
-    /// every second point is off by as much as the noise, a line at the shortest wave, which is no
-    /// surface.
+    /// Under a wave of 1 µm, which stands out; a line at the shortest wave is no surface.
     #[test]
     fn a_floor_of_white_noise_is_found() {
         for line in [0.0, 3e-9] {

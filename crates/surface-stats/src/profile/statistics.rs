@@ -231,8 +231,7 @@ mod tests {
     use crate::{Edges, StatsOptions, SurfaceStatistics};
     use contact_types::Grid;
 
-    /// Rows of an isotropic map: their moments, Hurst exponent and scales are those that the map's own
-    /// statistics give, within their scatter.
+    /// Also its Hurst exponent and scales, within their scatter.
     #[test]
     fn rows_of_an_isotropic_map_have_its_moments() {
         let grid = Grid::new([256, 2048], [1e-6, 1e-6]).unwrap();
@@ -259,19 +258,6 @@ mod tests {
         assert!((0.5..1.0).contains(&hurst), "{hurst}");
     }
 
-    /// What is asked for and cannot be is an error; what was chosen and cannot be is said.
-    #[test]
-    fn a_cut_off_that_was_asked_for_must_fit() {
-        let trace = Trace::new(1e-6, (0..100).map(|i| f64::from(i % 7) * 1e-8).collect()).unwrap();
-        let asked = ProfileOptions { cutoff: Some(0.8e-3), ..ProfileOptions::default() };
-        let refused = ProfileStatistics::of(std::slice::from_ref(&trace), &asked);
-        assert!(matches!(refused, Err(StatsError::ShortTrace { .. })));
-        let (statistics, ..) = ProfileStatistics::of(&[trace], &ProfileOptions::default()).unwrap();
-        assert!(matches!(statistics.roughness, Err(StatsError::ShortTrace { .. })));
-        assert!(statistics.moments.m2 > 0.0);
-    }
-
-    /// Several traces: means and standard deviations of what each has.
     #[test]
     fn several_traces_average() {
         let trace = |a: f64, n: i32| {

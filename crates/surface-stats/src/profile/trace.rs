@@ -95,11 +95,8 @@ mod tests {
             assert_eq!(short.heights().len(), 12_001 - 2 * 800);
             let passes = (-LN_2 / (ratio * ratio)).exp();
             for i in (3000..9000).step_by(37) {
-                assert_abs_diff_eq!(
-                    short.heights()[i - 800],
-                    (1.0 - passes) * z(i),
-                    epsilon = 1e-13
-                );
+                let expected = (1.0 - passes) * z(i);
+                assert_abs_diff_eq!(short.heights()[i - 800], expected, epsilon = 1e-13);
             }
             let is_short = ratio <= 0.25;
             for (i, found) in short.heights().iter().enumerate().filter(|_| is_short) {

@@ -91,7 +91,7 @@ fn a_tilted_plane_is_flat_once_levelled() {
     all_finite(&m);
 }
 
-/// Same numbers in any unit, from 1e-50 m to 1e50 m of height and pixel.
+/// From 1e-50 m to 1e50 m of height and pixel.
 #[test]
 fn scales_with_its_units() {
     let base = all_finite(&map([24, 31], [1.5, 1.0], ripple));

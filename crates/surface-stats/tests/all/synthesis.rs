@@ -13,8 +13,7 @@ fn waves(map: &HeightMap) -> PowerSpectrum {
 }
 
 proptest! {
-    /// Any shape and pixel: rms height or gradient as asked for, mean zero, no wave beyond the
-    /// cut-off.
+    /// Any shape and pixel: scale as asked for, mean zero, no wave beyond the cut-off.
     #[test]
     fn scale_and_band_hold_on_every_grid(
         ny in 20usize..60, nx in 20usize..60, dy in 0.5..2.0f64, hurst in 0.0..=1.0,
@@ -67,7 +66,6 @@ fn the_spectrum_is_the_one_asked_for() {
     }
 }
 
-/// What the statistics read off a map is what the recipe put in.
 #[test]
 fn statistics_recover_the_recipe() {
     for (hurst, seed) in [(0.8, 1), (0.5, 2), (0.3, 3)] {

@@ -80,8 +80,7 @@ impl PlaneWave {
         self.amplitude * self.amplitude / 2.0
     }
 
-    /// Found against `m2 = m0 (2 sin(q d/2) / d)^2`, `m4 = m0 (2 sin(q d/2) / d)^4` of each axis
-    /// and what follows from them.
+    /// Found against `m0 (2 sin(q d/2) / d)^2` and `^4` of each axis and what follows from them.
     fn by_differences(&self, found: &SurfaceStatistics) -> f64 {
         let (halves, m0) = (self.half_angles(), self.m0());
         let [m2_y, m2_x] = [0, 1].map(|a| m0 * (2.0 * halves[a].sin() / self.pixel[a]).powi(2));
@@ -227,8 +226,7 @@ fn few_levels() -> Vec<Case> {
     cases
 }
 
-/// One pixel of 512 x 512 stands out by `height`: the moments of a coin that shows heads with
-/// probability 1/n.
+/// One pixel of 512 x 512: the moments of a coin that shows heads with probability 1/n.
 fn spike(height: f64) -> f64 {
     let (n, d) = (512.0 * 512.0, 1e-6);
     let peak = |iy, ix| if (iy, ix) == (200, 77) { height } else { 0.0 };

@@ -32,6 +32,17 @@ pub(crate) fn folder() -> TestFolder {
     TestFolder(tempfile::tempdir().unwrap())
 }
 
+/// A folder with `a.x3p`, points 1 µm apart with an rms gradient of 0.1.
+#[track_caller]
+pub(crate) fn surface(recipe: &str) -> TestFolder {
+    let at = folder();
+    at.synth("a.x3p", &format!("{recipe} --rms-gradient 0.1 --seed 4"));
+    at
+}
+
+/// Its usual recipe.
+pub(crate) const ROUGH: &str = "--shape 64,64 --rolloff 32um --cutoff 8um";
+
 impl TestFolder {
     pub(crate) fn path(&self) -> &Path {
         self.0.path()

@@ -1,14 +1,10 @@
 //! What the slider and the zoom of a report show is what the solver found, at every load.
 
-#![allow(clippy::unwrap_used, reason = "a check that cannot be made has failed")]
-
-mod studies;
-
+use crate::studies::{ONE, YIELDING, all, html};
 use base64::Engine as _;
 use base64::engine::general_purpose::STANDARD;
 use contact_compare::{Load, Solver, SurfaceComparison};
 use serde_json::Value;
-use studies::{ONE, YIELDING, all, html};
 
 /// The element that begins so, up to its end.
 fn element<'a>(page: &'a str, begins: &str) -> &'a str {
@@ -160,8 +156,7 @@ fn every_surface_that_is_rough_has_its_section() {
     }
 }
 
-/// Each model that answers can be followed: a row of the table, its line in every figure over the load, and a
-/// cell for each load in the lists beside the curves.
+/// In a row of the table, a line in every figure over the load, a cell for each load in the lists.
 #[test]
 fn models_carry_their_names_through_the_page() {
     for study in all() {

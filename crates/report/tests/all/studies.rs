@@ -1,5 +1,4 @@
 //! Real studies of small surfaces, each solved once.
-#![allow(clippy::unwrap_used, unreachable_pub, reason = "a helper that fails is a failed test")]
 
 use contact_compare::{
     Comparison, FileOrigin, Origin, Settings, Surface, built_in, built_in_recipes,
@@ -9,12 +8,12 @@ use contact_types::{Grid, HeightMap};
 use std::ops::ControlFlow;
 use std::sync::LazyLock;
 
-pub fn run(surfaces: Vec<Surface>, settings: Settings) -> Comparison {
+pub(crate) fn run(surfaces: Vec<Surface>, settings: Settings) -> Comparison {
     Comparison::run(surfaces, settings, built_in(), &mut |_| ControlFlow::Continue(())).unwrap()
 }
 
 /// The built-in surfaces on 96 x 96 points.
-pub fn small(names: &[&str]) -> Vec<Surface> {
+pub(crate) fn small(names: &[&str]) -> Vec<Surface> {
     let mut recipes = built_in_recipes();
     recipes.retain(|r| names.contains(&r.name.as_str()));
     for recipe in &mut recipes {
@@ -23,7 +22,7 @@ pub fn small(names: &[&str]) -> Vec<Surface> {
     recipes.iter().map(|recipe| recipe.make().unwrap()).collect()
 }
 
-pub static ONE: LazyLock<Comparison> = LazyLock::new(|| {
+pub(crate) static ONE: LazyLock<Comparison> = LazyLock::new(|| {
     let mut study = run(small(&["ground"]), Settings::default());
     let mut iterations = 0;
     let mut go = |news: contact_compare::Progress<'_>| {
@@ -35,11 +34,11 @@ pub static ONE: LazyLock<Comparison> = LazyLock::new(|| {
     study
 });
 
-pub static THREE: LazyLock<Comparison> =
+pub(crate) static THREE: LazyLock<Comparison> =
     LazyLock::new(|| run(small(&["polished", "ground", "blasted"]), Settings::default()));
 
 /// Names that would break a page if they were not escaped, heights that do not repeat.
-pub static HOSTILE: LazyLock<Comparison> = LazyLock::new(|| {
+pub(crate) static HOSTILE: LazyLock<Comparison> = LazyLock::new(|| {
     let grid = Grid::new([40, 56], [2e-6, 1e-6]).unwrap();
     let heights =
         HeightMap::from_fn(grid, |y, x| 1e-7 * ((3e5 * x).sin() + (2e5 * y).cos()) + 1e-3 * x)
@@ -52,7 +51,7 @@ pub static HOSTILE: LazyLock<Comparison> = LazyLock::new(|| {
 });
 
 /// A ground metal that yields.
-pub static YIELDING: LazyLock<Comparison> = LazyLock::new(|| {
+pub(crate) static YIELDING: LazyLock<Comparison> = LazyLock::new(|| {
     let settings = Settings {
         hardness: Some(5e9),
         conductivities: Some([400.0, 50.0]),
@@ -63,12 +62,12 @@ pub static YIELDING: LazyLock<Comparison> = LazyLock::new(|| {
     study
 });
 
-pub fn all() -> [&'static Comparison; 4] {
+pub(crate) fn all() -> [&'static Comparison; 4] {
     [&ONE, &THREE, &HOSTILE, &YIELDING]
 }
 
 /// The text of a file of a study.
-pub fn file(comparison: &Comparison, name: &str) -> String {
+pub(crate) fn file(comparison: &Comparison, name: &str) -> String {
     let (version, platform) = ("0".into(), "test".into());
     let repeat = "rough-contact compare <x> --out y".into();
     let made = Provenance { version, platform, unix_time: 0, repeat };
@@ -76,6 +75,6 @@ pub fn file(comparison: &Comparison, name: &str) -> String {
     files.into_iter().find(|f| f.0 == name).unwrap().1
 }
 
-pub fn html(comparison: &Comparison) -> String {
+pub(crate) fn html(comparison: &Comparison) -> String {
     file(comparison, "report.html")
 }

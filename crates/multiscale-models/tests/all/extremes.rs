@@ -1,10 +1,7 @@
 //! Every model at the ends of its inputs, against `fixtures/reference/extremes_multiscale.csv` of 20 digits.
 //! `cargo run --release -p multiscale-models --example multiscale_extremes` prints the cases.
 
-#[path = "../../gw-closed-form/tests/common/mod.rs"]
-mod common;
-
-use common::{Case, ReferenceRow, reference_rows};
+use crate::common::{Case, ReferenceRow, reference_rows};
 use contact_types::{
     AmplitudeSpectrum, ContactModel, ContactModulus, FractalParameters, ModelError,
     RoughnessSpectrum, Shell, SpectralMoments, Wave,

@@ -1,6 +1,7 @@
 //! What a theory cannot answer is refused by type, naming the value, the limit and the way out;
 //! what strains an assumption is answered with a caveat.
 
+use crate::pascals;
 use contact_types::{
     AmplitudeSpectrum, Caveat, ContactModel, ContactModulus, FractalParameters, ModelError,
     RoughnessSpectrum, Shell, SpectralMoments, Wave,
@@ -11,7 +12,7 @@ use multiscale_models::{
 };
 
 fn modulus() -> ContactModulus {
-    ContactModulus::from_pascals(110e9).expect("a modulus")
+    pascals(110e9)
 }
 
 fn persson() -> Persson {

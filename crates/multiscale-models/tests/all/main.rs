@@ -1,9 +1,16 @@
-//! Identities of the theories, each against quadrature done here and not by the crate.
+//! The theories against tables, identities and the ends of their inputs. One program of tests, which is linked once.
+
+#[path = "../../../gw-closed-form/tests/common/mod.rs"]
+mod common;
 
 mod archard_and_fractals;
-mod jackson_streator;
+mod equation;
+mod extremes;
 mod persson_gap;
+mod properties;
 mod quadrature;
+mod refusals;
+mod tables;
 
 use contact_types::ContactModulus;
 

@@ -1,10 +1,8 @@
 //! The fitted equation: limits, monotony, its definition at 60 digits.
 
-#[path = "../../gw-closed-form/tests/common/mod.rs"]
-mod common;
-
-use common::reference_rows;
-use multiscale_models::{ContactModel, ContactModulus, Equation, ModelError, SpectralMoments};
+use crate::common::reference_rows;
+use crate::pascals;
+use multiscale_models::{ContactModel, Equation, ModelError, SpectralMoments};
 use std::f64::consts::PI;
 
 /// Gradient 1 and this bandwidth: with a modulus of 1 Pa, pressures are loads p/(E* g).
@@ -12,8 +10,8 @@ fn moments(bandwidth: f64) -> SpectralMoments {
     SpectralMoments { m0: 1.0, m2: 0.5, m4: 0.25 * bandwidth }
 }
 
-fn one() -> ContactModulus {
-    ContactModulus::from_pascals(1.0).expect("a modulus")
+fn law(bandwidth: f64) -> Equation {
+    Equation::from_moments(moments(bandwidth), pascals(1.0)).expect("a law")
 }
 
 /// Loads over ten decades.
@@ -24,7 +22,7 @@ fn loads() -> impl Iterator<Item = f64> {
 #[test]
 fn area_rises_strictly() {
     for bandwidth in [1.5, 5.0, 30.0, 1000.0] {
-        let law = Equation::from_moments(moments(bandwidth), one()).unwrap();
+        let law = law(bandwidth);
         let mut before = 0.0;
         for x in loads() {
             let area = law.at_pressure(x).unwrap().area_fraction;
@@ -37,7 +35,7 @@ fn area_rises_strictly() {
 
 #[test]
 fn limits_are_right() {
-    let law = Equation::from_moments(moments(10.0), one()).unwrap();
+    let law = law(10.0);
     let area = |x: f64| law.at_pressure(x).unwrap().area_fraction;
     assert!(area(0.0) <= 0.0);
     // In proportion under light load, by a constant between Persson's and the summit theories'; it comes to it as
@@ -48,14 +46,13 @@ fn limits_are_right() {
     assert!((area(20.0) - 1.0).abs() < 1e-15);
     assert!(matches!(law.at_pressure(-1.0), Err(ModelError::InvalidInput { .. })));
     assert!(matches!(law.at_pressure(f64::NAN), Err(ModelError::InvalidInput { .. })));
-    assert!(Equation::from_moments(moments(0.0), one()).is_err());
+    assert!(Equation::from_moments(moments(0.0), pascals(1.0)).is_err());
 }
 
-/// The line that the report prints is the law that is computed: its five numbers, typed into the formula, give the
-/// area; it is cited as this program's.
+/// Its five numbers, typed into the formula, give the area; it is cited as this program's.
 #[test]
 fn the_printed_formula_is_the_law() {
-    let law = Equation::from_moments(moments(10.0), one()).unwrap();
+    let law = law(10.0);
     let line = law.formula().unwrap().replace("− ", "-").replace('−', "-");
     let w = line.split("w = ").nth(1).unwrap().split(',').next().unwrap();
     let numbers: Vec<f64> = w
@@ -77,7 +74,7 @@ fn the_printed_formula_is_the_law() {
 #[test]
 fn a_caveat_outside_the_range() {
     let caveat = |bandwidth: f64, x: f64| {
-        let law = Equation::from_moments(moments(bandwidth), one()).unwrap();
+        let law = law(bandwidth);
         law.at_pressure(x).unwrap().caveat
     };
     // The gradient of these moments is 1: not steep.
@@ -93,7 +90,7 @@ fn evaluation_is_exact_to_rounding() {
     let mut worst = 0.0f64;
     for row in reference_rows("equation.csv") {
         let [x, bandwidth, wanted] = row.numbers(["x", "alpha", "area"]);
-        let law = Equation::from_moments(moments(bandwidth), one()).expect("a law");
+        let law = law(bandwidth);
         let error = (law.at_pressure(x).expect("an area").area_fraction / wanted - 1.0).abs();
         assert!(error <= 1e-14, "x = {x}, α = {bandwidth}: {error:e}");
         worst = worst.max(error);

@@ -1,15 +1,8 @@
 //! Every model against tables of 18 to 22 digits. `cargo test -- --nocapture` prints the worst
 //! error of each.
-#![allow(
-    clippy::float_cmp,
-    clippy::print_stdout,
-    reason = "a reference of exactly 0 is compared absolutely; the worst errors are printed"
-)]
 
-#[path = "../../gw-closed-form/tests/common/mod.rs"]
-mod common;
-
-use common::{ReferenceRow, Worst, reference_rows};
+use crate::common::{ReferenceRow, Worst, reference_rows};
+use crate::pascals;
 use contact_types::{
     AmplitudeSpectrum, ContactModel, ContactModulus, FractalParameters, SpectralMoments, Wave,
 };
@@ -21,7 +14,7 @@ use std::f64::consts::{PI, SQRT_2};
 
 /// E* = 1 Pa: the tables are in units of E*.
 fn unit() -> ContactModulus {
-    ContactModulus::from_pascals(1.0).expect("1 Pa is a modulus")
+    pascals(1.0)
 }
 
 #[test]

@@ -162,8 +162,7 @@ proptest! {
     }
 }
 
-/// From one double to the next the area never falls by more than the roundings of a few
-/// operations; where a formula is one monotone function, not at all.
+/// By no more than the roundings of a few operations; of one monotone function, not at all.
 #[test]
 fn area_does_not_fall_from_one_double_to_the_next() {
     let e = ContactModulus::from_pascals(1e9).unwrap();

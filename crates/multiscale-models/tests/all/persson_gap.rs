@@ -1,8 +1,7 @@
 //! Persson's mean gap: of shells, and at light load.
 
-use crate::close;
-use crate::pascals;
 use crate::quadrature::geometric_integral;
+use crate::{close, pascals};
 use contact_types::{ContactModel, RoughnessSpectrum, Shell};
 use libm::erfc;
 use multiscale_models::{Persson, SelfAffineSpectrum};

@@ -1,14 +1,10 @@
 //! The report as a reader, a printer and a program meet it: the checks of its contract on real
 //! studies of small surfaces.
 
-#![allow(clippy::unwrap_used, reason = "a check that cannot be made has failed")]
-
-mod studies;
-
+use crate::studies::{HOSTILE, ONE, THREE, YIELDING, all, file, html, run, small};
 use contact_compare::{Comparison, FileOrigin, Origin, Settings, Surface};
 use contact_types::{Grid, HeightMap};
 use std::collections::HashMap;
-use studies::{HOSTILE, ONE, THREE, YIELDING, all, file, html, run, small};
 
 /// Width of a letter in ems, at least, in Helvetica and what replaces it.
 fn least_width(letter: char) -> f64 {
@@ -240,8 +236,7 @@ fn the_report_is_deterministic() {
     assert_eq!(csv(&a), csv(&b));
 }
 
-/// The closer look of a report: a proven bound, a stiffness with both intervals, choices with what
-/// they do, and all of it on the page and in the results.
+/// A proven bound, a stiffness with both intervals, choices with what they do.
 #[test]
 fn the_budget_has_every_source_and_choices_are_listed() {
     let surface = &ONE.surfaces[0];
@@ -318,8 +313,7 @@ fn words(page: &str) -> usize {
     text.split('<').map(piece).collect::<String>().split_whitespace().count()
 }
 
-/// The report of one map reads in minutes: of an elastic one, and of one that yields and conducts, with two panels
-/// of each curve.
+/// Of an elastic map, and of one that yields and conducts, with two panels of each curve.
 #[test]
 fn the_page_is_short() {
     let count = [&*ONE, &*YIELDING].map(|study| words(&html(study)));
