@@ -133,8 +133,8 @@ mod tests {
     fn a_folder_is_walked_in_the_order_of_names() {
         let dir = tempfile::tempdir().expect("a folder");
         std::fs::create_dir(dir.path().join("b")).expect("a folder in it");
-        let names = "part10.x3p part1.x3p part2.x3p c.x3p b/a.sdf a.x3p b/.hidden.x3p b/picture.png \
-                     b/readme.md b/notes.0123 scan.003 bare d.zip E.SUR";
+        let names = "part10.x3p part1.x3p part2.x3p c.x3p b/a.sdf a.x3p b/.hidden.x3p \
+                     b/picture.png b/readme.md b/notes.0123 scan.003 bare d.zip E.SUR";
         for name in names.split(' ') {
             std::fs::write(dir.path().join(name), "").expect("a file");
         }

@@ -1,5 +1,5 @@
 //! Persson's mean gap against the deterministic one on Gaussian maps, with both published weights of
-//! partial contact: which of them is the default; and the slope of area over load between those of the models.
+//! partial contact: which is the default. And the slope of area over load between those of models.
 
 use contact_accuracy::median;
 use contact_types::{ContactModel, ContactModulus, Grid};

@@ -71,8 +71,8 @@ fn two_levels(load: f64, fine: f64) -> f64 {
     (0..steps).map(|i| term((f64::from(i) + 0.5) * step)).sum::<f64>() * step / FRAC_PI_2
 }
 
-/// Two scales of a Weierstrass profile: where the fine waves are short, each sees the pressure of the coarse ones as a
-/// mean pressure of its own (Westergaard). The error falls as the ratio of the scales or faster.
+/// Two scales of a Weierstrass profile: short fine waves see the pressure of the coarse ones as a
+/// mean pressure of their own (Westergaard). The error falls as the ratio of the scales or faster.
 ///
 /// Source: Ciavarella, Demelio, Barber & Jang (2000), doi:10.1098/rspa.2000.0522.
 #[test]

@@ -1,4 +1,4 @@
-//! What must hold for any surface and load, for every method; and what must not matter: threads, the shape of the grid.
+//! What must hold for any surface and load, whatever the method, the threads, the shape of the grid.
 
 use crate::common;
 

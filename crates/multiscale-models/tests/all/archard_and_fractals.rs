@@ -37,7 +37,7 @@ fn short_waves_count_by_their_slope() {
     assert!(area(&[1e-7]) < 0.1 * area(&[]));
 }
 
-/// Of Yan and Komvopoulos; those of Majumdar and Bhushan, by the same distribution, are in the tables.
+/// Of Yan and Komvopoulos; Majumdar and Bhushan have the same distribution, and tables.
 #[test]
 fn fractal_loads_are_the_integrals_over_the_spots() {
     let e = 2e10;

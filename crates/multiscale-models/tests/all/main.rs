@@ -1,4 +1,4 @@
-//! The theories against tables, identities and the ends of their inputs. One program of tests, which is linked once.
+//! Theories against tables, identities and the ends of their inputs. One program, linked once.
 
 #[path = "../../../gw-closed-form/tests/common/mod.rs"]
 mod common;

@@ -1,4 +1,4 @@
-//! Reports of studies of small surfaces. One program of tests, which is linked once and solves each study once.
+//! Reports of studies of small surfaces. One program, linked once, that solves each study once.
 
 #![allow(clippy::unwrap_used, reason = "a check that cannot be made has failed")]
 

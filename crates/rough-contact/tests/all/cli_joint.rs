@@ -1,5 +1,5 @@
-//! Joints as an engineer asks for them: from σ, slope and hardness, in vacuum and in gas, in Ω and K/W; and what the
-//! contacts of a study conduct.
+//! Joints as an engineer asks for them: from σ, slope and hardness, in vacuum and in gas, in Ω and
+//! K/W; and what the contacts of a study conduct.
 
 use crate::cli::{TestFolder, book, close, ends, folder, has, list, number, surface};
 use serde_json::Value;

@@ -1,4 +1,4 @@
-//! Completions and manual pages, as a shell and `man` take them; and a reader that closes its end, as `| head -1` does.
+//! Completions and manual pages as a shell and `man` take them, and a reader that closes its end.
 
 use crate::cli::{TestFolder, UNITS, folder};
 use std::io::pipe;

@@ -1,4 +1,4 @@
-//! What is said before harm: yield, slopes, units, loads beyond a theory; the same in JSON, on the terminal and on the page.
+//! What is said before harm, alike in JSON, terminal and page: yield, slopes, units, loads.
 
 use crate::cli::{TestFolder, UNITS, close, folder, has, list, number};
 use serde_json::Value;

@@ -14,7 +14,7 @@ fn assert_read(found: &Measurement, shape: [usize; 2], pixel: [f64; 2], heights:
     }
 }
 
-/// Panics unless the file is refused with each first text replaced by the second, and says the third.
+/// Panics unless the file with each first text replaced by the second is refused with the third.
 fn assert_changes_refused(file: &str, changes: &[[&str; 3]]) {
     for [from, to, word] in changes {
         assert_refused(unaided(file.replace(from, to)), &[word]);
@@ -141,8 +141,8 @@ fn nanoscope_along_the_slow_axis() {
     }
 }
 
-/// 3 of 4 lines are stored: they are read, with the spacing of the whole; the top line of a file is its last. Points
-/// of 4 bytes from version 9.2, scaled as if they had 2.
+/// 3 of 4 lines are stored: they are read, with the spacing of the whole; the top line is the last.
+/// Points of 4 bytes from version 9.2 are scaled as if they had 2.
 #[test]
 fn nanoscope_lines_and_bytes_that_are_there() {
     let image = "\\Data length: 48\r\n\\Scan Size: 10 10 ~m\r\n";

@@ -226,9 +226,8 @@ mod tests {
         }
     }
 
-    /// Ripples of a twentieth of the wave cross the line several times and are no elements; alone they are. Wide dales
-    /// of 300 um between hills of 100 um: 400 um, counted from either kind of border; backwards it is the same. Half
-    /// a wave has no element.
+    /// Ripples of a twentieth of the wave are no elements; alone they are. Wide dales of 300 um
+    /// between hills of 100 um: 400 um, from either kind of border. Half a wave has no element.
     #[test]
     fn an_element_is_a_hill_and_a_dale_above_the_threshold() {
         let wave = |x: f64, length: f64| 1e-6 * (TAU * x / length).sin();
