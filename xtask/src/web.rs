@@ -21,6 +21,7 @@ pub(crate) fn run() -> TaskResult {
     let mut page = cargo();
     page.args(["run", "--quiet", "--locked", "--package", "contact-web", "--", "page"]);
     let text = output(page.arg(&module))?;
+    keep("target/page/rough-contact.html", &text, None)?;
     println!("{:.2} MB", text.len() as f64 / 1e6);
-    keep("target/page/rough-contact.html", &text, None)
+    Ok(())
 }

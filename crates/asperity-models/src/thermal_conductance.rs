@@ -25,13 +25,15 @@ use std::f64::consts::{E, PI, SQRT_2};
 
 const MODEL: &str = "conductance correlation";
 
-/// Two rough surfaces as the correlations see them.
+/// A correlation of contact conductance, [`plastic`](Self::plastic) or [`elastic`](Self::elastic).
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct ConductanceCorrelation {
+    /// m_a (-).
     slope: f64,
+    /// σ \[m\].
     height: f64,
     /// H of bodies that yield, E* m_a of elastic ones \[Pa\].
-    resistance: f64,
+    pressure_scale: f64,
     is_elastic: bool,
 }
 
@@ -59,10 +61,15 @@ impl ConductanceCorrelation {
         Self::new(mean_slope, rms_height, modulus.pascals() * mean_slope, true)
     }
 
-    fn new(slope: f64, height: f64, resistance: f64, is_elastic: bool) -> Result<Self, ModelError> {
+    fn new(
+        slope: f64,
+        height: f64,
+        pressure_scale: f64,
+        is_elastic: bool,
+    ) -> Result<Self, ModelError> {
         require::positive(MODEL, "mean absolute slope", slope)?;
         require::positive(MODEL, "rms height", height)?;
-        Ok(Self { slope, height, resistance, is_elastic })
+        Ok(Self { slope, height, pressure_scale, is_elastic })
     }
 
     /// The fraction of the heights that is cut at λσ, and the area fraction A of what touches, p/H or that of the module
@@ -75,7 +82,7 @@ impl ConductanceCorrelation {
             let reason = "the mean pressure is all that the hardness bears: everything touches";
             (1.0, 1.0, "mean pressure over hardness", reason)
         };
-        let (area, most) = (factor * pressure / self.resistance, 1.0 / cut_per_area);
+        let (area, most) = (factor * pressure / self.pressure_scale, 1.0 / cut_per_area);
         if area < most {
             return Ok([cut_per_area * area, area]);
         }

@@ -62,3 +62,26 @@ impl HeightStatistics {
         }
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::close;
+    use contact_types::Grid;
+
+    /// 0, 0, 0, 4: mean 1, variance 3, mean absolute deviation 3/2, third moment 6, fourth 21.
+    #[test]
+    fn four_points_by_hand_at_any_scale_and_offset() {
+        for (scale, offset) in [(1.0, 0.0), (1e-55, 0.0), (1e55, 0.0), (1.0, 1048576.0)] {
+            let heights = [0.0, 0.0, 0.0, 4.0].map(|h| offset + scale * h).to_vec();
+            let map = HeightMap::new(Grid::new([1, 4], [1.0, 1.0]).unwrap(), heights).unwrap();
+            let s = HeightStatistics::of(&map);
+            close(s.rms_height, scale * 3f64.sqrt(), 1e-15);
+            close(s.mean_abs_height, scale * 1.5, 1e-15);
+            let skewness = 6.0 / 3f64.powf(1.5);
+            close(s.skewness.unwrap(), skewness, 1e-15);
+            close(s.kurtosis.unwrap(), 21.0 / 9.0, 1e-15);
+            close(s.peak_height + s.pit_depth, 4.0 * scale, 1e-15);
+        }
+    }
+}

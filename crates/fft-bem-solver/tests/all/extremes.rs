@@ -35,7 +35,7 @@ fn known_solutions_at_the_extremes() {
     for case in cases {
         let (found, limits) = (case.errors, case.limits);
         let holds = found.iter().zip(limits).all(|(error, limit)| *error <= limit);
-        assert!(holds, "{}: {found:?}, limits {limits:?}", case.what);
+        assert!(holds, "{}, {}: {found:?}, limits {limits:?}", case.what, case.extreme);
     }
 }
 
@@ -212,7 +212,7 @@ fn tolerances_below_rounding_end() {
     }
 }
 
-/// Near full contact a loose tolerance leaves more overlap than gap. Each of these loads had it.
+/// Near full contact a loose tolerance leaves more overlap than gap. Each of these loads had a negative gap once.
 #[test]
 fn bodies_do_not_overlap_on_average() {
     for (seed, load) in [(1, 1.5), (1, 1.6), (2, 1.3), (3, 1.6), (3, 3.0)] {

@@ -265,3 +265,17 @@ fn single_precision_reaches_what_it_states() {
     let error = difference(&found.pressure, &exact.pressure);
     assert!(error < 2e-5, "{error:e}");
 }
+
+/// Lines and odd sides too.
+#[test]
+fn agrees_with_polonsky_keer() {
+    for (shape, load) in [([64, 64], 0.05), ([61, 90], 0.2), ([1, 257], 0.1), ([257, 1], 0.1)] {
+        let surface = self_affine(unit_grid(shape[0], shape[1]), 0.7, 20.0, 3.0, 3);
+        let [chord, conjugate] = [Method::Chord, Method::PolonskyKeer].map(|method| {
+            common::solve(&surface, Solver::builder().method(method).tolerance(1e-9), load)
+        });
+        let error = difference(&chord.pressure, &conjugate.pressure);
+        assert!(error < 1e-7, "{shape:?}: {error:e}");
+        assert!(chord.diagnostics.transforms < 0.5 * conjugate.diagnostics.transforms);
+    }
+}

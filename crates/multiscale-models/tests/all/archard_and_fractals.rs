@@ -37,10 +37,22 @@ fn short_waves_count_by_their_slope() {
     assert!(area(&[1e-7]) < 0.1 * area(&[]));
 }
 
-/// Of Yan and Komvopoulos; Majumdar and Bhushan have the same distribution, and tables.
 #[test]
 fn fractal_loads_are_the_integrals_over_the_spots() {
     let e = 2e10;
+    for d in [1.1, 1.49999, 1.5, 1.5 + 1e-12, 1.9] {
+        let (g, area, critical) = (1e-9, 1e-4, 1e-13);
+        let surface = FractalParameters { dimension: d, roughness: g };
+        let plastic = PlasticSpots::Below(critical);
+        let model = MajumdarBhushan::new(surface, area, pascals(e), plastic).unwrap();
+        let fraction = 0.02;
+        let largest = (2.0 - d) / d * fraction * area;
+        let number = |a: f64| 0.5 * d * largest.powf(0.5 * d) * a.powf(-0.5 * d - 1.0);
+        let load = |a: f64| 4.0 * PI.sqrt() / 3.0 * e * g.powf(d - 1.0) * a.powf((3.0 - d) / 2.0);
+        let expected = geometric_integral(critical, largest, 8.0, |a| number(a) * load(a)) / area;
+        let found = model.at_pressure(expected).unwrap().area_fraction;
+        close(found, fraction, 1e-12);
+    }
     for d in [2.1, 2.5, 2.5 - 1e-12, 2.8] {
         let (g, area, critical) = (1e-9, 1e-4, 1e-13);
         let plastic = PlasticSpots::Below(critical);

@@ -33,7 +33,7 @@ fn a_seal_closes_as_it_is_pressed() {
         close(of_plates.cbrt(), number(&found["points"][i]["mean_gap"]), 1e-2);
         let [low, high] = ends(&here["interval"]);
         assert!(low < k && k < high);
-        assert!(number(&here["imbalance"]) < 1e-8);
+        assert!(number(&here["imbalance"]) < 1e-9);
     }
     for axis in ["x", "y"] {
         let sealed = &found["points"][2]["leak"][axis];

@@ -1,13 +1,24 @@
-//! Text with numbers: a matrix of heights, a list of x y z, or a profile x z. The book's page of formats
-//! tells under *Text* what is recognised, and by what. Beside that:
+//! Text with numbers: a matrix of heights, a list of x y z, or a profile x z.
 //!
 //! | what | recognised by |
 //! |---|---|
-//! | line ends | `\n`, `\r\n`, `\r`, also mixed |
-//! | comments | lines starting with `#`, `%`, `!`, `//` |
-//! | missing points | 3.402823e38 |
+//! | separators | semicolon, tab, comma, blanks; none inside quotation marks |
+//! | missing points | empty cells, `NaN`, `1.#QNAN`, `No Data`, `---`, 3.402823e38, and marks that are given |
+//! | decimal mark, thousands | by their pattern; what can be either is refused |
+//! | encodings | UTF-8, UTF-16 with byte order mark, Latin-1; `\n`, `\r\n`, `\r`, also mixed |
+//! | header | the lines before the first two lines with equally many numbers; lines starting with `#`, `%`, `!`, `//` |
+//! | `Width`, `Height` with unit | total size of a matrix: the pixel is size / N (Gwyddion's export in its languages; SPIP's `x-length`, `x-unit`, nm if absent) |
+//! | `pixel size`, `dx`, `dy` with unit | spacing of a matrix; Nova's `Scale X`, `Unit X`; Keyence's `XY Calibration` |
+//! | `Lateral units` | unit of x and y (Gwyddion's XYZ export) |
+//! | `Value units`, `z-unit`, `Unit Data` | unit of the heights; in a Keyence export also `Unit` |
+//! | `Bit2nm`; `Scale Data`, `Bias Data` if `DataScaleNeeded` | nm per stored number (SPIP); factor and offset (Nova) |
 //! | `voidpixels` above 0, twice `y-pixels` rows | the second half is 0 where a point is missing (SPIP) |
-//! | units in column titles | also `µm µm` |
+//! | `height conversion factor (-> m)` | metres per stored number (SPIP) |
+//! | units in column titles | `X [mm]`, `X_(microns)`, `x in µm`, `µm µm` |
+//! | a header between rows | begins another table, of channels of its own |
+//! | three columns and more | x y z on a grid in any order (row 0 = smallest y), by titles or numbers; further columns are channels |
+//! | a first row and a first column of coordinates or running numbers around an empty corner | no heights: left out |
+//! | two columns | a profile, if x only rises or only falls |
 //! | three columns or more called x, z1, z2, … (or height, trace, profile) | traces of one surface at the same positions |
 //!
 //! Coordinates fix the pixel size: (last − first) / (N − 1). Coordinates that are evenly spaced

@@ -58,6 +58,8 @@ fn spip_and_nova() {
     }
     let factor = "# x-length = 2000\n# y-length = 2000\n# x-unit = nm\n# y-unit = nm\n\
                   # height conversion factor (-> m)=2.5e-008\n";
+    let found = unaided(format!("{factor}{ROWS}")).unwrap();
+    assert!((found.heights()[7] / 2e-7 - 1.0).abs() < 1e-12);
     assert_eq!(picometres(&format!("{factor}{ROWS}")), [1_000_000, 500_000, 200_000]);
     let masked = "# Bit2nm = 1\n# voidpixels = 1\n# Start of Data:\n";
     let found = unaided(format!("{spip}{masked}{ROWS}1 1 1 1\n1 0 1 1\n")).unwrap();

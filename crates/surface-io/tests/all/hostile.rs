@@ -139,8 +139,8 @@ fn spacings_that_are_none() {
     assert!(matches!(unaided(text), Err(ReadError::Malformed { .. })));
 }
 
-/// What is asserted is that it is read within the time of the test run; a quadratic reader would
-/// need hours.
+/// In proportion to its length: what is asserted is that the text is read within the time of the
+/// test run; a quadratic reader would need hours.
 #[test]
 fn long_text_is_read_in_linear_time() {
     let mut text = String::from("x [um] y [um] z [nm]\n");

@@ -50,6 +50,7 @@ pub fn parameters(map: &HeightMap, edges: Edges) -> Result<Vec<IsoParameter>, St
         ("Svk", "m", Some(svk)),
         ("Smr1", "%", Some(smr1)),
         ("Smr2", "%", Some(smr2)),
+        // Smc(2.5 %) − Smc(50 %)
         ("Sxp", "m", Some(curve.height(0.025) - curve.height(0.5))),
         ("Vmp", "m³/m²", Some(vmp)),
         ("Vmc", "m³/m²", Some(vmc)),

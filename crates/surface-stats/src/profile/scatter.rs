@@ -43,6 +43,7 @@ fn students_t(freedom: f64) -> Option<f64> {
 }
 
 impl MomentScatter {
+    /// Of levelled traces with these moments.
     pub(super) fn of(traces: &[Trace], moments: &[SpectralMoments]) -> Self {
         let n = traces.len() as f64;
         let mut variance = [0.0; 3];

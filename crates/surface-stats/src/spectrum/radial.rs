@@ -201,7 +201,8 @@ mod tests {
     }
 
     /// A tilted wave that does not fit the map: without a window a hundredth of the gradient
-    /// variance is above twice its wavenumber, with one almost nothing.
+    /// variance is above twice its wavenumber, with one almost nothing; the variance stays within
+    /// the sampling error of 10 waves.
     #[test]
     fn a_window_takes_the_jump_and_keeps_the_variance() {
         let grid = Grid::new([200, 200], [1.0, 1.0]).unwrap();
