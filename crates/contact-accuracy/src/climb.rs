@@ -124,7 +124,7 @@ impl Reached {
     }
 
     /// With the rung above of so many points per side over those of the map.
-    fn below(self, above: Option<f64>, start: Clock) -> Self {
+    fn with_next(self, above: Option<f64>, start: Clock) -> Self {
         let next = above.map(|factor| {
             let shape = self.given.shape().map(|n| (factor * n as f64) as usize);
             let points = (shape[0] * shape[1]) as f64 / self.grid.len() as f64;
@@ -151,20 +151,20 @@ pub fn climb(task: &Task<'_>, sink: &mut dyn Sink) -> Result<Reached, LadderErro
     if task.aim != Aim::AsGiven && possible(0.5) {
         let (low, _) = attempt(task, 0.5, sink)?;
         if low.unmet.is_none() {
-            return Ok(low.below(Some(1.0), start));
+            return Ok(low.with_next(Some(1.0), start));
         }
     }
     let (given, between_points) = attempt(task, 1.0, sink)?;
     let next = (possible(2.0) && !between_points).then_some(2.0);
     if given.unmet.is_none() || next.is_none() {
-        return Ok(given.below(next, start));
+        return Ok(given.with_next(next, start));
     }
     let (high, _) = attempt(task, 2.0, sink)?;
     let widest = |reached: &Reached| reached.half_width.unwrap_or(f64::INFINITY);
     if high.unmet.is_none() || widest(&high) < widest(&given) {
-        return Ok(high.below(None, start));
+        return Ok(high.with_next(None, start));
     }
-    Ok(attempt(task, 1.0, sink)?.0.below(None, start))
+    Ok(attempt(task, 1.0, sink)?.0.with_next(None, start))
 }
 
 /// The grid of every second point.

@@ -119,6 +119,7 @@ impl RungMaps {
         made.take(maps).map(|()| made)
     }
 
+    /// Others on the same grids.
     pub(crate) fn take(&mut self, maps: Vec<HeightMap>) -> Result<(), SolverError> {
         self.solvers.iter_mut().zip(maps).try_for_each(|(solver, map)| solver.take_surface(map))
     }

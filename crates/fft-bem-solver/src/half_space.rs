@@ -19,7 +19,7 @@ pub struct HalfSpace<T: Real> {
     shape: [usize; 2],
     convolution: Convolution<T>,
     compliance: Symbol<T>,
-    /// One over it, if it is positive.
+    /// One over the compliance, if that is positive.
     stiffness: Option<Symbol<T>>,
 }
 
@@ -48,10 +48,10 @@ impl<T: Real> HalfSpace<T> {
         let shape = grid.shape();
         let square = move |ky, kx| T::of(grid.wavenumber(ky, kx).powi(2));
         let qy2: Arc<[T]> = (0..=shape[0] / 2).map(|ky| square(ky, 0)).collect();
-        let (its, factor) = (qy2.clone(), T::of(2.0 / e_star));
+        let (qy2_of_compliance, factor) = (qy2.clone(), T::of(2.0 / e_star));
         let compliance = move |kx: usize, column: &mut [T]| {
             let qx2 = square(0, kx);
-            vectorised!(for (s, qy2) in column.iter_mut().zip(&*its) {
+            vectorised!(for (s, qy2) in column.iter_mut().zip(&*qy2_of_compliance) {
                 *s = factor / (*qy2 + qx2).root();
             });
             if kx == 0 {
@@ -74,7 +74,8 @@ impl<T: Real> HalfSpace<T> {
         }
     }
 
-    /// One over the compliance is that of the periodic operator `C` on the padded grid, of which
+    /// `K^-1 w` is the part on the map of `C^-1 w`, w continued by zeros, with one over the
+    /// compliance: `C` is the periodic operator `C` on the padded grid, of which
     /// this half space is a part: among all fields on the padded grid that equal `w` on the map the
     /// one with the least `C^-1` norm has that of `K^-1`, and `w` continued by zeros is one of
     /// them.
@@ -83,9 +84,9 @@ impl<T: Real> HalfSpace<T> {
         let rows = padded[0] / 2 + 1;
         let is_definite = coefficients.iter().all(|c| *c > 0.0);
         let table: Arc<[T]> = coefficients.into_iter().map(T::of).collect();
-        let its = table.clone();
+        let table_of_stiffness = table.clone();
         let stiffness = move |kx: usize, column: &mut [T]| {
-            for (s, c) in column.iter_mut().zip(&its[kx * rows..]) {
+            for (s, c) in column.iter_mut().zip(&table_of_stiffness[kx * rows..]) {
                 *s = T::one() / *c;
             }
         };

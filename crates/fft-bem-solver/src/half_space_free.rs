@@ -32,7 +32,9 @@ pub(crate) fn love_coefficients(grid: Grid, e_star: f64) -> ([usize; 2], Vec<f64
     fft.forward(&coefficients, &mut spectrum);
     let columns = px / 2 + 1;
     let waves = (0..columns).flat_map(|kx| (0..=py / 2).map(move |ky| ky * columns + kx));
-    (padded, waves.map(|wave| spectrum[wave].re).collect()) // an even field has a real transform
+    let mut table = Vec::with_capacity(columns * (py / 2 + 1));
+    table.extend(waves.map(|wave| spectrum[wave].re)); // an even field has a real transform
+    (padded, table)
 }
 
 /// Displacement, times E*, at `[y, x]` from the centre of a rectangle of sides `[dy, dx]` under

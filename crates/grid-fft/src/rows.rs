@@ -28,6 +28,7 @@ pub(crate) struct RowScratch<T> {
 }
 
 impl<T: FftNum> Rows<T> {
+    /// For rows of `length` values, at least 1.
     pub(crate) fn plan(length: usize, planner: &mut FftPlanner<T>) -> Self {
         if length.is_multiple_of(2) {
             let mut real = RealFftPlanner::new();

@@ -89,6 +89,7 @@ impl Held {
         self.count() as f64 / self.0.len() as f64
     }
 
+    /// Of errors and half widths.
     pub(crate) fn medians(&self) -> [f64; 2] {
         [0, 1].map(|k| median(self.0.iter().map(|of| of[k])).unwrap_or(f64::NAN))
     }

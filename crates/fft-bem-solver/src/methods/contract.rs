@@ -36,6 +36,7 @@ pub(crate) enum Target {
     OpenGap(f64, f64),
 }
 
+/// One problem to solve.
 #[derive(Clone, Copy)]
 pub(crate) struct ContactTask<'a, T> {
     pub(crate) problem: &'a Problem<T>,
@@ -47,12 +48,14 @@ pub(crate) struct ContactTask<'a, T> {
     pub(crate) max_iterations: usize,
 }
 
+/// Where the iteration begins.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(crate) enum Start {
     Cold,
     Warm,
 }
 
+/// The iterate.
 pub(crate) struct State<T> {
     pub(crate) pressure: Vec<T>,
     pub(crate) displacement: Vec<T>,
@@ -82,29 +85,36 @@ impl<T: Real> State<T> {
     }
 }
 
+/// What `watch` is shown.
 pub(crate) struct IterateView<'a, T> {
     pub(crate) iteration: usize,
     pub(crate) transforms: f64,
     /// Estimated relative rms pressure error; infinite while there is none.
     pub(crate) residual: f64,
+    /// May be of a larger grid, with nothing loaded beside the map.
     pub(crate) state: &'a State<T>,
 }
 
+/// Called once per iteration; `Break` ends the run.
 pub(crate) type IterateObserver<'a, T> =
     dyn FnMut(&IterateView<'_, T>) -> ControlFlow<()> + Send + 'a;
 
+/// What a method reports.
 #[derive(Debug, Clone, Copy)]
 pub(crate) struct Outcome {
+    /// Why no iteration was needed.
     pub(crate) exact: Option<&'static str>,
     pub(crate) end: End,
     pub(crate) iterations: usize,
     pub(crate) transforms: f64,
+    /// Estimated relative rms pressure error of the state returned.
     pub(crate) residual: f64,
     /// Steps of the chord iteration of another kind.
     pub(crate) fallbacks: usize,
 }
 
 impl Outcome {
+    /// Before the first iteration.
     pub(crate) const NOTHING: Self = Self {
         exact: None,
         end: End::Exhausted,
@@ -114,11 +124,13 @@ impl Outcome {
         fallbacks: 0,
     };
 
+    /// Of an exact answer.
     pub(crate) fn exact(reason: &'static str, transforms: f64) -> Self {
         let (exact, end) = (Some(reason), End::Converged);
         Self { exact, end, transforms, residual: 0.0, ..Self::NOTHING }
     }
 
+    /// Counts the work of another run as well.
     pub(crate) fn add(&mut self, other: &Self) {
         self.iterations += other.iterations;
         self.transforms += other.transforms;
@@ -126,7 +138,9 @@ impl Outcome {
     }
 }
 
+/// One way of solving the contact problem.
 pub(crate) trait ContactMethod<T: Real>: Send + Sync {
+    /// Solves the task, see the module documentation.
     fn solve(
         &mut self,
         task: &ContactTask<'_, T>,

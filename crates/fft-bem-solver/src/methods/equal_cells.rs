@@ -15,6 +15,7 @@ pub(super) struct EqualCells {
 }
 
 impl EqualCells {
+    /// Cells of about `factor` of `pixels` pixels.
     pub(super) fn new(pixels: usize, factor: usize) -> Self {
         let cells = ((2 * pixels + factor) / (2 * factor)).max(1); // rounded
         Self {
@@ -93,6 +94,13 @@ impl EqualCells {
     /// Adds `factor` times the value of its cell to each pixel.
     #[inline(always)]
     pub(super) fn replicate(&self, factor: f32, cells: &[f32], pixels: &mut [f32]) {
+        if self.whole == Some(4) {
+            for (x, cell) in pixels.as_chunks_mut::<4>().0.iter_mut().zip(cells) {
+                let value = factor * cell;
+                x.iter_mut().for_each(|x| *x += value);
+            }
+            return;
+        }
         for (j, cell) in cells.iter().enumerate() {
             let value = factor * cell;
             let (from, to) = (self.start[j], self.start[j + 1]);

@@ -33,6 +33,7 @@ impl SetInverse {
         }
     }
 
+    /// Pairs that one application costs.
     pub(crate) fn cost(&self) -> f64 {
         self.stiffness.cost
     }
@@ -98,6 +99,8 @@ mod tests {
             ([1, 257], [1.0, 1.0]),
             ([97, 1], [1.0, 1.0]),
             ([19, 1101], [1.0, 1.0]),
+            ([4, 4], [1.0, 1.0]),
+            ([1, 3], [1.0, 1.0]),
         ] {
             let grid = Grid::new(shape, pixel).unwrap();
             let nodes: Vec<_> = (0..grid.len()).map(|i| NodeState::of(wave(7 * i) > 0.3)).collect();

@@ -18,6 +18,7 @@ use crate::simd::vectorised;
 use crate::{Real, fields};
 use grid_fft::parallel::prelude::*;
 
+/// Most rounds of sweeping.
 pub(crate) const ROUNDS: u8 = 12;
 /// Tension, as a part of the load and of the present relative error, that may be clipped.
 pub(crate) const NEGLIGIBLE: f64 = 1e-3;
@@ -248,6 +249,8 @@ struct CellRows<'a, T, C> {
 }
 
 impl<T: Real, C: Ceiling<T>> CellRows<'_, T, C> {
+    /// Takes the nodes below row `r` of the cells out of the contact that are in tension, or above the ceiling if it
+    /// counts; lowers the weights and hands up what they would carry beyond the bound.
     #[inline(always)]
     fn drop_beyond(&mut self, r: usize, added: &[f32], smallest: &mut [f32]) {
         let blocks = smallest.chunks_mut(BLOCK).zip(added.chunks(BLOCK)).enumerate();

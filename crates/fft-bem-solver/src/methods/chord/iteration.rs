@@ -195,8 +195,9 @@ impl<T: Real, C: Ceiling<T>> Run<'_, T, C> {
     /// The trial that `S E g` leads to.
     fn proposed(&mut self, level: f64, set: ContactSet, tolerance: f64) -> Proposal {
         let estimate = self.make_trial(self.memory.tau, set);
+        let [residual, _] = estimate;
         self.memory.residual =
-            if estimate[0] <= tolerance { self.credible(estimate, level) } else { estimate[0] };
+            if residual <= tolerance { self.credible(estimate, level) } else { residual };
         Proposal { level, set }
     }
 

@@ -24,6 +24,7 @@ pub(crate) struct Run<'a, T: Real, C: Ceiling<T>> {
     pub(super) memory: Memory,
     /// Level of the iterate that it began with, where that is a constant pressure without displacement.
     pub(super) first_level: Option<f64>,
+    /// Pairs spent.
     pub(super) transforms: f64,
     pub(super) fallbacks: usize,
 }
