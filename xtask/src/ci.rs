@@ -5,8 +5,9 @@ use crate::shell::{self, TaskResult, cargo, shown};
 use std::process::Command;
 use std::time::Instant;
 
-/// Studies whose pages are compared with what they would be, which takes seconds.
-const PAGES: [&str; 4] = ["tables", "costs", "coverage", "tradeoff"];
+/// Tasks whose pages are compared with what they would be, which takes seconds.
+const PAGES: [&str; 5] =
+    ["validate", "study tables", "study costs", "study coverage", "study tradeoff"];
 
 /// `--slow` adds tests that take minutes, and the solver in Node; `--all` what needs more than the Rust toolchain: Python
 /// and the package index, Chromium and Node.
@@ -26,7 +27,7 @@ pub(crate) fn run(args: &[String]) -> TaskResult {
         ["--all"] => steps.extend(["workflows", "python", "web"].map(script)),
         ["--slow"] => steps.extend([
             step(&["xtask", "check", "features"]),
-            check("extremes"),
+            check("study extremes"),
             step(&["xtask", "figures", "--check"]),
             step(&["xtask", "bench", "--check"]),
             step(&["test", "--workspace", "--locked", "--", "--ignored"]),
@@ -51,9 +52,10 @@ pub(crate) fn run(args: &[String]) -> TaskResult {
     if failed.is_empty() { Ok(()) } else { Err(format!("failed: {}", failed.join("; "))) }
 }
 
-/// Verifies that what a study writes is current, with the programs that the tests have built.
-fn check(study: &str) -> Command {
-    let mut command = step(&["xtask", "study", study, "--check"]);
+/// Verifies that what a task writes is current, with the programs that the tests have built.
+fn check(task: &str) -> Command {
+    let mut command = step(&["xtask"]);
+    command.args(task.split(' ')).arg("--check");
     command.env(shell::BUILT, "1");
     command
 }
