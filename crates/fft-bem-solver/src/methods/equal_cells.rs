@@ -97,7 +97,9 @@ impl EqualCells {
         if self.whole == Some(4) {
             for (x, cell) in pixels.as_chunks_mut::<4>().0.iter_mut().zip(cells) {
                 let value = factor * cell;
-                x.iter_mut().for_each(|x| *x += value);
+                for x in x {
+                    *x += value;
+                }
             }
             return;
         }
