@@ -119,7 +119,8 @@ impl ModelArguments {
         subject: ModelSubject,
     ) -> Result<ModelAnswer, Failure> {
         let pressures = self.pressures.clone().unwrap_or_default();
-        let separations = self.separations.clone().filter(|all| pressures.is_empty() && !all.is_empty());
+        let separations =
+            self.separations.clone().filter(|all| pressures.is_empty() && !all.is_empty());
         let questions =
             separations.map_or(ModelLoads::Pressures(pressures), ModelLoads::Separations);
         self.joint.check().map_err(|e| Failure::from(&e))?;
