@@ -141,9 +141,9 @@ fn point_by_point(m: &Measurement, truth: &Path, expected: &Value) -> Result<(),
     let digits = expected.get("rounding").and_then(Value::as_f64).unwrap_or(0.0);
     let tolerance = TOLERANCE * range + half_quantum(m).max(digits);
     let pairs = m.heights().iter().zip(truth.heights());
-    let mut far =
-        pairs.enumerate().filter(|(_, (found, wanted))| (*found - *wanted).abs() > tolerance);
-    far.next().map_or(Ok(()), |(i, (found, wanted))| {
+    let mut pairs = pairs.enumerate();
+    let far = pairs.find(|(_, (found, wanted))| (*found - *wanted).abs() > tolerance);
+    far.map_or(Ok(()), |(i, (found, wanted))| {
         Err(format!("point {i} is {found:e} m, expected {wanted:e} m"))
     })
 }

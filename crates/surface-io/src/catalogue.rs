@@ -56,7 +56,7 @@ pub const FORMATS: &[FormatSpec] = &[
     row("Zygo DATX", |b| hdf5::superblock(b).is_some() && find(b, b"X Converter").is_some(), formats::hdf5::parse, &["datx"], "all maps; not checked against a real file"),
     row("HDF5", |b| hdf5::superblock(b).is_some(), formats::hdf5::parse, &["h5", "hdf5"], "every data set of two axes, or else of one, also of NetCDF-4 and MATLAB 7.3; unit from its attribute"),
     #[cfg(feature = "zip")]
-    row("Digital Surf MNT", |b| b.starts_with(ole::MAGIC), formats::mnt::parse, &["mnt"], "surfaces as they were loaded, with missing points; results of the document are not read"),
+    row(formats::mnt::FORMAT, |b| b.starts_with(ole::MAGIC), formats::mnt::parse, &["mnt"], "surfaces as they were loaded, with missing points; results of the document are not read"),
     #[cfg(feature = "zip")]
     row("NIST softgauge", formats::softgauge::sniff, formats::softgauge::parse, &["xml"], "profiles of NIST's algorithm testing system"),
     row(TEXT, text::is_text, formats::table::parse, &["csv", "asc", "tsv", "txt", "xyz"], "matrices, lists of x y z, profiles, several traces beside each other; any separator, decimal comma, missing cells"),

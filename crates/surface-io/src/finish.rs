@@ -61,11 +61,11 @@ pub(crate) fn finish(
     if let Some(given) = options.height_unit {
         positive(Need::HeightUnit, given.metres())?;
         let note = match (channel.scale, given) {
-            (Some(own), HeightUnit::IfSilent(other)) if (own / other - 1.0).abs() <= 1e-9 => "",
-            (Some(_), HeightUnit::IfSilent(_)) => "height unit of the file, kept",
-            _ => "overridden height unit",
+            (Some(own), HeightUnit::IfSilent(other)) if (own / other - 1.0).abs() <= 1e-9 => None,
+            (Some(_), HeightUnit::IfSilent(_)) => Some("height unit of the file, kept"),
+            _ => Some("overridden height unit"),
         };
-        if let Some(unit) = channel.info.unit.as_ref().filter(|_| !note.is_empty()) {
+        if let (Some(note), Some(unit)) = (note, &channel.info.unit) {
             metadata.insert(note.into(), unit.clone());
         }
     }

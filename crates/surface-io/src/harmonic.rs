@@ -82,6 +82,7 @@ impl GridLevel {
         let n = holes.len();
         let mut neighbours = vec![[NONE; 4]; n];
         let (mut bonds, mut pins) = (vec![[0.0; 4]; n], vec![[0.0; 2]; n]);
+        let flux = [dy / dx, dx / dy];
         let (mut sums, mut range) = (vec![[0.0; 2]; n], [f64::INFINITY, f64::NEG_INFINITY]);
         for (k, &i) in holes.iter().enumerate() {
             let i = i as usize;
@@ -94,7 +95,7 @@ impl GridLevel {
             ];
             for (side, j) in around.into_iter().enumerate() {
                 let Some(j) = j else { continue };
-                let w = if side < 2 { dy / dx } else { dx / dy };
+                let w = flux[side / 2];
                 if number[j] == NONE {
                     pins[k][side / 2] += w;
                     sums[k][0] += w * heights[j];

@@ -161,9 +161,13 @@ impl<'a> NumberTable<'a> {
             (2 * alike >= cells.len()).then(|| (cells.len(), not_a_number(number, bad, cells[bad])))
         });
         // Two lines in a row: one may be a date.
-        let mut obstacles: Vec<(usize, ReadError)> = obstacles.collect();
-        let first = obstacles.windows(2).position(|pair| pair[0].0 == pair[1].0)?;
-        Some(obstacles.swap_remove(first).1)
+        let mut obstacles = obstacles.peekable();
+        while let Some((count, error)) = obstacles.next() {
+            if obstacles.peek().is_some_and(|(next, _)| *next == count) {
+                return Some(error);
+            }
+        }
+        None
     }
 
     fn push(

@@ -31,7 +31,7 @@ use super::prelude::*;
 use crate::encoding::utf16;
 use crate::ole::Document;
 
-const FORMAT: &str = "Digital Surf MNT";
+pub(crate) const FORMAT: &str = "Digital Surf MNT";
 const STREAM: &str = "ScopedContents";
 const DATA: u32 = 9012;
 const SURFACE: u32 = 9062;
@@ -276,11 +276,20 @@ impl StoredSurface {
     }
 }
 
-/// Numbers in packed blocks; each is here as first point, points, where it is in the stream, and its bytes.
+/// Numbers in packed blocks, in the order of their points.
 struct Blob {
     points: usize,
     sample: Sample,
-    blocks: Vec<(usize, usize, usize, Vec<u8>)>,
+    blocks: Vec<Block>,
+}
+
+struct Block {
+    /// First point, and points.
+    first: usize,
+    count: usize,
+    /// Place in the stream.
+    at: usize,
+    packed: Vec<u8>,
 }
 
 impl Blob {
@@ -297,12 +306,13 @@ impl Blob {
             b.check_items(blocks.len() as u64 + 1)?;
             let first = usize::try_from(b.u64(at)?).unwrap_or(usize::MAX);
             let (count, packed) = (b.u32(at + 8)? as usize, b.u32(at + 12)? as usize);
-            blocks.push((first, count, part.at + at + 16, b.slice(at + 16, packed)?.to_vec()));
+            let bytes = b.slice(at + 16, packed)?.to_vec();
+            blocks.push(Block { first, count, at: part.at + at + 16, packed: bytes });
             at += 16 + packed;
         }
-        blocks.sort_unstable();
+        blocks.sort_unstable_by_key(|block| (block.first, block.count, block.at)); // empty ones first
         let mut next = 0usize;
-        for &(first, count, ..) in &blocks {
+        for &Block { first, count, .. } in &blocks {
             if first != next {
                 return Err(fault(format!("point {next} is in no block, or in two,")));
             }
@@ -316,7 +326,7 @@ impl Blob {
 
     fn unpack(&self) -> Result<Vec<f64>, ReadError> {
         let mut values = Vec::with_capacity(self.points);
-        for (_, count, at, packed) in &self.blocks {
+        for Block { count, at, packed, .. } in &self.blocks {
             let length = count * self.sample.size();
             let fault = |what| ReadError::at(FORMAT, STREAM, format!("block at byte {at}: {what}"));
             let block = crate::unpack::zlib(packed, length + 1).map_err(fault)?;

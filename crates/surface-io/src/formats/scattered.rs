@@ -6,6 +6,7 @@ use crate::measurement::{Channel, Pixel};
 use crate::{Limits, ReadError, metres_per};
 
 /// Evenly spaced positions found in a column of coordinates.
+#[derive(Clone)]
 pub(crate) struct Line {
     /// (last - first) / (N - 1).
     pub(crate) step: f64,

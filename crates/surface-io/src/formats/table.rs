@@ -134,7 +134,8 @@ fn channels(
         1 => return column(table, header),
         2 => {
             let is_told = is_told || table.is_called(0, &POSITIONS);
-            let mut channel = profile(&table, header, 1)
+            let mut channel = positions(&table)
+                .map(|line| profile(&table, header, line, 1))
                 .map_err(|e| if is_told { e } else { or_matrix(e, PROFILE) })?;
             channel.ambiguity = (!is_told).then_some(PROFILE);
             return Ok(vec![channel]);
@@ -232,13 +233,14 @@ fn traces(table: &NumberTable<'_>, header: &Header) -> Result<Vec<Channel<'stati
     }
     let name = |i: usize| table.titles[i].name.as_str();
     let are_named = (1..columns).all(|i| !name(i).is_empty() && (1..i).all(|j| name(i) != name(j)));
-    let trace = |i: usize| -> Result<Channel<'static>, ReadError> {
-        let mut channel = profile(table, header, i)?;
+    let line = positions(table)?;
+    let trace = |i: usize| {
+        let mut channel = profile(table, header, line.clone(), i);
         channel.info.name = if are_named { name(i).to_owned() } else { format!("trace {i}") };
         channel.info.is_trace = columns > 2;
-        Ok(channel)
+        channel
     };
-    (1..columns).map(trace).collect()
+    Ok((1..columns).map(trace).collect())
 }
 
 /// One channel for z, and one for every column behind it.
@@ -335,16 +337,21 @@ fn matrix(table: &NumberTable<'_>, header: &Header, values: Vec<f64>) -> Channel
     channel
 }
 
-/// The heights in a column at the positions in the first.
+/// Those in the first column.
+fn positions(table: &NumberTable<'_>) -> Result<Line, ReadError> {
+    let line = Line::new(&table.column(0), table.digits[0]);
+    line.map_err(|what| ReadError::at(TEXT, "column 1", what))
+}
+
+/// The heights in a column at these positions.
 fn profile(
     table: &NumberTable<'_>,
     header: &Header,
+    line: Line,
     column: usize,
-) -> Result<Channel<'static>, ReadError> {
-    let line = Line::new(&table.column(0), table.digits[0]);
-    let line = line.map_err(|what| ReadError::at(TEXT, "column 1", what))?;
+) -> Channel<'static> {
     let unit = header.value_unit.clone().or(table.unit(column)).or(table.unit(1));
     let x_unit = table.unit(0).or(header.lateral_unit.clone());
     let (z, positions) = (table.column(column), Some((line, x_unit.as_deref())));
-    Ok(scattered::profile(header.name(), unit.as_deref(), z.len(), positions, move || Ok(z)))
+    scattered::profile(header.name(), unit.as_deref(), z.len(), positions, move || Ok(z))
 }

@@ -1,6 +1,6 @@
 //! A data set: what it is, and its numbers, in one piece or in chunks that a chain of filters packs.
 
-use super::file::{File, Message, WAY_OUT};
+use super::file::{File, LAYOUT, Message, WAY_OUT, points};
 use super::types::{AttributeValue, Type, read_attribute, read_shape, read_type};
 use crate::binary::{ByteOrder, Bytes, Sample};
 use crate::error::ReadError;
@@ -59,7 +59,7 @@ impl<'a> Dataset<'a> {
         }
         let filters =
             find(0x0b).map_or(Ok(Vec::new()), |message| read_filters(file, message.at))?;
-        let layout = find(0x08).ok_or_else(|| missing("layout"))?;
+        let layout = find(LAYOUT).ok_or_else(|| missing("layout"))?;
         let layout = read_layout(file, layout, shape.len(), filters)?;
         Ok(Some(Self { file: *file, shape, sample, order, layout, attributes }))
     }
@@ -72,7 +72,7 @@ impl<'a> Dataset<'a> {
 
     /// All numbers, the last axis fastest; NaN where nothing was ever written.
     pub(crate) fn values(&self) -> Result<Vec<f64>, ReadError> {
-        let points = self.shape.iter().copied().fold(1, usize::saturating_mul);
+        let points = points(&self.shape);
         let b = Bytes { order: self.order, ..self.file.b };
         b.check_points([points, 1])?;
         match &self.layout {
@@ -277,7 +277,7 @@ fn read_layout(
     };
     let Some(index) = index else { return Ok(Storage::Empty) };
     let sides = sides?;
-    let points = sides.iter().copied().fold(1, usize::saturating_mul);
+    let points = points(&sides);
     if points == 0 {
         return Err(b.field("chunks", "of no points"));
     }

@@ -4,7 +4,7 @@ use crate::binary::Bytes;
 use crate::error::ReadError;
 
 const LINK_INFO: u16 = 0x02;
-const LAYOUT: u16 = 0x08;
+pub(super) const LAYOUT: u16 = 0x08;
 const LINK: u16 = 0x06;
 const SYMBOL_TABLE: u16 = 0x11;
 
@@ -15,6 +15,11 @@ const DEEPEST: usize = 32;
 
 /// What to do about a file of a newer form.
 pub(super) const WAY_OUT: &str = "`h5repack -f NONE -l CONTI IN OUT` writes the form that is";
+
+/// Points of these sides; the largest number where there are more.
+pub(super) fn points(sides: &[usize]) -> usize {
+    sides.iter().copied().fold(1, usize::saturating_mul)
+}
 
 pub(super) const MAGIC: &[u8] = b"\x89HDF\r\n\x1a\n";
 

@@ -1,6 +1,6 @@
 //! Data types, and values of attributes.
 
-use super::file::File;
+use super::file::{File, points};
 use crate::binary::{ByteOrder, Bytes, Sample, text};
 use crate::error::ReadError;
 
@@ -125,7 +125,7 @@ pub(crate) fn read_attribute(
     let data_at = space_at + padded(sizes[2]);
     let name = b.text(name_at, sizes[0])?;
     let (kind, _) = read_type(file, type_at, 0)?;
-    let count = read_shape(file, space_at)?.into_iter().fold(1, usize::saturating_mul);
+    let count = points(&read_shape(file, space_at)?);
     Ok(value(file, &kind, data_at, count)?.map(|value| (name, value)))
 }
 

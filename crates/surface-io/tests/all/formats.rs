@@ -1,6 +1,6 @@
 //! Forms of single formats beside the sample: sizes, scales and refusals as their files state them.
 
-use crate::common::{assert_refused, unaided};
+use crate::common::{assert_refused, replace, unaided};
 use surface_io::Measurement;
 
 /// Heights by their number (m).
@@ -109,12 +109,6 @@ fn nanoscope(scan: &str, image: &str, bytes: usize) -> Vec<u8> {
     file.resize(2048, 0);
     file.extend((0..bytes).map(|i| if i % 2 == 0 { (i / 2) as u8 } else { 0 }));
     file
-}
-
-/// Writes over the first place where `from` stands.
-fn replace(file: &mut [u8], from: &[u8], to: &[u8]) {
-    let at = file.windows(from.len()).position(|w| w == from).unwrap();
-    file[at..at + to.len()].copy_from_slice(to);
 }
 
 /// Sizes of 8 x 4 points: by aspect ratio, slow axis, two numbers, and of a part of a scan.

@@ -64,7 +64,7 @@ fn every_single_byte_corruption_is_survived() {
     });
 }
 
-/// Whole and cut: by fuzzing one was found that was asked for less than its magic number.
+/// Whole and cut. Fuzzing found a reader that failed on a file shorter than its magic number.
 #[test]
 fn every_reader_survives_every_file() {
     for spec in FORMATS {

@@ -1,7 +1,7 @@
 //! Documents of Mountains: what is not of the plain form is refused with the way out.
 
 use crate::common::mountains::{contents, document, ole};
-use crate::common::{assert_refused, unaided};
+use crate::common::{assert_refused, replace, unaided};
 
 #[test]
 fn what_is_not_plain_is_refused_with_the_way_out() {
@@ -24,8 +24,7 @@ fn what_is_not_plain_is_refused_with_the_way_out() {
         (class, other, "class 9050"),
     ] {
         let mut contents = contents(9062, Some([9, 22]), 306);
-        let at = contents.windows(from.len()).position(|w| w == from).unwrap();
-        contents[at..at + from.len()].copy_from_slice(&to);
+        replace(&mut contents, &from, &to);
         assert_refused(unaided(document(&contents, 9)), &[words, "SUR"]);
     }
 }

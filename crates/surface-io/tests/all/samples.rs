@@ -2,7 +2,8 @@
 
 use crate::common::instruments::netcdf;
 use crate::common::{
-    self, SayMore as _, assert_refused, assert_sample, sample, samples, scaled, unaided, units,
+    self, SayMore as _, assert_refused, assert_sample, replace, sample, samples, scaled, unaided,
+    units,
 };
 use surface_io::HeightUnit::{Always, IfSilent};
 use surface_io::{
@@ -122,8 +123,7 @@ fn heights_are_read_beside_pictures_and_broken_members() {
     assert_eq!((found.channel.as_str(), found.channels.len()), ("a.oir: HEIGHT", 3));
     assert!(found.channels[2].fault.is_some());
     let mut short = oir.bytes.clone();
-    let at = short.windows(4).position(|w| w == b"c1_0").unwrap();
-    short[at + 3] = b'5';
+    replace(&mut short, b"c1_0", b"c1_5");
     let chosen = oir.options.clone().channel("HEIGHT");
     assert_refused(read_bytes(&short, &chosen), &["0 bytes in 0 pieces, 70 are needed"]);
     let mut other = oir.bytes;

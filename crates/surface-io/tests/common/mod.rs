@@ -216,3 +216,9 @@ pub fn samples() -> Vec<SampleFile> {
     samples.extend(mountains::samples());
     samples
 }
+
+/// Writes over the first place where `from` stands.
+pub fn replace(file: &mut [u8], from: &[u8], to: &[u8]) {
+    let at = file.windows(from.len()).position(|w| w == from).unwrap();
+    file[at..at + to.len()].copy_from_slice(to);
+}
