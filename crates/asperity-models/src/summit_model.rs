@@ -126,8 +126,9 @@ impl SummitModel {
         let (mut h, mut step) = (self.starting_value(target), f64::INFINITY);
         for _ in 0..MAX_STEPS {
             let [value, slope] = self.correlation.integrate(h, |summit| self.load(summit));
-            let unit = if h > 0.0 { -0.5 * h * h } else { 0.0 }; // its logarithm
-            let lacks = (self.dimensionless_scale() * value).ln() + unit - target;
+            // Integrals come in units of exp(-h²/2), see `gaussian`.
+            let ln_unit = if h > 0.0 { -0.5 * h * h } else { 0.0 };
+            let lacks = (self.dimensionless_scale() * value).ln() + ln_unit - target;
             step = lacks * value / slope;
             h += step;
             if step.abs() <= 1e-8 * h.abs().max(1.0) {

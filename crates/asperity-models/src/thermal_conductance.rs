@@ -130,12 +130,12 @@ impl ContactModel for ConductanceCorrelation {
     }
 
     fn formula(&self) -> Option<String> {
-        let power = if self.is_elastic {
+        let fit = if self.is_elastic {
             "1.55 k_s m_a/σ (√2 p/(E* m_a))^0.94"
         } else {
             "1.25 k_s m_a/σ (p/H)^0.95"
         };
-        Some(format!("h = {power} with k_s = 2 k₁ k₂/(k₁ + k₂)"))
+        Some(format!("h = {fit} with k_s = 2 k₁ k₂/(k₁ + k₂)"))
     }
 }
 

@@ -1,6 +1,6 @@
 //! A regular grid of rectangular pixels and its wavenumbers.
 
-use crate::SurfaceError;
+use crate::{Named, SurfaceError};
 use std::f64::consts::TAU;
 
 /// `[ny, nx]` pixels of `[dy, dx]` metres. The cell that repeats in periodic calculations is
@@ -79,6 +79,24 @@ impl Grid {
         let [qy, qx] = self.wave_vector(iy, ix);
         qy.hypot(qx)
     }
+}
+
+/// A direction in the plane of a map.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+#[cfg_attr(
+    feature = "serde",
+    derive(serde::Serialize, serde::Deserialize),
+    serde(rename_all = "kebab-case")
+)]
+pub enum Axis {
+    /// Along a row, from the first column to the last.
+    X,
+    /// Along a column, from the first row to the last.
+    Y,
+}
+
+impl Named for Axis {
+    const NAMES: &'static [(Self, &'static str)] = &[(Self::X, "x"), (Self::Y, "y")];
 }
 
 #[cfg(test)]

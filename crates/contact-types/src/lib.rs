@@ -26,11 +26,11 @@ mod spectrum;
 pub use clock::Clock;
 pub use contact::{Caveat, Citation, ContactModel, ContactState, SeparationModel};
 pub use error::{ModelError, SurfaceError};
-pub use grid::Grid;
+pub use grid::{Axis, Grid};
 pub use height_map::HeightMap;
 pub use material::{ContactModulus, Elastic};
 pub use moments::{AsperityStatistics, FractalParameters, SpectralMoments};
-pub use named::{Axis, Named};
+pub use named::Named;
 pub use spectrum::{AmplitudeSpectrum, RoughnessSpectrum, Shell, Wave};
 
 #[cfg(test)]

@@ -139,9 +139,10 @@ fn refuses_with_the_value_and_the_way_out() {
         ));
     }
     let model = GreenwoodWilliamson::new(good, modulus).unwrap();
-    let (error, said) = (model.at_pressure(-1.0).unwrap_err(), "must be finite and not negative");
-    let said = format!("Greenwood-Williamson: mean pressure = -1e0 is not usable: {said}");
-    assert_eq!(error.to_string(), said);
+    let error = model.at_pressure(-1.0).unwrap_err().to_string();
+    let expected = "Greenwood-Williamson: mean pressure = -1e0 is not usable: \
+                    must be finite and not negative";
+    assert_eq!(error, expected);
     assert!(model.at_pressure(f64::NAN).is_err() && model.at_separation(f64::INFINITY).is_err());
     let narrow = SpectralMoments { m0: 1.0, m2: 1.0, m4: 0.89 };
     assert!(matches!(

@@ -1,4 +1,4 @@
-//! What the answers of all models share: citations and caveats.
+//! What the answers of all models share: citations, caveats, and the state where the area alone is known.
 
 use contact_types::{Caveat, Citation, ContactState};
 

@@ -112,7 +112,7 @@ mod tests {
         NoiseFloor::of(&rings, map.grid().pixel())
     }
 
-    /// It has the moments that are said of it. Under a surface that ends at 8 µm level and end of
+    /// White noise has the moments stated. Under a surface that ends at 8 µm level and end of
     /// the band are found; a line at the shortest wave is no surface.
     #[test]
     fn white_noise_is_found_under_a_surface() {

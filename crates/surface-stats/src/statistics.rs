@@ -1,6 +1,6 @@
 //! The one call most users need.
 
-use crate::clean::row_offsets;
+use crate::clean::row_warning;
 use crate::fractal::{SpectralScales, check_range};
 use crate::level::{tilted, without_form};
 use crate::seam::{MOST_SEAM_JUMP, seam_jump};
@@ -254,21 +254,18 @@ impl SurfaceStatistics {
         let height_step = options.height_step.or_else(|| steps::height_step(map.heights()));
         let surface = without_form(map, degree)?;
 
-        let differences = || DirectionalMoments::of(&surface, options.edges);
-        let ((distribution, differences), of_moments) =
-            timed(|| (HeightStatistics::of(&surface), differences()));
+        let ((distribution, differences), of_moments) = timed(|| {
+            (HeightStatistics::of(&surface), DirectionalMoments::of(&surface, options.edges))
+        });
         let differences = differences?;
         let (of_points, ((edge_jump, rows), ((spectral, power), of_power))) = join(
             || join(|| Summits::of(&surface, options.edges), || timed(|| amplitudes(&surface))),
             || {
-                // Levelling may take heights at the end of the range beyond it: then rows are not compared.
-                let lines = || {
-                    let rows = row_offsets(grid, surface.heights()).ok();
-                    (seam_jump(&surface), rows.and_then(|rows| rows.warning))
+                let waves = || {
+                    let power = PowerSpectrum::of_field(grid, surface.heights());
+                    (power.moments(), power)
                 };
-                let power = || PowerSpectrum::of_field(grid, surface.heights());
-                let with_moments = |power: PowerSpectrum| (power.moments(), power);
-                join(lines, || timed(|| with_moments(power())))
+                join(|| (seam_jump(&surface), row_warning(&surface)), || timed(waves))
             },
         );
         let (summits, (amplitudes, of_amplitudes)) = of_points;
@@ -283,8 +280,9 @@ impl SurfaceStatistics {
             apply_window(grid, &mut heights, Edges::Open);
             PowerSpectrum::of_field(grid, &heights)
         };
-        let (resolved, rings) = join(|| power.resolved_gradient(), || power.rings());
-        let by_waves = if periodic { spectral } else { power.moments() };
+        let by_waves = || if periodic { spectral } else { power.moments() };
+        let (resolved, (rings, by_waves)) =
+            join(|| power.resolved_gradient(), || (power.rings(), by_waves()));
 
         let rms_height = distribution.rms_height;
         let moments = differences.isotropic(rms_height * rms_height);
@@ -370,10 +368,11 @@ impl SurfaceStatistics {
         let flat_tops = flat_tops.then_some(Warning::FlatTops { plateaus, summits });
         let side = (self.shape[0] as f64 * self.pixel[0]).min(self.record_length);
         let few_waves = match self.rolloff {
-            Some(rolloff) => Some(Some(side / rolloff)).filter(|_| side < 4.0 * rolloff),
-            None => self.hurst.map(|_| None),
+            Some(rolloff) => {
+                (side < 4.0 * rolloff).then(|| Warning::FewWaves { count: Some(side / rolloff) })
+            }
+            None => self.hurst.map(|_| Warning::FewWaves { count: None }),
         };
-        let few_waves = few_waves.map(|count| Warning::FewWaves { count });
         let [not_gaussian, narrow] =
             Warning::of_distribution(self.skewness, self.kurtosis, self.bandwidth);
         let hurst = Warning::of_hurst(self.hurst);

@@ -22,11 +22,16 @@ fn persson_area() {
     // g_rms = 1: m2 = 1/2.
     let moments = SpectralMoments { m0: 1.0, m2: 0.5, m4: 1.0 };
     let model = Persson::from_moments(moments, unit()).unwrap();
-    let mut worst = Worst::of("Persson area");
-    for row in reference_rows("persson_area.csv") {
+    at_loads("Persson area", &model, ("persson_area.csv", "A"));
+}
+
+/// Areas at loads `x`, to 1e-15.
+fn at_loads(name: &str, model: &impl ContactModel, (table, column): (&str, &str)) {
+    let mut worst = Worst::of(name);
+    for row in reference_rows(table) {
         let x = row.number("x");
-        let area = model.at_pressure(x).unwrap().area_fraction;
-        worst.compare(area, row.number("A"), || format!("x = {x}"));
+        let area = model.at_pressure(x).expect("an answer").area_fraction;
+        worst.compare(area, row.number(column), || format!("x = {x}"));
     }
     worst.at_most(1e-15);
 }
@@ -141,16 +146,9 @@ fn majumdar_bhushan() {
 /// One wave is the sinusoid itself; complete contact at 1 Pa.
 #[test]
 fn published_fit_of_the_sinusoid() {
-    let mut worst = Worst::of("published sinusoid fit");
-    let modulus = ContactModulus::from_pascals((SQRT_2 * PI).recip()).unwrap();
     let waves = AmplitudeSpectrum::new(vec![Wave { frequency: 1.0, amplitude: 1.0 }], 1.0).unwrap();
-    let model = JacksonStreator::new(waves, modulus);
-    for row in reference_rows("sinusoid_fit.csv") {
-        let x = row.number("x");
-        let area = model.at_pressure(x).unwrap().area_fraction;
-        worst.compare(area, row.number("g"), || format!("x = {x}"));
-    }
-    worst.at_most(1e-15);
+    let model = JacksonStreator::new(waves, pascals((SQRT_2 * PI).recip()));
+    at_loads("published sinusoid fit", &model, ("sinusoid_fit.csv", "g"));
 }
 
 #[test]
