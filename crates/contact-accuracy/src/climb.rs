@@ -123,7 +123,7 @@ impl Reached {
         self.given.pixel()[1] / self.grid.pixel()[1]
     }
 
-    /// With the rung above of so many points per side over those of the map.
+    /// With the rung above of so many points per side over those of the map, and the time since `start`.
     fn with_next(self, above: Option<f64>, start: Clock) -> Self {
         let next = above.map(|factor| {
             let shape = self.given.shape().map(|n| (factor * n as f64) as usize);

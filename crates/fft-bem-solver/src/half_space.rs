@@ -74,11 +74,10 @@ impl<T: Real> HalfSpace<T> {
         }
     }
 
-    /// `K^-1 w` is the part on the map of `C^-1 w`, w continued by zeros, with one over the
-    /// compliance: `C` is the periodic operator `C` on the padded grid, of which
-    /// this half space is a part: among all fields on the padded grid that equal `w` on the map the
-    /// one with the least `C^-1` norm has that of `K^-1`, and `w` continued by zeros is one of
-    /// them.
+    /// `stiffness` makes the `B w` of [`Compliance::invert`]: the part on the map of `C^-1 w`, w continued by zeros, with `C`
+    /// the periodic operator on the padded grid, of which this half space is a part. Among all fields there that equal `w`
+    /// on the map the one with the least `C^-1` norm has that of `K^-1`, and `w` continued by zeros is one of them. None if
+    /// `C` is not positive definite.
     fn free(grid: Grid, e_star: f64) -> Self {
         let (padded, coefficients) = love_coefficients(grid, e_star);
         let rows = padded[0] / 2 + 1;

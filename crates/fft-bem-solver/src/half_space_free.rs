@@ -4,37 +4,44 @@ use contact_types::Grid;
 use grid_fft::GridFft;
 use std::f64::consts::PI;
 
-/// Displacement at the centres of the pixels of a map, zero far away, as each is loaded uniformly:
-/// the shape that the map is padded to with zeros, to at least twice its size, and the transform
-/// there of Love's coefficients over E*, `ky` in `0..=py/2` running fastest. The convolution with
-/// them is the sum over all pixels, without error.
+/// The shape that the map is padded to with zeros, at least twice its size, and the transform there of Love's
+/// coefficients over E*, `ky` in `0..=py/2` running fastest: displacement at the centres of the pixels, zero far away, as
+/// each pixel of the map is loaded uniformly. The convolution is the sum over all pixels, without error.
 ///
 /// # Source
 /// Love (1929), *Phil. Trans. R. Soc. A* 228, 377; zero-padding: Liu, Wang & Liu (2000), *Wear*
 /// 243, 101–111, doi:10.1016/S0043-1648(00)00427-0.
 pub(crate) fn love_coefficients(grid: Grid, e_star: f64) -> ([usize; 2], Vec<f64>) {
-    let [dy, dx] = grid.pixel();
     let padded = grid.shape().map(padded_length);
-    let [py, px] = padded;
-    let distance = |i: usize, p: usize| i.min(p - i) as f64;
-    let mut fft = GridFft::<f64>::new(padded);
-    let mut coefficients = vec![0.0; py * px];
-    for iy in 0..=py / 2 {
-        for ix in 0..=px / 2 {
-            let u = love([distance(iy, py) * dy, distance(ix, px) * dx], [dy, dx]);
-            for jy in [iy, (py - iy) % py] {
-                coefficients[jy * px + ix] = u / e_star;
-                coefficients[jy * px + (px - ix) % px] = u / e_star;
+    let transform = love_transform(padded, grid.pixel(), e_star);
+    let [rows, columns] = padded.map(|n| n / 2 + 1);
+    let mut table = Vec::with_capacity(columns * rows);
+    table.extend(
+        (0..columns)
+            .flat_map(|kx| (0..rows).map(move |ky| ky * columns + kx))
+            .map(|wave| transform[wave]),
+    );
+    (padded, table)
+}
+
+/// Transform of Love's coefficients over E* on a grid of `shape` pixels that repeats, each taken at its nearest image;
+/// `kx` in `0..=nx/2` running fastest. An even field has a real transform.
+pub(crate) fn love_transform([ny, nx]: [usize; 2], [dy, dx]: [f64; 2], e_star: f64) -> Vec<f64> {
+    let distance = |i: usize, n: usize| i.min(n - i) as f64;
+    let mut fft = GridFft::<f64>::new([ny, nx]);
+    let mut coefficients = vec![0.0; ny * nx];
+    for iy in 0..=ny / 2 {
+        for ix in 0..=nx / 2 {
+            let u = love([distance(iy, ny) * dy, distance(ix, nx) * dx], [dy, dx]);
+            for jy in [iy, (ny - iy) % ny] {
+                coefficients[jy * nx + ix] = u / e_star;
+                coefficients[jy * nx + (nx - ix) % nx] = u / e_star;
             }
         }
     }
     let mut spectrum = fft.new_spectrum();
     fft.forward(&coefficients, &mut spectrum);
-    let columns = px / 2 + 1;
-    let waves = (0..columns).flat_map(|kx| (0..=py / 2).map(move |ky| ky * columns + kx));
-    let mut table = Vec::with_capacity(columns * (py / 2 + 1));
-    table.extend(waves.map(|wave| spectrum[wave].re)); // an even field has a real transform
-    (padded, table)
+    spectrum.into_iter().map(|wave| wave.re).collect()
 }
 
 /// Displacement, times E*, at `[y, x]` from the centre of a rectangle of sides `[dy, dx]` under

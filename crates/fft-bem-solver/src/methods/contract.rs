@@ -91,7 +91,8 @@ pub(crate) struct IterateView<'a, T> {
     pub(crate) transforms: f64,
     /// Estimated relative rms pressure error; infinite while there is none.
     pub(crate) residual: f64,
-    /// May be of a larger grid, with nothing loaded beside the map.
+    /// May be of a larger grid, with nothing loaded beside the map; then no level may be prescribed, since `control`
+    /// compares it with the heights of the map.
     pub(crate) state: &'a State<T>,
 }
 

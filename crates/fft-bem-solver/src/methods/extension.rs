@@ -318,11 +318,11 @@ impl Pyramid {
     pub(crate) fn new(shape: [usize; 2], pixel: [f64; 2]) -> Self {
         let (mut n, mut d) = (shape, pixel);
         let mut levels = Vec::new();
-        while levels.is_empty() || n[0].max(n[1]) > 4 {
+        let is_large = |n: [usize; 2]| n[0].max(n[1]) > 4;
+        while levels.is_empty() || is_large(n) {
             let divisible = |a: usize| if n[a] > 1 { d[a] } else { f64::INFINITY };
             let finest = divisible(0).min(divisible(1));
-            let is_large = n[0].max(n[1]) > 4;
-            let halved = [0, 1].map(|a| is_large && n[a] > 1 && d[a] < ALIKE * finest);
+            let halved = [0, 1].map(|a| is_large(n) && n[a] > 1 && d[a] < ALIKE * finest);
             // The sweep needs nodes of the finest grid that belong to one cell each.
             let transfer = Transfer::new(n, halved, !levels.is_empty());
             for axis in 0..2 {
@@ -383,11 +383,11 @@ impl Pyramid {
         &self,
         nodes: &[NodeState],
         residual: &[f32],
-        nx: usize,
         stiffness: &mut Stiffness,
         extended: &mut [f32],
     ) {
         let first = &self.levels[0];
+        let nx = first.transfer.fine[1];
         stiffness.fill(extended, |i, x| {
             let (nodes, r) = (&nodes[i * nx..][..nx], &residual[i * nx..][..nx]);
             vectorised!(push_finest_row(&first.transfer, i, nodes, r, &first.value, x));

@@ -13,7 +13,6 @@ const PIECE: usize = 64;
 /// `E^T S E` on one set.
 pub(crate) struct SetInverse {
     nodes: Vec<NodeState>,
-    columns: usize,
     pyramid: Pyramid,
     stiffness: Stiffness,
     residual: Vec<f32>,
@@ -25,7 +24,6 @@ impl SetInverse {
         let (shape, pixel, n) = (scaled.shape(), scaled.pixel(), scaled.len());
         Self {
             nodes,
-            columns: shape[1],
             pyramid: Pyramid::new(shape, pixel),
             stiffness: Stiffness::new(shape, pixel),
             residual: vec![0.0; n],
@@ -60,18 +58,18 @@ impl SetInverse {
 
     /// `E` of the residual field, with the means over the cells of `S`.
     fn extend(&mut self) {
-        let Self { nodes, columns, pyramid, stiffness, residual, extended } = self;
+        let Self { nodes, pyramid, stiffness, residual, extended } = self;
         pyramid.levels[0].pull(nodes, residual);
         pyramid.extend_above();
-        pyramid.push(nodes, residual, *columns, stiffness, extended);
+        pyramid.push(nodes, residual, stiffness, extended);
     }
 
     /// `z = E^T` of the residual field.
     fn restrict(&mut self, on: &[usize], z: &mut [f64]) {
         self.pyramid.restrict(&self.nodes, &self.residual);
-        let Self { columns, pyramid, residual, .. } = self;
+        let Self { pyramid, residual, .. } = self;
         let first = &pyramid.levels[0];
-        residual.par_chunks_mut(*columns).enumerate().for_each(|(iy, y)| {
+        residual.par_chunks_mut(first.transfer.fine[1]).enumerate().for_each(|(iy, y)| {
             for (k, y) in y.chunks_mut(PIECE).enumerate() {
                 first.transfer.add_down_transposed(iy, k * PIECE, &first.value, y);
             }

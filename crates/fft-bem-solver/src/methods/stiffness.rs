@@ -11,12 +11,12 @@
 
 use super::equal_cells::EqualCells;
 use super::thin_pixels;
-use crate::love;
+use crate::half_space_free::love_transform;
 use crate::row_work::TASK;
 use crate::simd::vectorised;
 use contact_types::Grid;
+use grid_fft::Convolution;
 use grid_fft::parallel::prelude::*;
-use grid_fft::{Convolution, GridFft};
 use std::f64::consts::{PI, TAU};
 
 /// Below this many pixels an axis is not coarsened.
@@ -89,19 +89,11 @@ impl Stiffness {
     /// place of `|q|/2`. They differ where a wave is as long as the grid: the copies of the map, which
     /// `|q|/2` knows of, would make a line of long pixels much softer.
     pub(crate) fn isolated(shape: [usize; 2], pixel: [f64; 2]) -> Self {
-        let [ny, nx] = shape;
-        let distance = |i: usize, a: usize| i.min(shape[a] - i) as f64 * pixel[a];
-        let mut kernel = Vec::with_capacity(ny * nx);
-        for iy in 0..ny {
-            kernel.extend((0..nx).map(|ix| love([distance(iy, 0), distance(ix, 1)], pixel)));
-        }
-        let mut fft = GridFft::<f64>::new(shape);
-        let mut spectrum = fft.new_spectrum();
-        fft.forward(&kernel, &mut spectrum);
-        let columns = nx / 2 + 1;
+        let transform = love_transform(shape, pixel, 1.0);
+        let columns = shape[1] / 2 + 1;
         let periodic = half_wavenumber(shape, pixel);
         Self::with_symbol(shape, pixel, |k| {
-            let compliance = spectrum[k[0] * columns + k[1]].re;
+            let compliance = transform[k[0] * columns + k[1]];
             if compliance > 0.0 { 1.0 / compliance } else { periodic(k) }
         })
     }

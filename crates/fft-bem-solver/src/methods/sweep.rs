@@ -18,6 +18,8 @@ use crate::simd::vectorised;
 use crate::{Real, fields};
 use grid_fft::parallel::prelude::*;
 
+/// Cells that are looked at together.
+const BLOCK: usize = 32;
 /// Most rounds of sweeping.
 pub(crate) const ROUNDS: u8 = 12;
 /// Tension, as a part of the load and of the present relative error, that may be clipped.
@@ -216,8 +218,6 @@ fn add(row: Option<&[f32]>, to: &mut [f32]) {
         *to += x;
     }
 }
-
-const BLOCK: usize = 32;
 
 /// Of a block of cells, 1 for those below which a pressure is negative once so much is added.
 #[inline(always)]

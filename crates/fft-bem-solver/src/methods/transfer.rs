@@ -32,7 +32,7 @@ pub(crate) struct Transfer {
 }
 
 impl Transfer {
-    /// Cells may cut pixels; else the last of an odd axis is narrow.
+    /// Cells may cut pixels; else the last of an odd axis is narrow. Axes of one pixel must not be halved.
     pub(crate) fn new(fine: [usize; 2], halved: [bool; 2], may_cut: bool) -> Self {
         let coarse = [0, 1].map(|a| if halved[a] { fine[a].div_ceil(2) } else { fine[a] });
         let cut = |a: usize| CutCells::new(fine[a]).filter(|_| may_cut && halved[a]);
@@ -210,7 +210,7 @@ impl Transfer {
         self.cut.iter().any(Option::is_some)
     }
 
-    /// Row `j` of `down`, with `add` as above.
+    /// Row `j` of `down`, with `add` as for [`up_transposed_row`](Self::up_transposed_row).
     #[inline(always)]
     pub(crate) fn down_row_of(
         &self,

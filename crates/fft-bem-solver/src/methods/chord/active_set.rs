@@ -39,7 +39,7 @@ impl<T: Real, C: Ceiling<T>> Run<'_, T, C> {
         (level, self.contact_set(level, excess, release, false))
     }
 
-    pub(super) fn level_of_iterate(&mut self) -> f64 {
+    fn level_of_iterate(&mut self) -> f64 {
         let State { pressure: p, displacement: u, .. } = &*self.iterate;
         if C::IS_FINITE {
             let fields = [&p[..], &u[..], self.heights];
@@ -72,7 +72,7 @@ impl<T: Real, C: Ceiling<T>> Run<'_, T, C> {
         is_ahead: bool,
     ) -> ContactSet {
         let work = &mut *self.work;
-        let (nx, chunk) = (work.columns, work.rows * work.columns);
+        let (nx, chunk) = (work.columns(), work.rows * work.columns());
         let State { pressure: p, displacement: u, .. } = &*self.iterate;
         let extended = work.pairs.trial_and_spare().1;
         let classify = Classify {
@@ -104,7 +104,7 @@ impl<T: Real, C: Ceiling<T>> Run<'_, T, C> {
             });
         let [active, released] = total(partial);
         work.pyramid.extend_above();
-        work.pyramid.push(&work.nodes, &work.residual, nx, &mut work.stiffness, extended);
+        work.pyramid.push(&work.nodes, &work.residual, &mut work.stiffness, extended);
         ContactSet { size: active as usize, has_released: released > 0.0 }
     }
 

@@ -32,14 +32,13 @@ pub(super) fn step<T: Real, C: Ceiling<T>>(run: &mut Run<'_, T, C>, level: f64) 
             nodes[i] = NodeState::Full;
         }
     }
-    centre(nodes, z);
+    let count = centre(nodes, z);
 
     // Conjugate to the last direction, if that descends; else z; else the plain gradient.
     let pairs = &mut work.pairs;
     let (t, kt) = (&mut pairs.before.pressure, &mut pairs.before.displacement);
     let on = |i: usize, x: f64| if nodes[i].is_in() { x } else { 0.0 };
     let sum_on = |x: &(dyn Fn(usize) -> f64 + Sync)| fields::sum_of(n, |i| on(i, x(i)));
-    let count = sum_on(&|_| 1.0);
     let descends = |d: &[T]| fields::sum_of(n, |i| d[i].wide() * gap(i)) > 0.0;
     let direction = &mut pairs.trial.pressure;
     let mut is_descent = false;
@@ -75,10 +74,11 @@ pub(super) fn step<T: Real, C: Ceiling<T>>(run: &mut Run<'_, T, C>, level: f64) 
     1.0
 }
 
-/// Sets z to zero outside the contact and subtracts its mean inside.
-fn centre(nodes: &[NodeState], z: &mut [f32]) {
+/// Sets z to zero outside the contact and subtracts its mean inside; returns the nodes there.
+fn centre(nodes: &[NodeState], z: &mut [f32]) -> f64 {
     let on = |i: usize| nodes[i].is_in();
     let count = fields::sum_of(z.len(), |i| if on(i) { 1.0 } else { 0.0 });
     let mean = fields::sum_of(z.len(), |i| if on(i) { f64::from(z[i]) } else { 0.0 }) / count;
     fields::write(z, |i, z| if on(i) { z - mean as f32 } else { 0.0 });
+    count
 }

@@ -81,7 +81,7 @@ impl<T: Real, C: Ceiling<T>> Run<'_, T, C> {
     pub(super) fn respond(&mut self, trial: Trial, level: f64) -> Option<Products> {
         let (ceiling, wanted) = (self.ceiling, self.total());
         let work = &mut *self.work;
-        let nx = work.columns;
+        let nx = work.columns();
         let (nodes, sweep) = (&work.nodes, &work.sweep);
         let below = &work.pyramid.levels[0].transfer;
         let prepare = |first: usize, q: &mut [T]| match trial {

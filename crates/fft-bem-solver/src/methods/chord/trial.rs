@@ -46,13 +46,13 @@ impl<T: Real, C: Ceiling<T>> Run<'_, T, C> {
     /// `|p|^2`.
     pub(crate) fn make_trial(&mut self, tau: f64, set: ContactSet) -> [f64; 2] {
         let work = &mut *self.work;
-        let (rows, nx) = (work.rows, work.columns);
+        let (rows, nx) = (work.rows, work.columns());
         let chunk = rows * nx;
         let (trial, smallest) = work.pairs.trial_and_spare();
         let partial = &mut work.partial[..trial.len().div_ceil(chunk)];
         let level = &work.pyramid.levels[0];
         let p = &self.iterate.pressure[..];
-        let step = PressureStep { ceiling: self.ceiling, p, tau, level, nx };
+        let step = PressureStep { ceiling: self.ceiling, p, tau, level };
         let fields = partial
             .par_iter_mut()
             .zip(work.residual.par_chunks(chunk))
@@ -119,7 +119,7 @@ impl<T: Real, C: Ceiling<T>> Run<'_, T, C> {
     pub(crate) fn end_trial(&mut self, level: f64) -> Option<f64> {
         let ceiling = self.ceiling;
         let work = &mut *self.work;
-        let (rows, nx) = (work.rows, work.columns);
+        let (rows, nx) = (work.rows, work.columns());
         let (size, trial) = (rows * nx, &mut work.pairs.trial.pressure);
         let (sweep, below) = (&work.sweep, &work.pyramid.levels[0].transfer);
         let pieces = trial.par_chunks_mut(size).zip(work.nodes.par_chunks(size));
@@ -196,7 +196,6 @@ struct PressureStep<'a, T, C> {
     p: &'a [T],
     tau: f64,
     level: &'a PyramidLevel,
-    nx: usize,
 }
 
 impl<T: Real, C: Ceiling<T>> PressureStep<'_, T, C> {
@@ -214,7 +213,7 @@ impl<T: Real, C: Ceiling<T>> PressureStep<'_, T, C> {
         smallest: &mut [f32],
         sums: &mut [f64x4<S>; 4],
     ) {
-        let nx = self.nx;
+        let nx = self.level.transfer.fine[1];
         let (mut z, mut least) = ([0.0; TILE], [0.0; TILE]);
         for ix in (0..nx).step_by(TILE) {
             let n = TILE.min(nx - ix);

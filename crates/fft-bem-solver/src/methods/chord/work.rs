@@ -10,9 +10,8 @@ use crate::row_work::{BLOCK_ROWS, Partial, TASK};
 use contact_types::Grid;
 
 pub(crate) struct Work<T: Real> {
-    /// Rows that one task of a pass handles, and columns.
+    /// Rows that one task of a pass handles.
     pub(super) rows: usize,
-    pub(super) columns: usize,
     /// Of which the finer pixel side is 1.
     pub(super) grid: Grid,
     pub(crate) nodes: Vec<NodeState>,
@@ -30,6 +29,10 @@ pub(crate) struct Work<T: Real> {
 }
 
 impl<T: Real> Work<T> {
+    pub(super) fn columns(&self) -> usize {
+        self.grid.shape()[1]
+    }
+
     pub(super) fn new(scaled: Grid, is_isolated: bool) -> Self {
         let (shape, pixel, n) = (scaled.shape(), scaled.pixel(), scaled.len());
         let stiffness = if is_isolated { Stiffness::isolated } else { Stiffness::new };
@@ -40,7 +43,6 @@ impl<T: Real> Work<T> {
         let pieces = tasks.max(shape[0].div_ceil(BLOCK_ROWS));
         Self {
             rows,
-            columns: shape[1],
             grid: scaled,
             nodes: vec![NodeState::Gap; n],
             residual: vec![0.0; n],
