@@ -15,7 +15,7 @@ use surface_stats::{Level, level};
 
 /// Point spacings tried, in spacings of the map. Together they have
 /// 1/4 + 1/16 + 1/64 = 33 % of its points.
-pub(crate) const COARSER: [usize; 3] = [2, 4, 8];
+const COARSER: [usize; 3] = [2, 4, 8];
 
 /// Points along the shorter side below which a grid is not tried, nor a choice.
 const FEWEST_POINTS: usize = 16;
@@ -193,7 +193,7 @@ fn choices(
 
 /// The headline load on every coarser grid. One without a converged solution, or with fewer than 16 points a side, is left out;
 /// a grid that was chosen for an accuracy says itself what a coarser one would leave.
-pub(crate) fn solve_coarser(
+fn solve_coarser(
     surface: &mut SurfaceComparison,
     settings: &Settings,
     watch: &mut LoadListener<'_, '_>,

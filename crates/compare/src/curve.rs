@@ -114,12 +114,12 @@ pub(crate) fn solved(
     map: &Map,
 ) -> (DeterministicPoint, Option<Solution>) {
     let trouble = result.as_ref().err().map(|error| {
-        let how = match error {
-            SolverError::NotConverged(_) => "not converged",
-            SolverError::Rounding(_) => "stopped at rounding",
+        let (how, best) = match error {
+            SolverError::NotConverged(best) => ("not converged", best),
+            SolverError::Rounding(best) => ("stopped at rounding", best),
             error => return error.to_string(),
         };
-        let reached = error.solution().map_or(f64::NAN, |s| s.diagnostics.residuals.preconditioned);
+        let reached = best.diagnostics.residuals.preconditioned;
         format!("{how}: relative rms pressure error about {reached:.1e}")
     });
     let (answer, solution) = DeterministicAnswer::of(result, materials, map).unzip();

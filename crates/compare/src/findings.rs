@@ -25,7 +25,7 @@ pub fn findings(surface: &SurfaceComparison) -> Vec<Finding> {
     let solved = Solved {
         scene: scene(surface),
         spikes: surface.spikes.clone(),
-        spike_share: surface.spikes.share(surface.surface.grid().len(), &surface.pressure),
+        spike_share: surface.spikes.share(&surface.pressure),
         loads: without_uncertainty(surface),
         indicators: answers()
             .map(|a| (a.budget.indicator, a.finer.as_ref().map(|n| n.area)))

@@ -84,7 +84,7 @@ pub fn pressure_top(pressure: &[f64]) -> (f64, bool) {
     (rounded, highest > rounded)
 }
 
-/// A curve of more loads is not kept.
+/// Loads of a curve beyond which its [`FirstContact`] is not kept: an index is one byte.
 const MOST_LOADS: usize = 240;
 
 /// At which load each point of the grid solved first carries pressure.

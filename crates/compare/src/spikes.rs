@@ -43,9 +43,9 @@ impl Spikes {
         Self { taken: cleaned.iter().chain(bodies).map(taken).sum(), ..Self::of(map) }
     }
 
-    /// Share of the load that they carry; `None` for a pressure that is not on the `points` of the map, or without load.
-    pub fn share(&self, points: usize, pressure: &[f64]) -> Option<f64> {
-        if pressure.len() != points {
+    /// Share of the load that they carry; `None` for a pressure that is not on the points of the map, or without load.
+    pub fn share(&self, pressure: &[f64]) -> Option<f64> {
+        if pressure.len() != self.points {
             return None;
         }
         let all: f64 = pressure.iter().sum();
@@ -100,8 +100,8 @@ mod tests {
         assert_eq!(Spikes::left(&map, &cleaned, None), Spikes { taken: 8, ..spikes.clone() });
         let mut pressure = vec![0.0; 1600];
         (pressure[810], pressure[3]) = (3.0, 1.0);
-        assert_eq!(spikes.share(1600, &pressure), Some(0.75));
-        assert_eq!(spikes.share(1600, &[1.0]), None);
+        assert_eq!(spikes.share(&pressure), Some(0.75));
+        assert_eq!(spikes.share(&[1.0]), None);
         let flat = spikes.without(&map).unwrap();
         for (a, b) in flat.heights().iter().zip(&smooth) {
             assert!((a - b).abs() < 6e-9, "{a:e} {b:e}");

@@ -418,7 +418,7 @@ const CLASSES: usize = 4096;
 
 /// The row of the middle four fifths of a map that has the most high points, where contact is soonest and
 /// longest seen; the first of several.
-pub(crate) fn telling_row(map: &HeightMap) -> usize {
+fn telling_row(map: &HeightMap) -> usize {
     let [ny, nx] = map.grid().shape();
     let (low, high) = map.range();
     if high <= low {

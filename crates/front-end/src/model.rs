@@ -3,6 +3,7 @@
 use crate::complete::Subject;
 use crate::failure::{Failure, variant};
 use crate::loads::Spread;
+use crate::work::extend;
 use contact_accuracy::round_to_digits;
 use contact_compare::survey::gaussian_errors;
 use contact_compare::{
@@ -11,10 +12,11 @@ use contact_compare::{
 };
 use contact_types::{
     AmplitudeSpectrum, Caveat, ContactModel, ContactModulus, ContactState, ModelError, Named,
+    SeparationModel,
 };
 use serde_json::{Value, json};
 use std::path::Path;
-use surface_stats::clean::{Record, row_offsets};
+use surface_stats::clean::{Record, row_warning};
 use surface_stats::profile::ProfileStatistics;
 use surface_stats::spectrum::{amplitudes, radial};
 use surface_stats::{Edges, StatsError, Warning, level, moments, spectral_scales};
@@ -63,7 +65,7 @@ pub struct ModelPoint {
 fn results(
     theory: &dyn Theory,
     given: (&Inputs, &Joint),
-    questions: (&[f64], bool),
+    questions: &ModelLoads,
     ways: [&str; 2],
 ) -> Result<Vec<Result<Said, ModelError>>, Failure> {
     let (card, inputs) = (theory.card(), given.0);
@@ -88,17 +90,21 @@ fn results(
             survey,
         })
     };
-    let (asked, is_load) = questions;
-    let answers = if is_load {
-        let built = theory.build(inputs);
-        built.map(|model| asked.iter().map(|p| said(&*model, model.at_pressure(*p))).collect())
-    } else {
-        let built = theory.build_separation(inputs).ok_or_else(no_separation)?;
-        built.map(|model| asked.iter().map(|d| said(&*model, model.at_separation(*d))).collect())
+    let (count, answers) = match questions {
+        ModelLoads::Pressures(all) => {
+            let at = |model: &dyn ContactModel, p: &f64| said(model, model.at_pressure(*p));
+            let built = theory.build(inputs);
+            (all.len(), built.map(|model| all.iter().map(|p| at(&*model, p)).collect()))
+        }
+        ModelLoads::Separations(all) => {
+            let at = |model: &dyn SeparationModel, d: &f64| said(model, model.at_separation(*d));
+            let built = theory.build_separation(inputs).ok_or_else(no_separation)?;
+            (all.len(), built.map(|model| all.iter().map(|d| at(&*model, d)).collect()))
+        }
     };
     match answers {
         Ok(answers) => Ok(answers),
-        Err(BuildError::Model(error)) => Ok(vec![Err(error); asked.len()]),
+        Err(BuildError::Model(error)) => Ok(vec![Err(error); count]),
         Err(missing @ BuildError::Missing { .. }) => {
             Err(Failure::refused("missing_input", format!("{missing}; {}", ways[1])))
         }
@@ -166,8 +172,7 @@ impl ModelSubject {
         let (origin, heights) = (surface.origin, surface.heights);
         let pair = origin.pair().cloned();
         let spikes = Spikes::left(&heights, &cleaned, pair.as_ref());
-        let rows =
-            row_offsets(heights.grid(), heights.heights()).ok().and_then(|rows| rows.warning);
+        let rows = row_warning(&heights);
         let form = origin.level(asked).on(&heights).map_err(refused)?;
         let edges = edges.unwrap_or_else(|| origin.edges());
         let mut inputs = Inputs::new(modulus);
@@ -234,7 +239,7 @@ impl ModelSubject {
             ModelLoads::Pressures(all) => (all, true),
             ModelLoads::Separations(all) => (all, false),
         };
-        let answers = results(theory, (&inputs, joint), (asked, is_load), ways)?;
+        let answers = results(theory, (&inputs, joint), questions, ways)?;
         let point = |(&value, answer): (&f64, Result<Said, ModelError>)| {
             let state = answer.as_ref().ok().map(|said| &said.state);
             ModelPoint {
@@ -328,17 +333,17 @@ fn point_object(point: &ModelPoint) -> Value {
         "caveat": state.and_then(|state| state.caveat.as_ref()).map(caveat),
         "error": point.answer.as_ref().err().map(refusal),
     });
-    if let (Some([found, exact]), Value::Object(keys)) = (said.and_then(|s| s.conducted), &mut json)
-    {
-        keys.extend(contact_report::conducted_keys(&found));
+    if let Some([found, exact]) = said.and_then(|s| s.conducted) {
+        extend(&mut json, contact_report::conducted_keys(&found));
         // Of a correlation also what it is a fit of.
         let both = [
             ("electrical_conductance_exact", found.electrical, exact.electrical),
             ("thermal_conductance_exact", found.thermal, exact.thermal),
         ];
         for (name, fit, exact) in both {
-            let exact = exact.filter(|_| exact != fit);
-            keys.extend(exact.map(|exact| (name.to_owned(), json!(exact.value))));
+            if let Some(exact) = exact.filter(|_| exact != fit) {
+                json[name] = json!(exact.value);
+            }
         }
     }
     if let Some(force) = point.force {

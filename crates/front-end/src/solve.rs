@@ -4,20 +4,21 @@ use crate::complete::Subject;
 use crate::failure::Failure;
 use crate::loads::Spread;
 use crate::shown::unusual_hardness;
-use crate::statistics::{adhesion, scene};
+use crate::statistics::adhesion;
 use crate::study::unmet;
 use crate::work::{Point, SolvedLoads, Watch};
 use contact_accuracy::{Aim, Ladder, LadderError, Setup, Sink, Task, climb};
 use contact_compare::{
     AccuracyRequest, Adhesion, EdgesName, Finding, Hardness, Joint, Level, PairOrigin, Reached,
-    Settings, Solved, Spikes, Surface,
+    Scene, Settings, Solved, Spikes, Surface,
 };
-use contact_types::{ContactModulus, Named};
+use contact_types::{AsperityStatistics, ContactModulus, HeightMap, Named};
 use fft_bem_solver::{Boundary, Load, Maps, SolverError};
 use serde::Deserialize;
 use serde_json::{Value, json};
-use surface_stats::StatsError;
-use surface_stats::clean::Record;
+use surface_stats::clean::{Record, row_warning};
+use surface_stats::profile::{self, Trace};
+use surface_stats::{Edges, HeightStatistics, StatsError, moments};
 
 /// Why a contact has no leak.
 const NO_SEAL: &str = "a leak is that of a map which touches all over, from one edge to the other: a profile has no \
@@ -139,7 +140,8 @@ impl SolveRequest {
             stiffness: self.stiffness || settings.joint().is_asked(),
             ..Setup::new(settings.solver().certified(self.certify).maps(maps), modulus)
         };
-        let part = setup.stiffness.then(|| (self.joint(grid.area()), modulus));
+        let conducts = settings.joint().is_asked();
+        let part = conducts.then(|| (self.joint(grid.area()), modulus));
         let repeats = self.boundary == Boundary::Periodic && settings.edges == EdgesName::Periodic;
         let distributions = self.distributions.then_some(repeats);
         let asked = (&self.loads[..], settings);
@@ -265,4 +267,29 @@ impl SolveRequest {
         }
         (json, points)
     }
+}
+
+/// The scene of a map, or of the section of ridges.
+fn scene(
+    map: &HeightMap,
+    modulus: ContactModulus,
+    plane_strain: bool,
+) -> Result<Scene, StatsError> {
+    let scene = Scene {
+        modulus: modulus.pascals(),
+        rms_height: Some(HeightStatistics::of(map).rms_height),
+        ..Scene::default()
+    };
+    if plane_strain {
+        // Of ridges the slope of the section is the gradient.
+        let trace = Trace::new(map.grid().pixel()[1], map.heights().to_vec())?;
+        return Ok(Scene { gradient: Some(profile::moments(&trace).m2.sqrt()), ..scene });
+    }
+    let moments = moments(map, Edges::Open)?;
+    Ok(Scene {
+        gradient: Some(moments.rms_gradient()),
+        radius: AsperityStatistics::from_moments(moments).ok().map(|a| a.radius),
+        rows: row_warning(map),
+        ..scene
+    })
 }

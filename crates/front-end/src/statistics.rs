@@ -3,19 +3,18 @@
 use crate::complete::Subject;
 use crate::failure::Failure;
 use contact_compare::{
-    Adhesion, Finding, Inputs, Level, ProfileSurface, Scene, Settings, Spikes, WorkOfAdhesion,
+    Adhesion, Finding, Inputs, Level, ProfileSurface, Settings, Spikes, WorkOfAdhesion,
 };
-use contact_types::{AsperityStatistics, ContactModulus, HeightMap};
+use contact_types::{ContactModulus, HeightMap};
 use serde::Deserialize;
 use serde_json::{Value, json};
 use std::path::Path;
 use surface_io::Measurement;
-use surface_stats::clean::row_offsets;
 use surface_stats::iso25178::{self, IsoParameter};
-use surface_stats::profile::{self, ProfileStatistics, Trace};
+use surface_stats::profile::ProfileStatistics;
 use surface_stats::{
-    ByDistance, Edges, HeightStatistics, StatsError, StatsOptions, SurfaceStatistics, by_distance,
-    level, moments, spectral_scales,
+    ByDistance, Edges, StatsError, StatsOptions, SurfaceStatistics, by_distance, level, moments,
+    spectral_scales,
 };
 
 /// What is asked of a map.
@@ -138,31 +137,6 @@ pub fn info(m: &Measurement) -> Value {
         "uneven_steps": m.uneven,
         "ambiguity": m.ambiguity.map(|a| a.what),
         "metadata": m.metadata,
-    })
-}
-
-/// The scene of a map, or of the section of ridges.
-pub(crate) fn scene(
-    map: &HeightMap,
-    modulus: ContactModulus,
-    plane_strain: bool,
-) -> Result<Scene, StatsError> {
-    let scene = Scene {
-        modulus: modulus.pascals(),
-        rms_height: Some(HeightStatistics::of(map).rms_height),
-        ..Scene::default()
-    };
-    if plane_strain {
-        // Of ridges the slope of the section is the gradient.
-        let trace = Trace::new(map.grid().pixel()[1], map.heights().to_vec())?;
-        return Ok(Scene { gradient: Some(profile::moments(&trace).m2.sqrt()), ..scene });
-    }
-    let moments = moments(map, Edges::Open)?;
-    Ok(Scene {
-        gradient: Some(moments.rms_gradient()),
-        radius: AsperityStatistics::from_moments(moments).ok().map(|a| a.radius),
-        rows: row_offsets(map.grid(), map.heights()).ok().and_then(|rows| rows.warning),
-        ..scene
     })
 }
 

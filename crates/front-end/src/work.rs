@@ -20,7 +20,7 @@ pub(crate) struct SolvedLoads<'a> {
     distributions: Option<bool>,
     /// Places of the loads, by rising load.
     pub(crate) order: Vec<usize>,
-    /// What the contact conducts, where its stiffness is asked for.
+    /// What the contact conducts, if that was asked for.
     part: Option<(Joint, ContactModulus)>,
     pub(crate) watch: &'a mut dyn Watch,
     /// What the map that is solved says before.
@@ -29,8 +29,6 @@ pub(crate) struct SolvedLoads<'a> {
     pub(crate) method: String,
     pub(crate) points: Vec<Option<Point>>,
     pub(crate) grid: Grid,
-    /// The grid of the map as given.
-    given: Grid,
     /// Spikes of the map as given, and the largest share of the load they carry on it.
     spikes: Spikes,
     spike_share: Option<f64>,
@@ -56,7 +54,6 @@ impl<'a> SolvedLoads<'a> {
             method: settings.method.to_string(),
             points: loads.iter().map(|_| None).collect(),
             grid,
-            given: grid,
             spikes,
             spike_share: None,
         }
@@ -123,7 +120,7 @@ impl Sink for SolvedLoads<'_> {
             Ok(answered) => {
                 (set, leak) = (answered.set.take(), answered.leak.take());
                 leak.iter_mut().for_each(Leaks::drop_maps);
-                let share = self.spikes.share(self.given.len(), &answered.solution.pressure);
+                let share = self.spikes.share(&answered.solution.pressure);
                 self.spike_share = share.into_iter().chain(self.spike_share).reduce(f64::max);
             }
             Err(e) => {
@@ -147,8 +144,7 @@ impl Sink for SolvedLoads<'_> {
         if let Some(answer) = answer.as_ref().filter(|a| a.converged) {
             without_uncertainty = answer.budget.area.half_width().err();
         }
-        let asked = self.part.as_ref().filter(|(joint, _)| joint.is_asked());
-        let conducted = set.zip(asked).zip(answer.as_ref());
+        let conducted = set.zip(self.part.as_ref()).zip(answer.as_ref());
         let conducted = conducted.map(|((set, (joint, modulus)), answer)| {
             let found = joint.of_budget(set.per_area, &answer.budget, *modulus);
             extend(&mut json, conduction_keys(&set, &found));
@@ -249,21 +245,7 @@ pub(crate) fn object(
             json["coarser"] = json!(a.coarser.iter().map(numbers).collect::<Vec<_>>());
             json["finer"] = json!(a.finer.as_ref().map(numbers));
         }
-        return json;
     }
-    for key in [
-        "touching_fraction",
-        "approach",
-        "max_pressure",
-        "iterations",
-        "transforms",
-        "seconds",
-        "residuals",
-        "duality_gap",
-    ] {
-        json[key] = Value::Null;
-    }
-    json["stopped_at_rounding"] = json!(false);
     json
 }
 

@@ -164,13 +164,17 @@ fn model(m: &ModelComparison, surface: &SurfaceComparison) -> Value {
     model["preparation_seconds"] = json!(curve.map(|c| c.preparation));
     model["seconds"] = json!(curve.map(|c| c.seconds));
     let of_elastic = !m.card.yields && !surface.elastic.is_empty();
-    model["area_error"] = json!(curve.map(|c| json!({
-        "against": if of_elastic { "elastic" } else { "deterministic" },
-        "signed": c.errors,
-        "headline": c.errors.get(surface.headline),
-        "worst": c.worst_and_mean().map(|(worst, _)| worst),
-        "mean_absolute": c.worst_and_mean().map(|(_, mean)| mean),
-    })));
+    let area_error = |c: &ModelCurve| {
+        let (worst, mean) = c.worst_and_mean().unzip();
+        json!({
+            "against": if of_elastic { "elastic" } else { "deterministic" },
+            "signed": c.errors,
+            "headline": c.errors.get(surface.headline),
+            "worst": worst,
+            "mean_absolute": mean,
+        })
+    };
+    model["area_error"] = json!(curve.map(area_error));
     model
 }
 

@@ -120,7 +120,8 @@ impl LoadLines {
     }
 }
 
-/// Unit in which loads are read, as a scale of the pressure, and the title of their axis: of forces on an area (m²).
+/// Unit in which loads are read, as a scale of the pressure, and the title of their axis: pressures, or
+/// forces if their area (m²) is given.
 pub(crate) fn load_axis(pressures: &[f64], area: Option<f64>) -> (Unit, String) {
     let middle = (pressures[0] * pressures[pressures.len() - 1]).sqrt();
     let Some(area) = area else {

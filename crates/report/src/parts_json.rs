@@ -43,7 +43,20 @@ pub fn solution_keys(found: Option<([f64; 2], &Diagnostics, &Budget)>) -> Map<St
     // An area that may be 0 leaves the pressure without an upper end, which JSON writes as null.
     let ends = [real.and_then(|r| r.interval), real.and_then(|r| r.prediction)];
     intervals(&mut keys, "real_pressure", ends);
-    let Some(([touching, approach], d, _)) = found else { return keys };
+    let Some(([touching, approach], d, _)) = found else {
+        keys.extend(keys_of(json!({
+            "touching_fraction": null,
+            "approach": null,
+            "max_pressure": null,
+            "stopped_at_rounding": false,
+            "iterations": null,
+            "transforms": null,
+            "seconds": null,
+            "residuals": null,
+            "duality_gap": null,
+        })));
+        return keys;
+    };
     keys.extend(keys_of(json!({
         "touching_fraction": touching,
         "approach": approach,

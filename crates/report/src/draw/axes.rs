@@ -171,16 +171,16 @@ impl PlotFrame {
         [self.x.at(x), self.y.at(y)]
     }
 
-    /// Grid, ticks, axes, numbers and titles.
-    pub(crate) fn draw(&self, canvas: &mut Canvas) {
-        self.draw_with(canvas, &self.x.ticks(), &self.y.ticks());
-    }
-
-    /// A canvas with nothing but these.
+    /// A canvas with these alone, as [`Self::draw`] draws them.
     pub(crate) fn canvas(&self) -> Canvas {
         let mut canvas = Canvas::default();
         self.draw(&mut canvas);
         canvas
+    }
+
+    /// Grid, ticks, axes, numbers and titles.
+    pub(crate) fn draw(&self, canvas: &mut Canvas) {
+        self.draw_with(canvas, &self.x.ticks(), &self.y.ticks());
     }
 
     /// The same with ticks chosen by the caller.

@@ -35,7 +35,7 @@ pub(super) fn cut(field: &[f64], grid: Grid, [y0, x0, ny, nx]: MapPart) -> Cow<'
 }
 
 /// The shape of at most `limit` pixels along the longer side.
-fn limited([ny, nx]: [usize; 2], limit: usize) -> [usize; 2] {
+pub(crate) fn limited([ny, nx]: [usize; 2], limit: usize) -> [usize; 2] {
     let factor = (ny.max(nx) as f64 / limit.max(1) as f64).max(1.0);
     [ny, nx].map(|n| ((n as f64 / factor).round() as usize).max(1))
 }
@@ -160,10 +160,10 @@ pub(crate) fn contact(
 ) -> Figure {
     let (map, pressure) = (surface.solved_map(), &surface.pressure);
     let (grid, heights) = (map.grid(), map.heights());
-    let small = limited(grid.shape(), limit);
-    let ((h, shape), p) = join(
-        || averaged(heights, grid.shape(), limit),
-        || combined(pressure, grid.shape(), small, f64::max),
+    let shape = limited(grid.shape(), limit);
+    let (h, p) = join(
+        || averaged(heights, grid.shape(), limit).0,
+        || combined(pressure, grid.shape(), shape, f64::max),
     );
     let (top, clipped) = pressure_top(pressure);
     let unit = unit_for(top, PASCALS);

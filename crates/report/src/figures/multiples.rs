@@ -73,8 +73,9 @@ pub(crate) fn figure(
     let lines: Vec<(&SurfaceComparison, LoadLines)> =
         surfaces.iter().flat_map(with_lines).collect();
     let panels: Vec<Panel<'_>> = lines.iter().map(|(s, l)| Panel::new(s, l, of_errors)).collect();
-    let loads = || panels.iter().flat_map(|p| p.load.iter().copied());
-    let x_data = load_ends(loads().fold(f64::INFINITY, f64::min), loads().fold(0.0, f64::max));
+    let loads = panels.iter().flat_map(|p| p.load.iter().copied());
+    let (first, last) = min_max(loads).unwrap_or((f64::INFINITY, 0.0));
+    let x_data = load_ends(first, last);
     let limits = if of_errors { error_limits(&panels) } else { shared_log_limits(&panels) };
     let notes: Vec<_> = panels.iter().map(|p| p.outside(limits, of_errors)).collect();
     let most = notes.iter().map(Vec::len).max().unwrap_or(0);

@@ -12,7 +12,7 @@ use contact_types::Named;
 pub(crate) struct ConductanceKind {
     pub(crate) name: &'static str,
     pub(crate) resistance: &'static str,
-    /// That of a unit of area.
+    /// Unit of the resistance of a unit of area.
     pub(crate) of_area: &'static str,
     /// Per area, in letters that every program reads.
     pub(crate) plain_unit: &'static str,

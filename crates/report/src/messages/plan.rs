@@ -15,7 +15,7 @@ pub fn explanation(reached: &Reached) -> String {
     let width =
         reached.half_width.map_or_else(|| "without uncertainty estimate".to_owned(), plus_minus);
     let tolerance = format!("{:e}", reached.tolerance).replace("e-", "e−");
-    let (precision, time) = (reached.precision, duration(reached.seconds));
+    let (precision, time) = (reached.precision, duration_rounded_up(reached.seconds));
     let line = format!("{grid}, {precision}, tolerance {tolerance}: {width}, {time}");
     if let (Some(why), Some(request)) = (reason(reached), reached.request) {
         return format!("{line}; {} not met: {why}", percent(request.relative()));
@@ -23,7 +23,7 @@ pub fn explanation(reached: &Reached) -> String {
     match &reached.next {
         Some(next) => {
             let better = next.half_width.map_or_else(String::new, |h| plus_minus(h) + ", ");
-            let (points, time) = (points(next.shape), duration(next.seconds));
+            let (points, time) = (points(next.shape), duration_rounded_up(next.seconds));
             format!("{line}; next: {points}, about {better}{time}")
         }
         None => line,
@@ -92,7 +92,8 @@ fn digits(value: f64) -> String {
     }
 }
 
-fn duration(seconds: f64) -> String {
+/// At most so long: [`digits`] rounds up.
+fn duration_rounded_up(seconds: f64) -> String {
     let (scale, unit) = if seconds < 0.01 { (1e3, "ms") } else { (1.0, "s") };
     format!("{} {unit}", digits(scale * seconds))
 }

@@ -53,8 +53,9 @@ pub(crate) fn whole(
     let step = 240 / loads.max(1); // FirstContact keeps at most so many loads
     let grey = |load: u8| if load == u8::MAX { 255 } else { load as usize * step };
     let first: Vec<u8> = first.iter().map(|&load| grey(load) as u8).collect();
-    let (((block, tops, pictures), headline), (first, relief)) = join(
-        || join(|| pressures(surface, surfaces), || pressure(surface, shape)),
+    let (top, _) = pressure_top(&surface.pressure);
+    let ((Pressures { block, tops, pictures }, headline), (first, relief)) = join(
+        || join(|| pressures(surface, top, surfaces), || pressure(surface, top, shape)),
         || join(|| png::classes(shape, &first), || relief(surface, [0, 0, ny, nx], relief_limit)),
     );
     let lost: Vec<_> = if shape == [ny, nx] { contact.lost.clone() } else { Vec::new() };
@@ -83,10 +84,9 @@ pub(crate) fn whole(
     )
 }
 
-/// The pressure of the headline by dots: 0 where nothing touches, else 1 to 255 along the ramp.
-fn pressure(surface: &SurfaceComparison, shape: [usize; 2]) -> String {
+/// The pressure of the headline by dots: 0 where nothing touches, else 1 to 255 along the ramp, which ends at `top`.
+fn pressure(surface: &SurfaceComparison, top: f64, shape: [usize; 2]) -> String {
     let pressure = &surface.pressure;
-    let (top, _) = pressure_top(pressure);
     let dots = combined(pressure, surface.solved_map().grid().shape(), shape, f64::max);
     let classes: Vec<u8> = dots.iter().map(|p| pressure_class(*p, top)).collect();
     png::classes(shape, &classes)
@@ -101,10 +101,19 @@ pub(crate) fn relief(surface: &SurfaceComparison, window: MapPart, limit: usize)
     format!(r#"<img class="relief" hidden alt="" src="{picture}" data-part="{place}">"#)
 }
 
-/// The pressures of the loads besides that of the headline, in as many steps as a page of so many `surfaces` bears, else of
-/// fewer loads: points along the side of a dot; numbers at the ends of the bars, in the unit of the headline; pictures.
-fn pressures(surface: &SurfaceComparison, surfaces: usize) -> (usize, Vec<Option<String>>, String) {
-    let Some(maps) = &surface.pressure_maps else { return Default::default() };
+/// The pressures of the loads besides that of the headline.
+#[derive(Default)]
+struct Pressures {
+    /// Points along the side of a dot.
+    block: usize,
+    /// Of each load that has a picture, the number at the end of its bar, in the unit of the headline.
+    tops: Vec<Option<String>>,
+    pictures: String,
+}
+
+/// In as many steps as a page of so many `surfaces` bears, else of fewer loads; the bar of the headline ends at `top`.
+fn pressures(surface: &SurfaceComparison, top: f64, surfaces: usize) -> Pressures {
+    let Some(maps) = &surface.pressure_maps else { return Pressures::default() };
     let most = PRESSURES / surfaces.max(1);
     let mut encoded = Vec::new();
     for steps in STEPS {
@@ -114,7 +123,7 @@ fn pressures(surface: &SurfaceComparison, surfaces: usize) -> (usize, Vec<Option
         }
     }
     let bytes: Vec<usize> = encoded.iter().map(String::len).collect();
-    let unit = unit_for(pressure_top(&surface.pressure).0, PASCALS);
+    let unit = unit_for(top, PASCALS);
     let (mut tops, mut pictures) = (vec![None; maps.loads.len().max(1)], String::new());
     for load in within(&bytes, most).into_iter().filter(|load| *load != surface.headline) {
         let PressureMap { top, clipped, .. } = maps.loads[load];
@@ -123,7 +132,7 @@ fn pressures(surface: &SurfaceComparison, surfaces: usize) -> (usize, Vec<Option
         pictures +=
             &format!(r#"<img class="pressed" hidden alt="" data-load="{load}" src="{picture}">"#);
     }
-    (maps.block, tops, pictures)
+    Pressures { block: maps.block, tops, pictures }
 }
 
 const AT_ONCE: usize = 4;

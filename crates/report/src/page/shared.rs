@@ -1,6 +1,7 @@
 //! What the sections of a page share: numbers of its figures and sources, tables, phrases.
 
 use crate::draw::svg::Figure;
+use crate::figures::maps::limited;
 use crate::numbers::{percent, power_of_ten, significant};
 use contact_compare::{Comparison, Section, SurfaceComparison};
 use contact_types::Citation;
@@ -184,13 +185,9 @@ pub(crate) fn terms(rows: &[(String, String)]) -> String {
 }
 
 /// " Downsampled to 640 × 640."
-pub(crate) fn reduced_words([ny, nx]: [usize; 2], limit: usize) -> String {
-    if ny.max(nx) <= limit {
-        return String::new();
-    }
-    let factor = ny.max(nx) as f64 / limit as f64;
-    let side = |n: usize| (n as f64 / factor).round().max(1.0);
-    format!(" Downsampled to {} × {}.", side(nx), side(ny))
+pub(crate) fn reduced_words(shape: [usize; 2], limit: usize) -> String {
+    let [ny, nx] = limited(shape, limit);
+    if [ny, nx] == shape { String::new() } else { format!(" Downsampled to {nx} × {ny}.") }
 }
 
 /// Date of a Unix time (s) as "21 November 2026" in UTC: days to civil date after Hinnant.
