@@ -118,11 +118,10 @@ impl ModelArguments {
         theory: &dyn Theory,
         subject: ModelSubject,
     ) -> Result<ModelAnswer, Failure> {
-        let pressures = self.pressures.clone().unwrap_or_default();
-        let separations =
-            self.separations.clone().filter(|all| pressures.is_empty() && !all.is_empty());
-        let questions =
-            separations.map_or(ModelLoads::Pressures(pressures), ModelLoads::Separations);
+        let questions = match &self.separations {
+            Some(all) if !all.is_empty() => ModelLoads::Separations(all.clone()),
+            _ => ModelLoads::Pressures(self.pressures.clone().unwrap_or_default()),
+        };
         self.joint.check().map_err(|e| Failure::from(&e))?;
         let mut found = subject.ask(theory, &self.joint, &questions, None, [WAY_OUT; 2])?;
         found.json["bodies"] = contact_report::bodies_json(found.pair.as_ref(), &self.bodies);

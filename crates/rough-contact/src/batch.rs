@@ -24,7 +24,7 @@ pub(crate) trait PerFile: Debug + Sync {
     fn answer(&self, file: &Path, common: &CommonOptions) -> Result<Reply, Failure>;
 
     /// Everything that is asked, whatever the files.
-    fn asked(&self) -> String {
+    fn settings(&self) -> String {
         format!("{self:?}")
     }
 
@@ -118,7 +118,7 @@ pub(crate) fn outcomes<C: PerFile>(
         "{} {} {} {}",
         env!("CARGO_PKG_VERSION"),
         C::NAME,
-        command.asked(),
+        command.settings(),
         command.beside()
     );
     let done: Vec<Mutex<Option<FileOutcome>>> = files.iter().map(|_| Mutex::new(None)).collect();

@@ -36,7 +36,7 @@ impl PerFile for Compare {
         Shown { head: "to check", at: &["/to_check"], how: How::Count },
     ];
 
-    fn asked(&self) -> String {
+    fn settings(&self) -> String {
         let mut asked = self.clone();
         asked.files.clear();
         (asked.out, asked.summary, asked.resume) = (PathBuf::new(), false, false);

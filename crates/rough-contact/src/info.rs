@@ -62,7 +62,7 @@ impl PerFile for Info {
 
 /// A file without units: points, and its numbers as they stand there.
 fn raw(m: &Measurement, missing: &[Need]) -> (String, Value) {
-    let heights = m.height_summary().filter(|_| missing.contains(&Need::HeightUnit));
+    let heights = if missing.contains(&Need::HeightUnit) { m.height_summary() } else { None };
     let json = json!({
         "format": m.format,
         "shape": m.grid().shape(),

@@ -243,7 +243,7 @@ impl CleaningOptions {
 }
 
 /// The refusal of a file, with the options that would let it be read.
-pub(crate) fn unread(path: &Path, error: &ReadError) -> Failure {
+fn unread(path: &Path, error: &ReadError) -> Failure {
     let way_out = match error {
         ReadError::UnknownFormat { .. } => "`rough-contact info --list` lists them".to_owned(),
         ReadError::PixelContradicts { .. } => "give --pixel DX,DY in that ratio".to_owned(),
@@ -255,7 +255,7 @@ pub(crate) fn unread(path: &Path, error: &ReadError) -> Failure {
 }
 
 /// The refusal of a measurement, with the options that would let it be answered.
-pub(crate) fn unmade(path: &Path, error: &Incomplete) -> Failure {
+fn unmade(path: &Path, error: &Incomplete) -> Failure {
     match error {
         Incomplete::Line(_) => {
             let row = "and no profile, which is one row (`rough-contact info` still reads it)";

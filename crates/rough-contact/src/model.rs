@@ -221,11 +221,11 @@ fn describe(card: &Card, found: &ModelReply, joint: &Joint, spread: Option<&Spre
     if spread.is_some() {
         add("load", &|p| text::or_dash(p.force, text::force));
     }
-    // Of a correlation its fit, and what it is a fit of.
-    let conducted = |p: &ModelPoint, k: usize| Some(said(p)?.conducted?[k]);
+    let fit = |p: &ModelPoint| said(p)?.conducted.map(|[fit, _]| fit);
+    let exact = |p: &ModelPoint| said(p)?.conducted.map(|[_, exact]| exact);
     let first = conduction::first_headings(joint, joint.area.is_some());
     for (k, heading) in first.into_iter().enumerate() {
-        add(heading, &|p| conduction::first_cell(conducted(p, 0).as_ref(), joint, k));
+        add(heading, &|p| conduction::first_cell(fit(p).as_ref(), joint, k));
     }
     let (pressure, length) =
         (|x| text::or_dash(x, text::pressure), |x| text::or_dash(x, text::length));
@@ -246,7 +246,7 @@ fn describe(card: &Card, found: &ModelReply, joint: &Joint, spread: Option<&Spre
         add("error", &|p| text::or_dash(said(p).and_then(|s| s.survey), range));
     }
     for (heading, of, unit) in conduction::columns(joint) {
-        add(heading, &|p| text::or_dash(conducted(p, 0), |fit| conduction::cell(of(&fit), unit)));
+        add(heading, &|p| text::or_dash(fit(p), |fit| conduction::cell(of(&fit), unit)));
     }
     if any(|said| said.conducted.is_some_and(|[fit, exact]| fit != exact)) {
         let columns = conduction::columns(&Joint { gas: None, ..*joint });
@@ -254,7 +254,7 @@ fn describe(card: &Card, found: &ModelReply, joint: &Joint, spread: Option<&Spre
             let cells = columns.iter().map(|(_, of, unit)| conduction::cell(of(&exact), unit));
             cells.collect::<Vec<_>>().join(", ")
         };
-        add("exact", &|p| text::or_dash(conducted(p, 1), cells));
+        add("exact", &|p| text::or_dash(exact(p), cells));
     }
     let mut notes: Vec<String> = Vec::new();
     // The first refusal is said on standard error.

@@ -34,7 +34,7 @@ pub(crate) fn unfit(path: &Path, kind: &str, why: impl std::fmt::Display) -> Fai
     Failure::refused(kind, format!("{}: {why}", path.display()))
 }
 
-pub(crate) fn exists(path: &Path) -> Failure {
+fn exists(path: &Path) -> Failure {
     let message = format!(
         "{} exists and would be overwritten; give --force to replace it, or another name",
         path.display()
@@ -42,7 +42,7 @@ pub(crate) fn exists(path: &Path) -> Failure {
     Failure::refused("output_exists", message)
 }
 
-pub(crate) fn unwritable(path: &Path, error: &std::io::Error) -> Failure {
+fn unwritable(path: &Path, error: &std::io::Error) -> Failure {
     let message = format!(
         "{} cannot be written: {error}; choose a folder that exists and may be written to",
         path.display()

@@ -263,9 +263,7 @@ impl Solve {
         let settings = &question.settings;
         let spread = question.spread.as_ref();
         let (joint, yields) = (settings.joint(), answer.hardness.is_some());
-        let has_stiffness = self.stiffness || joint.is_asked();
-        let shown = [spread.is_some(), self.loads.gap.is_some(), has_stiffness, yields];
-        let columns = table(&answer.points, &joint, shown);
+        let columns = table(&answer, question);
         let gap = |p: &Point| p.answer.as_ref()?.mean_gap;
         let gaps: Vec<f64> = answer.points.iter().filter_map(gap).collect();
         let solved = |p: &'_ Point| Some(p.answer.as_ref()?.budget.mean_pressure.value);
@@ -301,15 +299,11 @@ impl Solve {
     }
 }
 
-/// A row for each load; a number that is asked for and not there is a dash, so that the others stand under their headings.
-/// Columns may be there of forces, of gaps that are prescribed, of stiffness and of what yields.
-pub(crate) fn table(
-    points: &[Point],
-    asked: &Joint,
-    [forces, gaps, stiffness, yields]: [bool; 4],
-) -> Columns {
+/// A row for each load: a dash where an answer lacks a number, blanks after `refused` and where no conductance was found.
+fn table(answer: &SolveResult, question: &SolveRequest) -> Columns {
+    let (points, asked) = (&answer.points, &question.settings.joint());
     let mut columns = Columns::default();
-    if forces {
+    if question.spread.is_some() {
         columns.column("load", points.iter().map(|p| text::or_dash(p.force, text::force)));
     }
     for (k, heading) in conduction::first_headings(asked, true).into_iter().enumerate() {
@@ -321,13 +315,13 @@ pub(crate) fn table(
         None => shown(p.load),
     };
     columns.column("mean pressure", points.iter().map(load));
-    let mut otherwise = "refused";
+    let mut otherwise = "refused"; // in the first of these columns
     let mut add = |heading: &str, cell: &dyn Fn(&DeterministicAnswer) -> String| {
         let of = |p: &Point| p.answer.as_ref().map_or_else(|| otherwise.to_owned(), cell);
         columns.column(heading, points.iter().map(of));
         otherwise = "";
     };
-    if gaps {
+    if question.loads.iter().any(|load| matches!(load, Load::MeanGap(_))) {
         // The load is an answer too.
         let load = |a: &DeterministicAnswer| a.budget.mean_pressure;
         add("±", &|a| text::relative(load(a).value, load(a).interval().ok(), text::pressure));
@@ -344,11 +338,11 @@ pub(crate) fn table(
     add("convolutions", &|a| text::number(a.diagnostics.transforms));
     add("residual", &|a| format!("{:.1e}", a.diagnostics.residuals.preconditioned));
     add("time", &|a| text::seconds(a.diagnostics.seconds));
-    if stiffness {
+    if question.stiffness || asked.is_asked() {
         let shown = |k: Estimate| format!("{:.2e} Pa/m", k.value);
         add("stiffness", &|a| text::or_dash(a.budget.stiffness, shown));
     }
-    if yields {
+    if answer.hardness.is_some() {
         let yielded = |a: &DeterministicAnswer| a.diagnostics.yielded;
         add("area at H", &|a| text::or_dash(yielded(a), |y| text::percent(y.area_fraction)));
         add("load at H", &|a| text::or_dash(yielded(a), |y| text::percent(y.load_share)));
@@ -361,7 +355,7 @@ pub(crate) fn table(
 }
 
 /// One line for each load on twice the points, and one for each reason without an uncertainty.
-pub(crate) fn notes(points: &[Point]) -> String {
+fn notes(points: &[Point]) -> String {
     let loads: Vec<Load> = points.iter().map(|point| point.load).collect();
     let mut notes = String::new();
     let mut missing: Vec<(String, Vec<String>)> = Vec::new();
@@ -404,9 +398,7 @@ fn yield_lines(given: Hardness, highest: f64) -> String {
         );
     }
     out.push('\n');
-    if let Some(said) = unusual_hardness(given) {
-        let _ = writeln!(out, "check the hardness: {said}");
-    }
+    out += &text::hardness_check(unusual_hardness(given).as_deref());
     if highest > BULK_YIELD * given.pascals {
         let _ = writeln!(
             out,

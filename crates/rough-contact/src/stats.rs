@@ -19,7 +19,6 @@ use rough_contact::front_end::{IsoParameter, StatisticsRequest, Subject};
 use rough_contact::surface_stats::{ByDistance, Edges, STATISTICS, Statistic, SurfaceStatistics};
 use rough_contact::{front_end, report};
 use serde_json::{Value, json};
-use std::fmt::Write as _;
 use std::path::Path;
 
 #[derive(Args, Clone, Debug)]
@@ -242,22 +241,21 @@ fn forecast(modulus: f64, hardness: Option<f64>, s: &SurfaceStatistics) -> (Stri
     object["modulus_gradient_over_hardness"] = json!(found.modulus_gradient_over_hardness);
     object["greenwood_williamson"] = json!(found.greenwood_williamson);
     object["mikic"] = json!(found.mikic);
-    object["warning"] = json!(unusual_hardness(given));
+    let warning = unusual_hardness(given);
+    object["warning"] = json!(warning);
     let number = |value: Option<f64>| text::or_dash(value, text::number);
     let verdict = if found.modulus_gradient_over_hardness.is_some_and(|r| r <= 1.0) {
         "the area of elastic contact is right to 2 % at any load"
     } else {
         "the contact yields: solve and compare take --hardness"
     };
-    let mut text = format!(
+    let mut lines = format!(
         "E* g/H = {}: {verdict}\nplasticity indices: Greenwood–Williamson {} (summits elastic below 0.6, plastic above 1: \
          1966), Mikic {} (E* m/H, = E* g/H over √π; no limit of it could be read)\n",
         number(found.modulus_gradient_over_hardness),
         number(found.greenwood_williamson),
         number(found.mikic)
     );
-    if let Some(said) = unusual_hardness(given) {
-        let _ = writeln!(text, "check the hardness: {said}");
-    }
-    (text, object)
+    lines += &text::hardness_check(warning.as_deref());
+    (lines, object)
 }

@@ -197,6 +197,11 @@ pub(crate) fn iterating(what: &str, number: usize, residual: f64) -> String {
     }
 }
 
+/// A line of a hardness that may have the wrong unit, if there is something to say.
+pub(crate) fn hardness_check(warning: Option<&str>) -> String {
+    warning.map_or_else(String::new, |warning| format!("check the hardness: {warning}\n"))
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;

@@ -1,6 +1,6 @@
 //! Every model by name, with numbers typed in, against high-precision values.
 
-use crate::cli::{close, ends, folder, has, list, number};
+use crate::cli::{ROUGH, close, ends, folder, has, list, number};
 use serde_json::Value;
 use std::f64::consts::{PI, SQRT_2};
 
@@ -107,7 +107,7 @@ fn typed_numbers_tell_the_error_on_other_surfaces() {
 #[test]
 fn a_surface_file_gives_what_a_model_needs() {
     let at = &folder();
-    at.synth("a.x3p", "--shape 64,64 --rolloff 32um --cutoff 8um --rms-height 0.3um --seed 5");
+    at.synth("a.x3p", &format!("{ROUGH} --rms-height 0.3um --seed 5"));
     let stats = at.answer("stats a.x3p");
     let [m0, m2, m4] = ["m0", "m2", "m4"].map(|key| number(&stats[key]));
     let load = "--modulus 110GPa --pressure 50MPa";

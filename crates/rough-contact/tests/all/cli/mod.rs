@@ -40,7 +40,7 @@ pub(crate) fn surface(recipe: &str) -> TestFolder {
     at
 }
 
-/// Its usual recipe.
+/// The usual recipe of [`surface`].
 pub(crate) const ROUGH: &str = "--shape 64,64 --rolloff 32um --cutoff 8um";
 
 impl TestFolder {
