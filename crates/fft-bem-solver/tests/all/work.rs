@@ -96,3 +96,21 @@ fn iterations_along_a_curve() {
     });
     assert_eq!(found, [49, 81, 113], "iterations changed");
 }
+
+/// Each load begins with the answer to the one before. Where the roughness has no roll-off, and where some of it
+/// yields, that must not be worse than to begin anew.
+#[test]
+fn a_curve_takes_no_more_iterations_than_its_loads_one_by_one() {
+    let n = 512;
+    let (grid, loads) = (unit_grid(n, n), [0.05, 0.1, 0.2, 0.35, 0.6, 0.9, 1.3]);
+    for (rolloff, hardness) in [(512.0, f64::INFINITY), (128.0, 1.5)] {
+        let map = self_affine(grid, 1.0, rolloff, 16.0, 3);
+        let builder = Solver::builder().hardness(hardness);
+        let mut solver = builder.clone().build(grid, unit_modulus()).unwrap();
+        let along = curve(&mut solver, &map, &loads);
+        let anew = loads.map(|load| solve(&map, builder.clone(), load));
+        let [along, anew] = [&along[..], &anew]
+            .map(|found| found.iter().map(|s| s.diagnostics.iterations).sum::<usize>());
+        assert!(along <= anew, "{along} and {anew}");
+    }
+}

@@ -36,7 +36,7 @@ impl<T: Real, C: Ceiling<T>> Run<'_, T, C> {
             Known::Gap { level, counted_from: c } if !C::IS_FINITE => (level, Some(level - c)),
             _ => (self.level_of_iterate(), None),
         };
-        (level, self.contact_set(level, excess, release, false))
+        (level, self.contact_set(level, excess, release))
     }
 
     fn level_of_iterate(&mut self) -> f64 {
@@ -51,38 +51,18 @@ impl<T: Real, C: Ceiling<T>> Run<'_, T, C> {
         level::level([p, u, self.heights], &mut self.work.partial)
     }
 
-    /// Looks again, a step ahead: `E g` is what the step will take from the gap, in contact and
-    /// beside it. A node with a smaller gap would overlap after the step and belongs to F now. Call
-    /// it after [`look`](Self::look) with the level found there.
-    pub(super) fn look_ahead(&mut self, level: f64, release: f64) -> ContactSet {
-        self.contact_set(level, None, release, true)
-    }
-
     /// The set `F = {p > release max(g, 0)} or {g < 0}`, the residual g on it, and `E g`. With `excess`, the residual
-    /// field holds the gap but for that. A step ahead, nodes that the step would make overlap, `g <= E g`, belong to
-    /// F as well.
+    /// field holds the gap but for that.
     ///
     /// Under a ceiling H a node must also be pressed less than that, `H - p > release max(-g, 0)`, or stand
     /// off, `g > 0`.
-    fn contact_set(
-        &mut self,
-        level: f64,
-        excess: Option<f64>,
-        release: f64,
-        is_ahead: bool,
-    ) -> ContactSet {
+    fn contact_set(&mut self, level: f64, excess: Option<f64>, release: f64) -> ContactSet {
         let work = &mut *self.work;
         let (nx, chunk) = (work.columns(), work.rows * work.columns());
         let State { pressure: p, displacement: u, .. } = &*self.iterate;
         let extended = work.pairs.trial_and_spare().1;
-        let classify = Classify {
-            ceiling: self.ceiling,
-            fields: [u, self.heights],
-            level,
-            excess,
-            release,
-            closing: is_ahead.then_some(&*extended),
-        };
+        let classify =
+            Classify { ceiling: self.ceiling, fields: [u, self.heights], level, excess, release };
         let partial = &mut work.partial[..p.len().div_ceil(chunk)];
         let fields = partial
             .par_iter_mut()
@@ -146,8 +126,6 @@ struct Classify<'a, T, C> {
     /// Or it is known already, but for this constant to be taken off.
     excess: Option<f64>,
     release: f64,
-    /// How much the next step will lower the gap where it is not in contact yet.
-    closing: Option<&'a [f32]>,
 }
 
 impl<T: Real, C: Ceiling<T>> Classify<'_, T, C> {
@@ -184,16 +162,6 @@ impl<T: Real, C: Ceiling<T>> Classify<'_, T, C> {
                     let yields = room <= T::of(self.release * f64::from((-g).max(0.0)));
                     *m = m.or(NodeState::Full, yields & (*g <= 0.0));
                 }
-            }
-            if let Some(closing) = self.closing {
-                for ((m, e), g) in nodes.iter_mut().zip(&closing[first..]).zip(&*g) {
-                    *m = m.or(
-                        NodeState::Contact,
-                        (g <= e) & !(C::IS_FINITE && *m == NodeState::Full),
-                    );
-                }
-            }
-            if C::IS_FINITE || self.closing.is_some() {
                 is_in.iter_mut().zip(&*nodes).for_each(|(is_in, m)| *is_in = m.value());
             }
             for (g, is_in) in g.iter_mut().zip(&*is_in) {

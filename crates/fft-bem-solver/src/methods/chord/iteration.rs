@@ -102,7 +102,7 @@ impl<T: Real> Chord<T> {
         watch: &mut IterateObserver<'_, T>,
     ) -> Outcome {
         let Self { work, force } = self;
-        let mut run = Run::new(ceiling, work, task, operator, start, *force, state);
+        let mut run = Run::new(ceiling, work, task, operator, *force, state);
         match start {
             Start::Cold => run.begin_constant(),
             Start::Warm => run.begin_scaled(),
@@ -134,7 +134,7 @@ impl<T: Real> Chord<T> {
             }
             run.step(proposal);
             iteration += 1;
-            proposal = run.propose(false, task.tolerance);
+            proposal = run.propose(task.tolerance);
         };
         if run.control.is_none() {
             run.end_drift();
@@ -160,14 +160,13 @@ impl<T: Real, C: Ceiling<T>> Run<'_, T, C> {
         if is_flattening && start == Start::Cold && self.control.is_none() {
             self.propose_from_constant(tolerance)
         } else {
-            // The contact of another load: the step will close much that it leaves open.
-            self.propose(start == Start::Warm, tolerance)
+            self.propose(tolerance)
         }
     }
 
-    /// Residual gap and contact set, with the level prescribed once more at a better load, or once more a
-    /// step ahead; the preconditioned residual, and the trial it leads to.
-    fn propose(&mut self, looks_ahead: bool, tolerance: f64) -> Proposal {
+    /// Residual gap and contact set, with the level prescribed once more at a better load; the preconditioned
+    /// residual, and the trial it leads to.
+    fn propose(&mut self, tolerance: f64) -> Proposal {
         let most = RELEASE / ratio(self.work.grid.shape(), self.work.grid.pixel());
         let release = if self.memory.length < FULL { most } else { 0.0 };
         let known = std::mem::take(&mut self.memory.known);
@@ -175,8 +174,6 @@ impl<T: Real, C: Ceiling<T>> Run<'_, T, C> {
         if self.control.is_some() {
             self.towards_level(level);
             (level, set) = self.look(Known::Nothing, most);
-        } else if looks_ahead {
-            set = self.look_ahead(level, release);
         }
         self.precondition();
         self.proposed(level, set, tolerance)

@@ -4,7 +4,7 @@
 use super::work::Work;
 use crate::methods::ceiling::Ceiling;
 use crate::methods::compliance::Compliance;
-use crate::methods::contract::{ContactTask, Start, State, Target};
+use crate::methods::contract::{ContactTask, State, Target};
 use crate::methods::level_control::LevelControl;
 use crate::{Boundary, Real, fields, projection};
 
@@ -36,7 +36,6 @@ impl<'a, T: Real, C: Ceiling<T>> Run<'a, T, C> {
         work: &'a mut Work<T>,
         task: &ContactTask<'a, T>,
         operator: &'a mut dyn Compliance<T>,
-        start: Start,
         forced: Option<StepKind>,
         iterate: &'a mut State<T>,
     ) -> Self {
@@ -55,7 +54,7 @@ impl<'a, T: Real, C: Ceiling<T>> Run<'a, T, C> {
             iterate,
             load,
             control,
-            memory: Memory::new(start == Start::Cold, forced),
+            memory: Memory::new(forced),
             first_level: None,
             transforms: 0.0,
             fallbacks: 0,
@@ -76,7 +75,7 @@ impl<'a, T: Real, C: Ceiling<T>> Run<'a, T, C> {
     /// Begins with the iterate there is, scaled to the load: K is linear. Where the level is prescribed, the
     /// load is that of the iterate.
     ///
-    /// What was near the ceiling may so come to lie above it: it is projected, for one convolution.
+    /// What would come to lie above the ceiling stays at it, and the rest is scaled more, for one convolution.
     pub(super) fn begin_scaled(&mut self) {
         let present = fields::mean(&self.iterate.pressure);
         if self.control.is_some() {
@@ -84,13 +83,17 @@ impl<'a, T: Real, C: Ceiling<T>> Run<'a, T, C> {
             return;
         }
         let factor = self.load / present;
-        let is_cut = C::IS_FINITE && self.ceiling.is_passed(factor, &self.iterate.pressure);
-        self.iterate.scale(factor);
-        if is_cut {
-            project(self.ceiling, &mut self.iterate.pressure, self.load);
-            self.operator.apply(&self.iterate.pressure, &mut self.iterate.displacement);
-            self.transforms += 1.0;
+        if !self.ceiling.is_passed(factor, &self.iterate.pressure) {
+            self.iterate.scale(factor);
+            return;
         }
+        let total = self.total();
+        let State { pressure, displacement, .. } = &mut *self.iterate;
+        if !projection::scale_below(pressure, total, self.ceiling.top(), f64::MAX) {
+            project(self.ceiling, pressure, self.load);
+        }
+        self.operator.apply(pressure, displacement);
+        self.transforms += 1.0;
     }
 
     /// Steps longer than the chord multiply the rounding of the load: takes back what came of it.
@@ -172,13 +175,12 @@ pub(super) struct Memory {
 }
 
 impl Memory {
-    /// Before the first step, which begins with a chord of full length, or from the contact of another
-    /// load, whose nodes may have to be released. Tests force a kind.
-    pub(super) fn new(is_cold: bool, forced: Option<StepKind>) -> Self {
+    /// Before the first step. Tests force a kind.
+    pub(super) fn new(forced: Option<StepKind>) -> Self {
         Self {
             tau: 1.0,
             alpha: 1.5,
-            length: if is_cold { 1.0 } else { 0.0 },
+            length: 1.0,
             is_first: true,
             has_before: false,
             dkd: 0.0,
