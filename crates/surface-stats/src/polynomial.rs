@@ -56,10 +56,11 @@ impl Polynomial {
         for ([ky, kx], coefficient) in terms(self.degree).zip(&self.coefficients) {
             along[kx] += coefficient * rows[ky];
         }
-        for (ix, h) in row.iter_mut().enumerate() {
-            let form = along.iter().zip(columns).map(|(a, column)| a * column[ix]).sum::<f64>();
-            *h = (*h - self.origin) - form;
+        let mut form = vec![0.0; row.len()];
+        for (a, column) in along.iter().zip(columns) {
+            form.iter_mut().zip(column).for_each(|(form, p)| *form += a * p);
         }
+        row.iter_mut().zip(&form).for_each(|(h, form)| *h = (*h - self.origin) - form);
     }
 
     /// Coefficients that fit what the present ones leave over.
@@ -74,10 +75,9 @@ impl Polynomial {
             let (rows, mut sums) = (legendre(scaled(iy, ny)), [0.0; MAX_DEGREE + 1]);
             row.copy_from_slice(own);
             self.remove_from_row(&mut row, &rows, &columns);
-            for (ix, z) in row.iter().enumerate().filter(|(_, z)| !z.is_nan()) {
-                for (sum, column) in sums.iter_mut().zip(&columns) {
-                    *sum += column[ix] * z;
-                }
+            for (sum, column) in sums.iter_mut().zip(&columns) {
+                let valid = column.iter().zip(&row).filter(|(_, z)| !z.is_nan());
+                *sum = valid.map(|(p, z)| p * z).sum();
             }
             let valid = (0..nx).filter(|&ix| !row[ix].is_nan());
             let own = row.iter().any(|z| z.is_nan()).then(|| products(&columns, &valid));

@@ -15,18 +15,17 @@ pub fn repeats(map: &HeightMap) -> bool {
 pub fn seam_jump(map: &HeightMap) -> f64 {
     let [ny, nx] = map.grid().shape();
     let row = |iy: usize| &map.heights()[iy * nx..(iy + 1) * nx];
-    let square = |(a, b): (&f64, &f64)| (b - a).powi(2);
-    let (mut across, mut inside) = ([0.0; 2], [0.0; 2]);
-    for iy in 0..ny {
-        let (here, below) = (row(iy), row((iy + 1) % ny));
-        let is_last = iy + 1 == ny;
-        let (down, steps) =
-            if is_last { (&mut across, 1.0) } else { (&mut inside, ny as f64 - 1.0) };
-        down[0] = here.iter().zip(below).fold(down[0], |sum, pair| sum + square(pair) / steps);
-        let (pairs, steps) = (here.iter().zip(&here[1..]), nx as f64 - 1.0);
-        inside[1] = pairs.fold(inside[1], |sum, pair| sum + square(pair) / steps);
-        across[1] += square((&here[nx - 1], &here[0]));
-    }
+    let squares = |from: &[f64], to: &[f64]| -> f64 {
+        from.iter().zip(to).map(|(a, b)| (b - a).powi(2)).sum()
+    };
+    let across = [
+        squares(row(ny - 1), row(0)),
+        (0..ny).map(|iy| squares(&row(iy)[nx - 1..], row(iy))).sum(),
+    ];
+    let inside = [
+        (1..ny).map(|iy| squares(row(iy - 1), row(iy))).sum::<f64>() / (ny as f64 - 1.0),
+        (0..ny).map(|iy| squares(row(iy), &row(iy)[1..])).sum::<f64>() / (nx as f64 - 1.0),
+    ];
     let ratio = |axis: usize| {
         if inside[axis] > 0.0 { (across[axis] / inside[axis]).sqrt() } else { 0.0 }
     };

@@ -68,10 +68,15 @@ pub fn find_outliers(grid: Grid, heights: &[f64], threshold: f64) -> Result<Outl
         .max(height_step(heights).unwrap_or(0.0))
         .max(16.0 * f64::EPSILON * magnitude);
     let (mut indices, mut largest) = (Vec::new(), 0.0f64);
-    for index in 0..heights.len() {
-        if let Some(distance) = window.distance_beyond(index, limit, &mut scratch) {
-            indices.push(index);
-            largest = largest.max(distance);
+    let mut is_within = vec![false; grid.shape()[1]];
+    for first in (0..heights.len()).step_by(is_within.len()) {
+        window.find_within(first, limit, &mut is_within);
+        for (ix, _) in is_within.iter().enumerate().filter(|(_, is_within)| !**is_within) {
+            let distance = window.distance(first + ix, &mut scratch).filter(|d| *d > limit);
+            if let Some(distance) = distance {
+                indices.push(first + ix);
+                largest = largest.max(distance);
+            }
         }
     }
     Ok(Outliers { indices, limit, largest })
@@ -82,7 +87,7 @@ struct Neighbourhood {
     heights: Vec<f64>,
     /// Columns of the map.
     nx: usize,
-    /// How far on in `heights` one of every two opposite neighbours is.
+    /// How far on in `heights` one of every two opposite neighbours is, the nearest first.
     half: Vec<isize>,
 }
 
@@ -99,7 +104,9 @@ impl Neighbourhood {
         }
         let (reach, width) = (REACH.cast_signed(), width.cast_signed());
         let offsets = (0..=reach).flat_map(|y| (-reach..=reach).map(move |x| [y, x]));
-        let half = offsets.filter(|&[y, x]| y > 0 || x > 0).map(|[y, x]| y * width + x).collect();
+        let mut half: Vec<_> = offsets.filter(|&[y, x]| y > 0 || x > 0).collect();
+        half.sort_by_key(|[y, x]| y * y + x * x);
+        let half = half.into_iter().map(|[y, x]| y * width + x).collect();
         Self { heights: padded, nx, half }
     }
 
@@ -136,18 +143,19 @@ impl Neighbourhood {
         (!here.is_nan() && !values.is_empty()).then_some(distance)
     }
 
-    /// The distance, if it exceeds `limit`, which it does not if more than half of the neighbours are within it.
-    fn distance_beyond(&self, index: usize, limit: f64, scratch: &mut Vec<f64>) -> Option<f64> {
-        let at = self.at(index);
-        let (here, mut near) = (at(0), 0);
-        for &k in &self.half {
-            near += [k, -k].into_iter().filter(|&k| (here - at(k)).abs() <= limit).count();
-            // Already more than half of all that there may be.
-            if near > self.half.len() {
-                return None;
+    /// Marks points of the row from `first` on whose nearest pairs of neighbours, as many as decide the lower median over
+    /// all, agree with it to `limit`: they are no farther off.
+    fn find_within(&self, first: usize, limit: f64, is_within: &mut [bool]) {
+        let n = is_within.len();
+        let start = (first / self.nx + Self::RIM) * (n + 2 * Self::RIM) + Self::RIM;
+        let from = |step: isize| &self.heights[start.wrapping_add_signed(step)..][..n];
+        is_within.fill(true);
+        for &k in &self.half[..self.half.len().div_ceil(2)] {
+            let pairs = from(k).iter().zip(from(-k)).zip(from(0));
+            for (is_within, ((a, b), here)) in is_within.iter_mut().zip(pairs) {
+                *is_within &= (here - 0.5 * (a + b)).abs() <= limit;
             }
         }
-        self.distance(index, scratch).filter(|&d| d > limit)
     }
 }
 

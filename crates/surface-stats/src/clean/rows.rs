@@ -48,7 +48,6 @@ pub fn row_offsets(grid: Grid, heights: &[f64]) -> Result<RowOffsets, StatsError
     scale::check_measured(grid, heights)?;
     let [ny, nx] = grid.shape();
     let (jumps_of_rows, share) = jumps(ny, nx, |line, i| heights[line * nx + i]);
-    let (_, share_of_columns) = jumps(nx, ny, |line, i| heights[i * nx + line]);
     let mut offsets = vec![0.0; ny];
     for i in 1..ny {
         offsets[i] = offsets[i - 1] + jumps_of_rows[i - 1];
@@ -58,9 +57,9 @@ pub fn row_offsets(grid: Grid, heights: &[f64]) -> Result<RowOffsets, StatsError
     let square: f64 = jumps_of_rows.iter().map(|j| j * j).sum();
     let rows_jump = ny >= FEWEST
         && share >= LEAST_SHARE
-        && share >= LEAST_RATIO * share_of_columns
         && change >= LEAST_ROUGHNESS * square
-        && how_many(&jumps_of_rows) >= LEAST_JUMPING;
+        && how_many(&jumps_of_rows) >= LEAST_JUMPING
+        && share >= LEAST_RATIO * jumps(nx, ny, |line, i| heights[i * nx + line]).1;
     let jump = (square / jumps_of_rows.len().max(1) as f64).sqrt();
     let warning = rows_jump.then_some(Warning::RowsJump { jump, share });
     Ok(RowOffsets { offsets, jump, warning })
