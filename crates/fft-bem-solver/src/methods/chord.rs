@@ -1,8 +1,7 @@
-//! The chord iteration: [the loop](iteration) with its steps in order, [`active_set`], [trial], [line];
-//! the [fallback](face_cg); what it [remembers](run) and all else it [works](work) with.
+//! The chord iteration: [the loop](iteration) with its steps in order, [`active_set`], [trial], [line]; what it
+//! [remembers](run) and all else it [works](work) with.
 
 mod active_set;
-mod face_cg;
 mod iteration;
 mod line;
 mod run;

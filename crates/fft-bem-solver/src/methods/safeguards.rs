@@ -66,13 +66,13 @@ fn exact(problem: &Problem<f64>, load: f64) -> State<f64> {
 }
 
 /// Each kind of step alone, and all of them, with the step before and, as on grids on which memory is what limits,
-/// without. Only the last resort asks for that room.
+/// without.
 #[test]
 fn each_kind_of_step_alone_finds_the_solution() {
     let (problem, grid) = surface();
     for load in [0.003, 0.05, 0.2] {
         let exact = exact(&problem, load);
-        let kinds = [StepKind::Chord, StepKind::Gradient, StepKind::FaceCg].map(Some);
+        let kinds = [StepKind::Chord, StepKind::Gradient].map(Some);
         for kind in kinds.into_iter().chain([None]) {
             for has_room in [true, false] {
                 let mut chord = Chord::new(grid, false);
@@ -84,8 +84,7 @@ fn each_kind_of_step_alone_finds_the_solution() {
                 assert_eq!(outcome.end, End::Converged, "{kind:?} at {load}");
                 let error = difference(&found, &exact);
                 assert!(error < 1e-7, "{kind:?} at {load}: {error:e}");
-                let asks = kind == Some(StepKind::FaceCg);
-                assert_eq!(chord.work.pairs.has_room(), has_room || asks);
+                assert_eq!(chord.work.pairs.has_room(), has_room);
             }
         }
     }
@@ -110,7 +109,7 @@ fn a_run_that_ends_early_hands_over_what_it_reached() {
 }
 
 /// With `S` zero, far too weak, far too strong, or of the wrong sign in parts, chords stall or climb; the
-/// ladder of fallbacks still arrives, and says that it was needed.
+/// fallback still arrives, and says that it was needed.
 #[test]
 fn a_bad_preconditioner_costs_time_only() {
     let (problem, grid) = surface();

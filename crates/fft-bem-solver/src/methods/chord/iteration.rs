@@ -23,11 +23,9 @@
 //! conjugate, their 3 clips and scales. The fields that it holds are named in
 //! `docs/src/solver/method.md`.
 //!
-//! Two fallbacks guarantee convergence: projected gradients where a chord does not descend or the
-//! estimate stalls, and conjugate gradients on the face where that does not help.
+//! Projected gradients, where a chord does not descend or the estimate stalls, guarantee convergence.
 
 use super::active_set::{ContactSet, RELEASE};
-use super::face_cg;
 use super::line::{FULL, Trial};
 use super::run::{Known, Run, StepKind};
 use super::work::Work;
@@ -56,7 +54,7 @@ impl<T: Real> Chord<T> {
     pub(crate) fn new(scaled: Grid, is_isolated: bool) -> Self {
         let mut work = Work::new(scaled, is_isolated);
         if !is_large(scaled.len()) {
-            work.pairs.make_room();
+            work.pairs.before = State::new(scaled.len());
         }
         Self { work, force: None }
     }
@@ -201,12 +199,6 @@ impl<T: Real, C: Ceiling<T>> Run<'_, T, C> {
     /// Steps 3 to 5, or a step of another kind if the estimate has not been halved for long.
     fn step(&mut self, proposal: Proposal) {
         let mut kind = self.memory.next_kind();
-        if kind == StepKind::FaceCg {
-            self.transforms += face_cg::step(self, proposal.level);
-            (self.memory.is_first, self.memory.has_before) = (false, true);
-            self.fallbacks += 1;
-            return;
-        }
         let products = loop {
             let trial = match kind {
                 StepKind::Chord => {
@@ -218,7 +210,7 @@ impl<T: Real, C: Ceiling<T>> Run<'_, T, C> {
                         Some(Trial::Swept)
                     }
                 }
-                StepKind::Gradient | StepKind::FaceCg => {
+                StepKind::Gradient => {
                     self.gradient_trial(proposal.level);
                     Some(Trial::Ended(1.0))
                 }

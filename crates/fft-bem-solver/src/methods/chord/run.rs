@@ -136,8 +136,6 @@ pub(crate) enum StepKind {
     Chord,
     /// Along the residual gap, projected on the pressures that are positive and carry the load.
     Gradient,
-    /// Conjugate gradients on the nodes in contact.
-    FaceCg,
 }
 
 /// What is known of an iterate before it is looked at.
@@ -198,8 +196,7 @@ impl Memory {
         self.tau = (self.tau * theta.clamp(CHANGE[0], CHANGE[1])).clamp(TAU[0], TAU[1]);
     }
 
-    /// The ladder of fallbacks: chords, then gradients, then conjugate gradients on the face; back
-    /// to chords when the estimate has been halved.
+    /// Chords; gradients once chords have not halved the estimate for long; back to chords when it has been halved.
     pub(super) fn next_kind(&mut self) -> StepKind {
         if self.residual <= 0.5 * self.best {
             self.best = self.residual;
@@ -207,26 +204,13 @@ impl Memory {
         } else {
             self.since += 1;
         }
-        if self.is_forced {
-            return self.kind;
-        }
-        let kind = match self.since {
-            0 => StepKind::Chord,
-            n if n < STALL => return self.kind,
-            _ => {
-                self.since = 0;
-                self.has_before &= self.kind == StepKind::Chord; // conjugate directions start anew
-                if self.kind == StepKind::Chord { StepKind::Gradient } else { StepKind::FaceCg }
+        if !self.is_forced {
+            match self.since {
+                0 => self.kind = StepKind::Chord,
+                STALL => self.kind = StepKind::Gradient,
+                _ => {}
             }
-        };
-        if kind != self.kind {
-            // Conjugate gradients keep their direction in the place of the step before.
-            self.has_before = self.has_before && kind == StepKind::Gradient;
         }
-        self.kind = kind;
-        if kind == StepKind::FaceCg {
-            self.length = 1.0; // a node that is let go would keep its pressure: this step only moves F
-        }
-        kind
+        self.kind
     }
 }

@@ -56,7 +56,7 @@ impl<T: Real> Work<T> {
     }
 }
 
-/// The trial and, where there is [room](Self::make_room) for it, the iterate before the present one. The present
+/// The trial and, where there is [room](Self::has_room) for it, the iterate before the present one. The present
 /// one belongs to the caller.
 ///
 /// Until a convolution has been spent on the displacement of the trial, its place is the *spare*: room for a field in
@@ -67,13 +67,6 @@ pub(crate) struct Pairs<T> {
 }
 
 impl<T: Real> Pairs<T> {
-    /// Makes room for the iterate before, which a step of two directions needs.
-    pub(super) fn make_room(&mut self) {
-        if !self.has_room() {
-            self.before = State::new(self.trial.pressure.len());
-        }
-    }
-
     pub(crate) fn has_room(&self) -> bool {
         self.before.pressure.len() == self.trial.pressure.len()
     }
