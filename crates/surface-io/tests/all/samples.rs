@@ -317,6 +317,28 @@ fn profiles_of_formats_for_maps() {
     assert!((found.positions.unwrap()[2] / 2.5e-6 - 1.0).abs() < 1e-12);
 }
 
+/// Coordinates of NetCDF without values, texts: their attributes give the size and the unit.
+#[test]
+fn coordinates_of_text_have_a_length() {
+    let um = |length: f64| [("units", Ok("um")), ("length", Err(length))];
+    let (of_y, of_x) = (um(6.0), um(2.0));
+    let y = ("y", &[0][..], &of_y[..], vec![0.0; 3]);
+    let x = ("x", &[1][..], &of_x[..], vec![0.0; 4]);
+    let heights = ("heights", &[0, 1][..], &[][..], (0..12).map(f64::from).collect());
+    let mut file = netcdf(1, &[("y", 3), ("x", 4)], &[y, x, heights]);
+    let is_type = |k: &usize| file[*k..*k + 8] == [0, 0, 0, 6, 0, 0, 0, 0];
+    let types: Vec<usize> = (0..1016).filter(is_type).collect();
+    assert_eq!(types.len(), 3);
+    for k in &types[..2] {
+        file[k + 3] = 2; // text in the place of f64
+    }
+    let found = unaided(&file).unwrap();
+    for (found, wanted) in found.grid().pixel().into_iter().zip([2e-6, 0.5e-6]) {
+        assert!((found / wanted - 1.0).abs() < 1e-12, "{found:e}");
+    }
+    assert!((found.heights()[11] / 11e-6 - 1.0).abs() < 1e-12);
+}
+
 #[test]
 fn old_igor_waves_are_called_so() {
     for (version, size) in [(1i16, 118), (2, 126), (3, 130)] {
