@@ -165,13 +165,13 @@ impl<T: Real, C: Ceiling<T>> Run<'_, T, C> {
     /// Residual gap and contact set, with the level prescribed once more at a better load; the preconditioned
     /// residual, and the trial it leads to.
     fn propose(&mut self, tolerance: f64) -> Proposal {
-        let most = RELEASE / ratio(self.work.grid.shape(), self.work.grid.pixel());
-        let release = if self.memory.length < FULL { most } else { 0.0 };
+        let (shape, pixel) = (self.work.grid.shape(), self.work.grid.pixel());
+        let release = if self.memory.length < FULL { RELEASE / ratio(shape, pixel) } else { 0.0 };
         let known = std::mem::take(&mut self.memory.known);
         let (mut level, mut set) = self.look(known, release);
         if self.control.is_some() {
             self.towards_level(level);
-            (level, set) = self.look(Known::Nothing, most);
+            (level, set) = self.look(Known::Nothing, release);
         }
         self.precondition();
         self.proposed(level, set, tolerance)
