@@ -8,6 +8,8 @@ use crate::{StatsError, scale};
 use contact_types::Grid;
 
 pub(crate) const MAX_DEGREE: usize = 12;
+/// Pixels of a row handled at a time.
+const TILE: usize = 64;
 
 /// A polynomial in x and y of limited total degree.
 #[derive(Debug, Clone, PartialEq)]
@@ -56,11 +58,13 @@ impl Polynomial {
         for ([ky, kx], coefficient) in terms(self.degree).zip(&self.coefficients) {
             along[kx] += coefficient * rows[ky];
         }
-        let mut form = vec![0.0; row.len()];
-        for (a, column) in along.iter().zip(columns) {
-            form.iter_mut().zip(column).for_each(|(form, p)| *form += a * p);
+        for (k, heights) in row.chunks_mut(TILE).enumerate() {
+            let mut form = [0.0; TILE];
+            for (a, column) in along.iter().zip(columns) {
+                form.iter_mut().zip(&column[k * TILE..]).for_each(|(form, p)| *form += a * p);
+            }
+            heights.iter_mut().zip(form).for_each(|(h, form)| *h = (*h - self.origin) - form);
         }
-        row.iter_mut().zip(&form).for_each(|(h, form)| *h = (*h - self.origin) - form);
     }
 
     /// Coefficients that fit what the present ones leave over.

@@ -68,13 +68,12 @@ pub fn find_outliers(grid: Grid, heights: &[f64], threshold: f64) -> Result<Outl
         .max(height_step(heights).unwrap_or(0.0))
         .max(16.0 * f64::EPSILON * magnitude);
     let (mut indices, mut largest) = (Vec::new(), 0.0f64);
-    let mut is_within = vec![false; grid.shape()[1]];
-    for first in (0..heights.len()).step_by(is_within.len()) {
+    let mut is_within = vec![false; window.nx];
+    for first in (0..heights.len()).step_by(window.nx) {
         window.find_within(first, limit, &mut is_within);
-        for (ix, _) in is_within.iter().enumerate().filter(|(_, is_within)| !**is_within) {
-            let distance = window.distance(first + ix, &mut scratch).filter(|d| *d > limit);
-            if let Some(distance) = distance {
-                indices.push(first + ix);
+        for index in (0..window.nx).filter(|ix| !is_within[*ix]).map(|ix| first + ix) {
+            if let Some(distance) = window.distance(index, &mut scratch).filter(|d| *d > limit) {
+                indices.push(index);
                 largest = largest.max(distance);
             }
         }
@@ -110,17 +109,18 @@ impl Neighbourhood {
         Self { heights: padded, nx, half }
     }
 
-    /// Height `step` after a point of the map; NaN where missing or outside.
-    fn at(&self, index: usize) -> impl Fn(isize) -> f64 {
+    /// Heights from `step` after a point of the map on; NaN where missing or outside.
+    fn from<'a>(&'a self, index: usize) -> impl Fn(isize) -> &'a [f64] {
         let (row, column) = (index / self.nx + Self::RIM, index % self.nx + Self::RIM);
         let index = row * (self.nx + 2 * Self::RIM) + column;
-        move |step| self.heights[index.wrapping_add_signed(step)]
+        move |step| &self.heights[index.wrapping_add_signed(step)..]
     }
 
     /// How far a valid point is off; `None` for a missing or lonely one.
     fn distance(&self, index: usize, values: &mut Vec<f64>) -> Option<f64> {
         values.clear();
-        let at = self.at(index);
+        let from = self.from(index);
+        let at = |step: isize| from(step)[0];
         let here = at(0);
         let pairs = self.half.iter().map(|&k| (here - f64::midpoint(at(k), at(-k))).abs());
         values.extend(pairs.filter(|d| !d.is_nan()));
@@ -133,7 +133,7 @@ impl Neighbourhood {
         let from_pairs = select(values, lower).unwrap_or(f64::INFINITY);
 
         values.clear();
-        values.extend(around().map(&at).filter(|h| !h.is_nan()));
+        values.extend(around().map(at).filter(|h| !h.is_nan()));
         let middle = values.len() / 2;
         let far = |side: f64| values.iter().filter(|h| side * (here - **h) >= from_pairs).count();
         // Where the median is among those that are farther off, it need not be found.
@@ -146,9 +146,7 @@ impl Neighbourhood {
     /// Marks points of the row from `first` on whose nearest pairs of neighbours, as many as decide the lower median over
     /// all, agree with it to `limit`: they are no farther off.
     fn find_within(&self, first: usize, limit: f64, is_within: &mut [bool]) {
-        let n = is_within.len();
-        let start = (first / self.nx + Self::RIM) * (n + 2 * Self::RIM) + Self::RIM;
-        let from = |step: isize| &self.heights[start.wrapping_add_signed(step)..][..n];
+        let from = self.from(first);
         is_within.fill(true);
         for &k in &self.half[..self.half.len().div_ceil(2)] {
             let pairs = from(k).iter().zip(from(-k)).zip(from(0));
