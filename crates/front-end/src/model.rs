@@ -3,6 +3,7 @@
 use crate::complete::Subject;
 use crate::failure::{Failure, variant};
 use crate::loads::Spread;
+use crate::statistics::row_warning;
 use crate::work::extend;
 use contact_accuracy::round_to_digits;
 use contact_compare::survey::gaussian_errors;
@@ -16,7 +17,7 @@ use contact_types::{
 };
 use serde_json::{Value, json};
 use std::path::Path;
-use surface_stats::clean::{Record, row_warning};
+use surface_stats::clean::Record;
 use surface_stats::profile::ProfileStatistics;
 use surface_stats::spectrum::{amplitudes, radial};
 use surface_stats::{Edges, StatsError, Warning, level, moments, spectral_scales};

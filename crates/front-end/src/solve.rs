@@ -4,7 +4,7 @@ use crate::complete::Subject;
 use crate::failure::Failure;
 use crate::loads::Spread;
 use crate::shown::unusual_hardness;
-use crate::statistics::adhesion;
+use crate::statistics::{adhesion, row_warning};
 use crate::study::unmet;
 use crate::work::{Point, SolvedLoads, Watch};
 use contact_accuracy::{Aim, Ladder, LadderError, Setup, Sink, Task, climb};
@@ -16,7 +16,7 @@ use contact_types::{AsperityStatistics, ContactModulus, HeightMap, Named};
 use fft_bem_solver::{Boundary, Load, Maps, SolverError};
 use serde::Deserialize;
 use serde_json::{Value, json};
-use surface_stats::clean::{Record, row_warning};
+use surface_stats::clean::Record;
 use surface_stats::profile::{self, Trace};
 use surface_stats::{Edges, HeightStatistics, StatsError, moments};
 

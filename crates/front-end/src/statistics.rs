@@ -10,11 +10,12 @@ use serde::Deserialize;
 use serde_json::{Value, json};
 use std::path::Path;
 use surface_io::Measurement;
+use surface_stats::clean::row_offsets;
 use surface_stats::iso25178::{self, IsoParameter};
 use surface_stats::profile::ProfileStatistics;
 use surface_stats::{
-    ByDistance, Edges, StatsError, StatsOptions, SurfaceStatistics, by_distance, level, moments,
-    spectral_scales,
+    ByDistance, Edges, StatsError, StatsOptions, SurfaceStatistics, Warning, by_distance, level,
+    moments, spectral_scales,
 };
 
 /// What is asked of a map.
@@ -138,6 +139,11 @@ pub fn info(m: &Measurement) -> Value {
         "ambiguity": m.ambiguity.map(|a| a.what),
         "metadata": m.metadata,
     })
+}
+
+/// That the rows of a map jump; `None` also where levelling took heights beyond the range in which rows are compared.
+pub(crate) fn row_warning(map: &HeightMap) -> Option<Warning> {
+    row_offsets(map.grid(), map.heights()).ok()?.warning
 }
 
 /// Whether the bodies stick, of a levelled map and of the contacts that were solved on it, `[mean pressure (Pa), area

@@ -78,7 +78,7 @@ fn each_kind_of_step_alone_finds_the_solution() {
                 let mut chord = Chord::new(grid, false);
                 chord.force = kind;
                 if !has_room {
-                    chord.work.pairs.give_up_room();
+                    chord.work.pairs.before = State::new(0);
                 }
                 let (outcome, found) = run(&mut chord, &problem, 1e-8, load);
                 assert_eq!(outcome.end, End::Converged, "{kind:?} at {load}");

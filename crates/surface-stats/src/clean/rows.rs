@@ -2,7 +2,7 @@
 
 use super::outliers::select;
 use crate::{StatsError, Warning, scale};
-use contact_types::{Grid, HeightMap};
+use contact_types::Grid;
 
 /// How rows of a map stand against each other, by the median of the differences of neighbouring rows. A probe that loses
 /// or catches something between two rows, or drifts, makes that median jump from row to row; a surface makes it small
@@ -34,11 +34,6 @@ const LEAST_JUMPING: f64 = 6.0;
 
 /// Rows and columns below which medians say nothing.
 const FEWEST: usize = 32;
-
-/// That the rows of a map jump; `None` also where levelling took heights beyond the range in which rows are compared.
-pub fn row_warning(map: &HeightMap) -> Option<Warning> {
-    row_offsets(map.grid(), map.heights()).ok()?.warning
-}
 
 /// Compares neighbouring rows of `heights` (m, row-major, NaN = missing).
 ///

@@ -71,12 +71,6 @@ impl<T: Real> Pairs<T> {
         self.before.pressure.len() == self.trial.pressure.len()
     }
 
-    /// As on a grid too large for it.
-    #[cfg(test)]
-    pub(crate) fn give_up_room(&mut self) {
-        self.before = State::new(0);
-    }
-
     /// The pressure of the trial, and the spare.
     pub(crate) fn trial_and_spare(&mut self) -> (&mut [T], &mut [f32]) {
         let State { pressure, displacement, .. } = &mut self.trial;
