@@ -6,7 +6,7 @@ use std::borrow::Cow;
 /// Where a theory comes from. Texts are borrowed from the program or owned, so that a model read
 /// at run time can be cited like a built-in one.
 #[derive(Debug, Clone, PartialEq, Eq)]
-#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
+#[cfg_attr(feature = "serde", derive(serde::Serialize))]
 pub struct Citation {
     /// Authors, for example "Bush, Gibson & Thomas".
     pub authors: Cow<'static, str>,
@@ -24,7 +24,7 @@ pub struct Citation {
 #[derive(Debug, Clone, PartialEq)]
 #[cfg_attr(
     feature = "serde",
-    derive(serde::Serialize, serde::Deserialize),
+    derive(serde::Serialize),
     serde(tag = "kind", rename_all = "snake_case")
 )]
 #[non_exhaustive]
@@ -39,10 +39,10 @@ pub enum Caveat {
         /// The quantity that shows it.
         quantity: Cow<'static, str>,
         /// Its value.
-        #[cfg_attr(feature = "serde", serde(with = "crate::any_number"))]
+        #[cfg_attr(feature = "serde", serde(serialize_with = "crate::any_number::serialize"))]
         value: f64,
         /// Where the assumption is usually taken to end.
-        #[cfg_attr(feature = "serde", serde(with = "crate::any_number"))]
+        #[cfg_attr(feature = "serde", serde(serialize_with = "crate::any_number::serialize"))]
         limit: f64,
         /// What is strained.
         reason: Cow<'static, str>,
@@ -71,7 +71,7 @@ impl std::fmt::Display for Caveat {
 /// One point of a contact curve. The default is that of bodies that do not touch: no load, no area, and no separation that
 /// is finite.
 #[derive(Debug, Clone, PartialEq, Default)]
-#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
+#[cfg_attr(feature = "serde", derive(serde::Serialize))]
 pub struct ContactState {
     /// Nominal pressure F / A_n \[Pa\].
     pub mean_pressure: f64,

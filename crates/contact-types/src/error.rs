@@ -77,7 +77,7 @@ pub enum SurfaceError {
 #[derive(Debug, Clone, PartialEq, thiserror::Error)]
 #[cfg_attr(
     feature = "serde",
-    derive(serde::Serialize, serde::Deserialize),
+    derive(serde::Serialize),
     serde(tag = "kind", rename_all = "snake_case")
 )]
 #[non_exhaustive]
@@ -90,7 +90,7 @@ pub enum ModelError {
         /// Which input.
         quantity: Cow<'static, str>,
         /// Its value.
-        #[cfg_attr(feature = "serde", serde(with = "crate::any_number"))]
+        #[cfg_attr(feature = "serde", serde(serialize_with = "crate::any_number::serialize"))]
         value: f64,
         /// What it must be, for example "must be finite and greater than 0".
         requirement: Cow<'static, str>,
@@ -107,7 +107,7 @@ pub enum ModelError {
         /// Which input.
         quantity: Cow<'static, str>,
         /// Its value.
-        #[cfg_attr(feature = "serde", serde(with = "crate::any_number"))]
+        #[cfg_attr(feature = "serde", serde(serialize_with = "crate::any_number::serialize"))]
         value: f64,
         /// Where the theory holds.
         domain: RangeInclusive<f64>,
@@ -120,7 +120,7 @@ pub enum ModelError {
         /// The model asked.
         model: Cow<'static, str>,
         /// Relative residual reached.
-        #[cfg_attr(feature = "serde", serde(with = "crate::any_number"))]
+        #[cfg_attr(feature = "serde", serde(serialize_with = "crate::any_number::serialize"))]
         residual: f64,
         /// Iterations spent.
         iterations: usize,

@@ -18,8 +18,6 @@ mod height_map;
 mod material;
 mod moments;
 mod named;
-#[cfg(feature = "serde")]
-mod reading;
 pub mod require;
 mod spectrum;
 

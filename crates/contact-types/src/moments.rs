@@ -6,7 +6,7 @@ use std::f64::consts::PI;
 /// Profile spectral moments of the equivalent rough surface (Nayak 1971, doi:10.1115/1.3451608). Of a surface with
 /// a lay or a pattern they are the means of the profiles along both axes of its map.
 #[derive(Debug, Clone, Copy, PartialEq)]
-#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
+#[cfg_attr(feature = "serde", derive(serde::Serialize))]
 pub struct SpectralMoments {
     /// Mean square height \[m²\].
     pub m0: f64,
@@ -42,7 +42,7 @@ impl SpectralMoments {
 
 /// Asperities (summits) as Greenwood and Williamson see them.
 #[derive(Debug, Clone, Copy, PartialEq)]
-#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
+#[cfg_attr(feature = "serde", derive(serde::Serialize))]
 pub struct AsperityStatistics {
     /// Asperities per nominal area η \[m⁻²\].
     pub density: f64,
@@ -114,7 +114,7 @@ const LEAST_BANDWIDTH: f64 = 0.896_805_756_234_018_9;
 
 /// Parameters of a fractal profile (Majumdar & Bhushan 1991, doi:10.1115/1.2920588).
 #[derive(Debug, Clone, Copy, PartialEq)]
-#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
+#[cfg_attr(feature = "serde", derive(serde::Serialize))]
 pub struct FractalParameters {
     /// Dimension of a profile D, between 1 and 2 \[-\].
     pub dimension: f64,

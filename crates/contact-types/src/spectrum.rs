@@ -4,7 +4,7 @@ use crate::{SpectralMoments, SurfaceError};
 
 /// All waves of one wavenumber.
 #[derive(Debug, Clone, Copy, PartialEq)]
-#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
+#[cfg_attr(feature = "serde", derive(serde::Serialize))]
 pub struct Shell {
     /// Angular wavenumber |q| \[rad/m\].
     pub wavenumber: f64,
@@ -53,7 +53,7 @@ impl RoughnessSpectrum {
 
 /// One sinusoid of a profile.
 #[derive(Debug, Clone, Copy, PartialEq)]
-#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
+#[cfg_attr(feature = "serde", derive(serde::Serialize))]
 pub struct Wave {
     /// Frequency f = 1/wavelength \[1/m\].
     pub frequency: f64,
