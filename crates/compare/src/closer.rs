@@ -66,7 +66,7 @@ impl Comparison {
 }
 
 impl SurfaceComparison {
-    /// The headline load on another map, from nothing, and the solver of it.
+    /// The headline load on another map, and the solver of it; from its pressure if there are as many points.
     pub(crate) fn solve_headline(
         &self,
         map: &HeightMap,
@@ -80,7 +80,11 @@ impl SurfaceComparison {
         let builder = settings.solver().maps(Maps::None);
         let mut solver = builder.build(whole.grid(), self.inputs.modulus).ok()?;
         let load = Load::MeanPressure(self.headline_pressure());
-        let found = solver.solve_observed(&whole, load, |now| watch.iteration(now));
+        solver.take_surface(&whole).ok()?;
+        let start = |i: usize| self.pressure[i];
+        let is_one = self.pressure.len() == whole.grid().len();
+        let start = is_one.then_some(&start as &(dyn Fn(usize) -> f64 + Sync));
+        let found = solver.solve_again(load, start, |now| watch.iteration(now));
         Some((solver, found.ok()?))
     }
 }
@@ -116,7 +120,7 @@ fn certify(
         ..Setup::new(builder, surface.inputs.modulus)
     };
     let mut ladder = Ladder::new(surface.surface.clone(), setup).ok()?;
-    let found = ladder.solve(load, |now| watch.iteration(now)).ok()?;
+    let found = ladder.solve(load, Some(&surface.pressure), |now| watch.iteration(now)).ok()?;
     let area = found.solution.state.area_fraction;
     let answer = surface.deterministic.get_mut(surface.headline).and_then(|p| p.answer.as_mut());
     if let Some(answer) = answer {
@@ -219,7 +223,7 @@ fn solve(
 ) -> Option<Coarser> {
     let truth = surface.headline_answer().filter(|a| a.converged)?.area_fraction;
     let (mut solver, solution) = surface.solve_headline(map, settings, watch)?;
-    let (whole, load) = (settings.edges.around(map).ok()?, surface.headline_pressure());
+    let load = Load::MeanPressure(surface.headline_pressure());
     // Nothing else runs while a solution is timed.
     let found = &solution.diagnostics;
     let (mut seconds, mut spent) = (found.seconds, found.seconds);
@@ -228,7 +232,7 @@ fn solve(
             break;
         }
         solver.forget();
-        let again = solver.solve(&whole, Load::MeanPressure(load)).ok()?.diagnostics.seconds;
+        let again = solver.solve_again(load, None, |_| ()).ok()?.diagnostics.seconds;
         (seconds, spent) = (seconds.min(again), spent + again);
     }
     (truth > 0.0).then(|| Coarser {

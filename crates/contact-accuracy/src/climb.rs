@@ -169,7 +169,7 @@ pub fn climb(task: &Task<'_>, sink: &mut dyn Sink) -> Result<Reached, LadderErro
 
 /// The grid of every second point.
 fn half(grid: Grid) -> Grid {
-    let shape = grid.shape().map(|n| n.div_ceil(2));
+    let shape = grid.shape().map(|n| (n / 2).max(1));
     Grid::new(shape, grid.pixel().map(|d| 2.0 * d)).unwrap_or(grid)
 }
 
@@ -205,7 +205,7 @@ fn attempt(
     sink.begin(ladder.map(), &ladder.known);
     let (mut widest, mut any_between, mut unmet) = (0.0_f64, false, None);
     for (index, &load) in loads.iter().enumerate() {
-        let result = ladder.solve(load, |now| sink.iterated(index, now));
+        let result = ladder.solve(load, None, |now| sink.iterated(index, now));
         if matches!(result, Err(SolverError::Stopped(_))) {
             return Err(LadderError::Stopped);
         }

@@ -5,10 +5,10 @@
 //! with the whole map by accident.
 
 use crate::leak::permeability;
-use crate::setup::Setup;
+use crate::setup::{LOOSEST, Setup};
 use contact_types::{Grid, HeightMap, SurfaceError};
 use fft_bem_solver::{
-    Iteration, Load, ObserverResult, SetStiffness, Solution, Solver, SolverError,
+    Iteration, Load, Maps, Method, ObserverResult, SetStiffness, Solution, Solver, SolverError,
 };
 use surface_stats::clean::{mirrored, resample};
 use surface_stats::{Edges, StatsError};
@@ -59,7 +59,8 @@ fn gas(pressure: &[f64], gap: &[f64], jump: f64) -> f64 {
     open.map(|(_, gap)| 1.0 / (gap.max(0.0) + jump)).sum::<f64>() / gap.len().max(1) as f64
 }
 
-/// Every second row and column, from the row and column of `first` on; a profile keeps its one row.
+/// Every second row and column, from the row and column of `first` (0 or 1) on: half of them, so that of an odd number the
+/// last stays away. A profile keeps its one row.
 ///
 /// # Errors
 /// [`SurfaceError`] if nothing is left.
@@ -67,13 +68,11 @@ pub fn thinned(map: &HeightMap, first: [usize; 2]) -> Result<HeightMap, SurfaceE
     let (shape, pixel) = (map.grid().shape(), map.grid().pixel());
     let step = shape.map(|n| if n == 1 { 1 } else { 2 });
     let first = [0, 1].map(|k| if step[k] == 1 { 0 } else { first[k] });
-    let count = [0, 1].map(|k| shape[k].saturating_sub(first[k]).div_ceil(step[k]));
+    let count = [0, 1].map(|k| shape[k] / step[k]);
     let grid = Grid::new(count, [0, 1].map(|k| step[k] as f64 * pixel[k]))?;
-    let rows = (first[0]..shape[0]).step_by(step[0]);
-    let row = |iy: usize| {
-        map.heights()[iy * shape[1]..][..shape[1]].iter().skip(first[1]).step_by(step[1]).copied()
-    };
-    HeightMap::new(grid, rows.flat_map(row).collect())
+    let at = |k: usize| (0..count[k]).map(move |i| first[k] + step[k] * i);
+    let row = |iy: usize| at(1).map(move |ix| map.heights()[iy * shape[1] + ix]);
+    HeightMap::new(grid, at(0).flat_map(row).collect())
 }
 
 /// The map on `shape` points: by its waves if it repeats, by its cosines otherwise, so that the jump
@@ -95,10 +94,27 @@ pub(crate) fn both(map: &HeightMap, is_mirrored: bool) -> Result<Vec<HeightMap>,
     PHASES.into_iter().map(part).collect()
 }
 
+/// The pressure of a map with `[ny, nx]` points at the pixels, by their index, of one of this `shape`: the map itself, thinned from
+/// `first` or with twice the points, and its mirror images if those belong to it. Each has that of the given point where it lies.
+pub(crate) fn pressure_beside(
+    pressure: &[f64],
+    [ny, nx]: [usize; 2],
+    shape: [usize; 2],
+    (first, is_mirrored): ([usize; 2], bool),
+) -> impl Fn(usize) -> f64 + Sync {
+    let at = move |k: usize, n: usize, i: usize| {
+        let m = if is_mirrored { shape[k] / 2 } else { shape[k] };
+        let i = if i < m { i } else { 2 * m - 1 - i };
+        if m < n { first[k] + 2 * i } else { i * n / m }
+    };
+    move |i| pressure[at(0, ny, i / shape[1]) * nx + at(1, nx, i % shape[1])]
+}
+
 /// The maps of a rung beside the given one, ready to be solved.
 #[derive(Debug)]
 pub(crate) struct RungMaps {
-    solvers: Vec<Solver>,
+    /// With the shapes of the maps.
+    solvers: Vec<(Solver, [usize; 2])>,
     setup: Setup,
 }
 
@@ -109,11 +125,18 @@ impl RungMaps {
         grid.shape().iter().all(|n| enough(*n)) && grid.len() > 1
     }
 
-    /// Of these maps, such as [`both`] thinned ones.
+    /// Of these maps, such as [`both`] thinned ones. Where a contact set or a gap is asked for they are solved as closely as the
+    /// given map, for area and mean gap as loosely as there is an uncertainty, to end on a trial, which is closer.
     pub(crate) fn of(maps: Vec<HeightMap>, setup: Setup) -> Result<Self, SolverError> {
         let builder = setup.builder.clone().boundary(setup.boundary).maps(setup.maps());
-        let builder = builder.certified(false);
-        let solver = |map: &HeightMap| builder.clone().build(map.grid(), setup.modulus);
+        let mut builder = builder.method(Method::Auto).certified(false);
+        if !setup.stiffness && setup.maps() == Maps::None {
+            builder.tolerance = builder.tolerance.max(LOOSEST);
+            builder.ends_on_trial = true;
+        }
+        let solver = |map: &HeightMap| {
+            Ok((builder.clone().build(map.grid(), setup.modulus)?, map.grid().shape()))
+        };
         let solvers = maps.iter().map(solver).collect::<Result<_, SolverError>>()?;
         let mut made = Self { solvers, setup };
         made.take(maps).map(|()| made)
@@ -121,23 +144,30 @@ impl RungMaps {
 
     /// Others on the same grids.
     pub(crate) fn take(&mut self, maps: Vec<HeightMap>) -> Result<(), SolverError> {
-        self.solvers.iter_mut().zip(maps).try_for_each(|(solver, map)| solver.take_surface(map))
+        let mut pairs = self.solvers.iter_mut().zip(maps);
+        pairs.try_for_each(|((solver, _), map)| solver.take_surface(&map))
     }
 
-    /// The numbers of each at a load, each from where its last load ended.
+    /// The numbers of each at a load, from the pressure of the given map at it if that was kept, else from where its last load
+    /// ended.
     pub(crate) fn solve<A: ObserverResult>(
         &mut self,
         load: Load,
+        given: &Solution,
         mut observer: impl FnMut(&Iteration<'_>) -> A + Send,
     ) -> Result<Vec<Numbers>, SolverError> {
-        let Setup { stiffness, jump, leak, .. } = &self.setup;
-        let one = |solver: &mut Solver| {
-            let solution = solver.solve_again(load, &mut observer)?;
+        let Setup { stiffness, jump, leak, mirrored, .. } = &self.setup;
+        let is_kept = given.pressure.len() == given.grid.len();
+        let one = |((solver, shape), first): (&mut (Solver, _), _)| {
+            let (pressure, of) = (&given.pressure, given.grid.shape());
+            let start = pressure_beside(pressure, of, *shape, (first, *mirrored));
+            let start = is_kept.then_some(&start as &(dyn Fn(usize) -> f64 + Sync));
+            let solution = solver.solve_again(load, start, &mut observer)?;
             let set = stiffness.then(|| solver.contact_stiffness()).transpose()?;
             let permeability = permeability(&solution, leak);
             Ok(Numbers { permeability, ..Numbers::of(&solution, set.as_ref(), *jump) })
         };
-        self.solvers.iter_mut().map(one).collect()
+        self.solvers.iter_mut().zip(PHASES).map(one).collect()
     }
 }
 
@@ -170,9 +200,19 @@ mod tests {
         let grid = Grid::new([5, 4], [1.0, 3.0]).unwrap();
         let map = HeightMap::new(grid, (0..20).map(f64::from).collect()).unwrap();
         let all = thinned(&map, [0, 0]).unwrap();
-        assert_eq!(all.grid(), Grid::new([3, 2], [2.0, 6.0]).unwrap());
-        assert_eq!(all.heights(), [0.0, 2.0, 8.0, 10.0, 16.0, 18.0]);
+        assert_eq!(all.grid(), Grid::new([2, 2], [2.0, 6.0]).unwrap());
+        assert_eq!(all.heights(), [0.0, 2.0, 8.0, 10.0]);
         assert_eq!(thinned(&map, [1, 1]).unwrap().heights(), [5.0, 7.0, 13.0, 15.0]);
+        let beside = |of, shape: [usize; 2], is_mirrored| {
+            let at = pressure_beside(map.heights(), [5, 4], shape, (of, is_mirrored));
+            (0..shape[0] * shape[1]).map(at).collect::<Vec<_>>()
+        };
+        for first in PHASES {
+            let part = thinned(&map, first).unwrap();
+            assert_eq!(beside(first, [2, 2], false), part.heights());
+            assert_eq!(beside(first, [4, 4], true), mirrored(&part).unwrap().heights());
+        }
+        assert_eq!(beside([0; 2], [10, 8], false)[22..26], [7.0, 7.0, 4.0, 4.0]);
         let profile = Grid::new([1, 5], [1.0, 1.0]).unwrap();
         let profile = HeightMap::new(profile, vec![0.0, 1.0, 2.0, 3.0, 4.0]).unwrap();
         assert_eq!(thinned(&profile, [1, 1]).unwrap().heights(), [1.0, 3.0]);

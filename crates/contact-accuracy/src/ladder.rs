@@ -2,7 +2,7 @@
 //! between the points, on twice as many.
 
 use crate::budget::{Budget, Map};
-use crate::coarser::{Numbers, RungMaps, both};
+use crate::coarser::{Numbers, RungMaps, both, pressure_beside};
 use crate::estimate::NoUncertainty;
 use crate::indicator::{LIMIT, indicator};
 use crate::leak::Leaks;
@@ -13,6 +13,7 @@ use contact_types::{Clock, Grid, HeightMap};
 use fft_bem_solver::{
     Boundary, Iteration, Load, Maps, ObserverResult, SetStiffness, Solution, Solver, SolverError,
 };
+use std::borrow::Cow;
 use surface_stats::StatsError;
 use surface_stats::clean::mirrored;
 
@@ -31,8 +32,6 @@ pub struct Ladder {
     pub known: Map,
     /// The map as it was given.
     given: HeightMap,
-    /// With its mirror images, if those were asked for.
-    whole: Option<HeightMap>,
     solver: Solver,
     coarser: Result<RungMaps, NoUncertainty>,
     finer: Option<RungMaps>,
@@ -74,20 +73,21 @@ impl Ladder {
     /// [`LadderError`].
     pub fn new(map: HeightMap, setup: Setup) -> Result<Self, LadderError> {
         let known = Map::of(&map);
-        let whole = setup.mirrored.then(|| mirrored(&map)).transpose()?;
         let mut builder = setup.builder.clone().boundary(setup.boundary);
         if setup.maps() != Maps::None {
             builder = builder.maps(setup.maps());
         }
-        let surface = whole.as_ref().unwrap_or(&map);
-        let solver = builder.section(setup.section).build(surface.grid(), setup.modulus)?;
+        let surface = around(&map, setup.mirrored)?;
+        let mut solver = builder.section(setup.section).build(surface.grid(), setup.modulus)?;
+        solver.take_surface(&surface)?;
+        drop(surface);
         let grid = map.grid();
         let coarser = if RungMaps::is_possible(grid) {
             Ok(RungMaps::of(both(&map, setup.mirrored)?, setup.clone())?)
         } else {
             Err(NoUncertainty::TooFewPoints { shape: grid.shape() })
         };
-        Ok(Self { setup, known, given: map, whole, solver, coarser, finer: None })
+        Ok(Self { setup, known, given: map, solver, coarser, finer: None })
     }
 
     /// The map as it was given.
@@ -101,7 +101,7 @@ impl Ladder {
     /// [`LadderError`].
     pub fn take_map(&mut self, map: HeightMap) -> Result<(), LadderError> {
         self.known = Map::of(&map);
-        self.whole = self.setup.mirrored.then(|| mirrored(&map)).transpose()?;
+        self.solver.take_surface(&*around(&map, self.setup.mirrored)?)?;
         if let Ok(coarser) = &mut self.coarser {
             coarser.take(both(&map, self.setup.mirrored)?)?;
         }
@@ -109,52 +109,60 @@ impl Ladder {
         Ok(())
     }
 
-    /// Solves for a load from where the last one ended.
+    /// Solves for a load from `start` if that is a pressure (Pa) for each pixel, or else from where the last one ended.
     ///
     /// # Errors
-    /// [`SolverError`] of the map itself, its iterate on the map as it was given; [`SolverError::Stopped`] also
-    /// where the observer stops a thinned map.
+    /// [`SolverError`] of the map itself, its iterate on the map as it was given; [`SolverError::Stopped`] with its
+    /// solution where the observer stops a map beside it.
     pub fn solve<A: ObserverResult>(
         &mut self,
         load: Load,
+        start: Option<&[f64]>,
         mut observer: impl FnMut(&Iteration<'_>) -> A + Send,
     ) -> Result<Answered, SolverError> {
+        let (grid, is_mirrored) = (self.given.grid(), self.setup.mirrored);
+        let (of, factor) = (grid.shape(), if is_mirrored { 2 } else { 1 });
+        let on_all = |p| pressure_beside(p, of, of.map(|n| factor * n), ([0; 2], is_mirrored));
+        let start = start.filter(|p| p.len() == grid.len()).map(on_all);
+        let start = start.as_ref().map(|at| at as &(dyn Fn(usize) -> f64 + Sync));
+        let found = self.solver.solve_again(load, start, &mut observer);
+        let mut solution = on_given(found, grid)?;
+        let set = self.setup.stiffness.then(|| self.solver.contact_stiffness()).transpose()?;
         let clock = Clock::now();
         let coarser = match &mut self.coarser {
-            Ok(coarser) => match coarser.solve(load, &mut observer) {
+            Ok(coarser) => match coarser.solve(load, &solution, &mut observer) {
                 Ok(numbers) => Ok(numbers),
-                Err(SolverError::Stopped(last)) => return Err(SolverError::Stopped(last)),
+                Err(SolverError::Stopped(_)) => return Err(SolverError::Stopped(solution.into())),
                 Err(_) => Err(NoUncertainty::Undefined),
             },
             Err(why) => Err(*why),
         };
         let coarse_seconds = clock.elapsed().as_secs_f64();
-        let surface = self.whole.as_ref().unwrap_or(&self.given);
-        let grid = self.given.grid();
-        let mut solution =
-            on_given(self.solver.solve_observed(surface, load, &mut observer), grid)?;
-        let set = self.setup.stiffness.then(|| self.solver.contact_stiffness()).transpose()?;
         let asked = (set.as_ref(), self.setup.jump);
         let beside = Beside { coarser: coarser.as_deref().map_err(|why| *why), finer: None };
         let known = self.known;
         let budget = |beside| Budget::of(load, &solution, asked, &known, beside);
         let mut found = budget(beside);
-        let repeats = known.repeats && self.setup.boundary == Boundary::Periodic;
-        found.indicator = indicator(&self.given, repeats, &solution.pressure, self.setup.modulus);
+        found.indicator =
+            indicator(&self.given, self.repeats(), &solution.pressure, self.setup.modulus);
         let clock = Clock::now();
         let mut finer = None;
         if self.needs_finer(&found) {
-            finer = self.on_finer(load, repeats, observer);
+            finer = self.on_finer(load, &solution, observer);
             let beside = Beside { finer: finer.as_ref(), ..beside };
             found = Budget { indicator: found.indicator, ..budget(beside) };
         }
         let seconds = [coarse_seconds, clock.elapsed().as_secs_f64()];
-        let (axes, mirrored) = (&self.setup.leak, self.whole.is_some());
+        let axes = &self.setup.leak;
         let thinned: Vec<_> = coarser.iter().flatten().map(|n| n.permeability).collect();
-        let leak = Leaks::of(&solution, axes, &thinned, mirrored);
+        let leak = Leaks::of(&solution, axes, &thinned, is_mirrored);
         solution.diagnostics.seconds += seconds[0] + seconds[1];
         let coarser = coarser.unwrap_or_default();
         Ok(Answered { solution, set, budget: found, coarser, finer, leak, seconds })
+    }
+
+    fn repeats(&self) -> bool {
+        self.known.repeats && self.setup.boundary == Boundary::Periodic
     }
 
     fn needs_finer(&self, budget: &Budget) -> bool {
@@ -170,20 +178,24 @@ impl Ladder {
     fn on_finer<A: ObserverResult>(
         &mut self,
         load: Load,
-        repeats: bool,
+        given: &Solution,
         observer: impl FnMut(&Iteration<'_>) -> A + Send,
     ) -> Option<Numbers> {
         if self.finer.is_none() {
             let shape = self.given.grid().shape().map(|n| 2 * n);
-            let mut map = regrid(&self.given, shape, repeats).ok()?;
-            if self.whole.is_some() {
-                map = mirrored(&map).ok()?;
-            }
+            let repeats = self.repeats();
+            let map = regrid(&self.given, shape, repeats).ok()?;
+            let map = if self.setup.mirrored { mirrored(&map).ok()? } else { map };
             let setup = Setup { leak: Vec::new(), ..self.setup.clone() };
             self.finer = Some(RungMaps::of(vec![map], setup).ok()?);
         }
-        self.finer.as_mut()?.solve(load, observer).ok()?.pop()
+        self.finer.as_mut()?.solve(load, given, observer).ok()?.pop()
     }
+}
+
+/// With its mirror images, if those belong to it.
+fn around(map: &HeightMap, is_mirrored: bool) -> Result<Cow<'_, HeightMap>, StatsError> {
+    Ok(if is_mirrored { Cow::Owned(mirrored(map)?) } else { Cow::Borrowed(map) })
 }
 
 /// Why a map has no rungs, or was not solved to the end.

@@ -3,6 +3,9 @@
 use contact_types::{Axis, ContactModulus};
 use fft_bem_solver::{Boundary, Maps, SolverBuilder};
 
+/// Largest relative rms error of the pressure with which an uncertainty is known.
+pub(crate) const LOOSEST: f64 = 1e-2;
+
 /// How to solve.
 #[derive(Debug, Clone)]
 pub struct Setup {

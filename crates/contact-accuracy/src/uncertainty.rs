@@ -19,6 +19,7 @@
 
 use crate::coarser::Numbers;
 use crate::estimate::{Estimate, NoUncertainty, Parts};
+use crate::setup::LOOSEST;
 use fft_bem_solver::{Diagnostics, PERIMETER_CORRECTION, Solution};
 
 /// F: uncertainty over what halving the points moves.
@@ -34,8 +35,6 @@ const GAP: f64 = 0.1;
 const INSIDE: f64 = 0.0845;
 /// Relative error of the area, and error of the gap over the rms height, per relative rms error of the pressure.
 const ITERATION: [f64; 2] = [9.0, 0.6];
-/// Largest relative rms error of the pressure for which these hold.
-const LOOSEST: f64 = 1e-2;
 
 /// Relative error of the area at this relative rms error of the pressure.
 pub(crate) fn iteration_of_area(residual: f64) -> f64 {

@@ -83,6 +83,7 @@ impl<T: Real> Search<'_, '_, T> {
             target: Target::Pressure(load),
             tolerance,
             max_iterations: self.task.max_iterations - before.iterations,
+            ends_on_trial: false,
             ..*self.task
         };
         let watch = &mut *self.watch;

@@ -1,7 +1,7 @@
 //! From a surface and a load in SI units to a solution, through the scaled problem.
 
 use crate::methods::{
-    self, ContactMethod, ContactTask, IterateView, Outcome, Start, State, Target,
+    self, Compliance, ContactMethod, ContactTask, IterateView, Outcome, Start, State, Target,
 };
 use crate::observer::Observe;
 use crate::problem::{self, Problem};
@@ -26,7 +26,12 @@ pub(crate) struct Engine<T: Real> {
     /// Mean pressure below which the method does not expect that, once it was asked.
     suspected_closing_load: Option<f64>,
     is_warm: bool,
+    /// Whether the state is warm by its pressure alone: its displacement is not that of it.
+    lacks_displacement: bool,
 }
+
+/// Pressure (Pa) of each pixel, by its index, that a solve begins at.
+pub(crate) type StartPressure<'a> = dyn Fn(usize) -> f64 + Sync + 'a;
 
 /// An engine, whatever the type it computes in.
 pub(crate) trait AnyEngine: Send + Sync {
@@ -34,6 +39,8 @@ pub(crate) trait AnyEngine: Send + Sync {
 
     /// Makes `surface` the one to be solved.
     fn keep(&mut self, surface: &HeightMap) -> Result<(), SolverError>;
+
+    fn begin_at(&mut self, pressure: &StartPressure<'_>) -> Result<(), SolverError>;
 
     fn solve(
         &mut self,
@@ -66,6 +73,7 @@ impl<T: Real> Engine<T> {
             closing_load: None,
             suspected_closing_load: None,
             is_warm: false,
+            lacks_displacement: false,
         })
     }
 }
@@ -84,6 +92,16 @@ impl<T: Real> AnyEngine for Engine<T> {
         self.suspected_closing_load = None;
         self.problem = None;
         self.problem = Some(Arc::new(Problem::new(surface, self.scaled, self.modulus)?));
+        Ok(())
+    }
+
+    fn begin_at(&mut self, pressure: &StartPressure<'_>) -> Result<(), SolverError> {
+        let unit = self.problem.as_ref().ok_or(SolverError::NoSurface)?.units.pressure;
+        let own = &mut self.state.pressure;
+        fields::write(own, |i, _| T::of(pressure(i).max(0.0) / unit));
+        let sum = fields::sum(own);
+        self.is_warm = sum > 0.0 && sum.is_finite();
+        self.lacks_displacement = self.is_warm;
         Ok(())
     }
 
@@ -232,11 +250,16 @@ impl<T: Real> Engine<T> {
         observer: &mut Observe<'_>,
     ) -> Outcome {
         let mut spent = 0.0;
+        let lacks_displacement = std::mem::take(&mut self.lacks_displacement);
         if let Target::Pressure(load) = target {
             match self.without_iterating(problem, load, ceiling, &mut start) {
                 (Some(reason), transforms) => return Outcome::exact(reason, transforms),
                 (None, transforms) => spent += transforms,
             }
+        }
+        if start == Start::Warm && lacks_displacement {
+            self.operator.apply(&self.state.pressure, &mut self.state.displacement);
+            spent += 1.0;
         }
         let task = ContactTask {
             problem,
@@ -244,6 +267,7 @@ impl<T: Real> Engine<T> {
             ceiling,
             tolerance: self.settings.tolerance,
             max_iterations: if self.settings.method == Method::Chord { 200 } else { 20_000 },
+            ends_on_trial: self.settings.ends_on_trial && self.settings.method == Method::Chord,
         };
         let n = problem.heights.len() as f64;
         let mut watch = |step: &IterateView<'_, T>| {
@@ -259,6 +283,7 @@ impl<T: Real> Engine<T> {
         let method = self.method.as_mut();
         let mut outcome = control::solve(method, &task, operator, start, state, &mut watch);
         outcome.transforms += spent;
+        self.lacks_displacement = task.ends_on_trial;
         if outcome.end == End::Exhausted && outcome.residual <= T::ATTAINABLE {
             outcome.end = End::Rounding;
         }

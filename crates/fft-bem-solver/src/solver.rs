@@ -121,45 +121,15 @@ impl Solver {
         load: Load,
         observer: impl FnMut(&Iteration<'_>) -> A + Send,
     ) -> Result<Solution, SolverError> {
-        let clock = Clock::now();
-        self.keep(surface)?;
-        self.solve_kept(load, observer, clock)
+        self.take_surface(surface)?;
+        self.solve_again(load, None, observer)
     }
 
-    /// Takes a surface over, for [`solve_again`](Self::solve_again), and frees the map: 8 bytes per pixel less.
+    /// Takes a surface over, for [`solve_again`](Self::solve_again): the map is no longer needed.
     ///
     /// # Errors
     /// As [`solve`](Self::solve), of the surface.
-    #[expect(clippy::needless_pass_by_value, reason = "the map is to be freed")]
-    pub fn take_surface(&mut self, surface: HeightMap) -> Result<(), SolverError> {
-        self.keep(&surface)
-    }
-
-    /// Solves the contact of the last surface, [taken](Self::take_surface) or solved, under another load while
-    /// `observer` looks on.
-    ///
-    /// # Errors
-    /// As [`solve_observed`](Self::solve_observed); [`SolverError::NoSurface`] if there was none.
-    pub fn solve_again<A: ObserverResult>(
-        &mut self,
-        load: Load,
-        observer: impl FnMut(&Iteration<'_>) -> A + Send,
-    ) -> Result<Solution, SolverError> {
-        self.solve_kept(load, observer, Clock::now())
-    }
-
-    /// Stiffness of the contact of the last solution: the [mixed problem](SetStiffness) on the pixels that carry
-    /// pressure. About ten FFT convolutions in double precision, and memory for four fields and six more of the pixels in
-    /// contact.
-    ///
-    /// # Errors
-    /// [`SolverError::NoSurface`] if there is no last solution; [`SolverError::Memory`] if the machine does not have
-    /// the memory for it beside the solver.
-    pub fn contact_stiffness(&mut self) -> Result<SetStiffness, SolverError> {
-        self.pool.run(|| self.engine.contact_stiffness())?
-    }
-
-    fn keep(&mut self, surface: &HeightMap) -> Result<(), SolverError> {
+    pub fn take_surface(&mut self, surface: &HeightMap) -> Result<(), SolverError> {
         let (expected, found) = (self.grid, surface.grid());
         if found != expected {
             return Err(SolverError::Grid { expected, found });
@@ -167,13 +137,34 @@ impl Solver {
         self.pool.run(|| self.engine.keep(surface))?
     }
 
-    fn solve_kept<A: ObserverResult>(
+    /// Solves the contact of the last surface, [taken](Self::take_surface) or solved, under another load while
+    /// `observer` looks on. It begins at `start`, the pressure (Pa) of each pixel by its index, such as that of a coarser or finer
+    /// grid there, for one FFT convolution; without it, where the last solution ended.
+    ///
+    /// # Errors
+    /// As [`solve_observed`](Self::solve_observed); [`SolverError::NoSurface`] if there was none.
+    pub fn solve_again<A: ObserverResult>(
         &mut self,
         load: Load,
+        start: Option<&(dyn Fn(usize) -> f64 + Sync)>,
         mut observer: impl FnMut(&Iteration<'_>) -> A + Send,
-        clock: Clock,
     ) -> Result<Solution, SolverError> {
+        let clock = Clock::now();
         let mut observe = |iteration: &Iteration<'_>| observer(iteration).flow();
-        self.pool.run(|| self.engine.solve(load, &mut observe, clock))?
+        self.pool.run(|| {
+            start.map_or(Ok(()), |pressure| self.engine.begin_at(pressure))?;
+            self.engine.solve(load, &mut observe, clock)
+        })?
+    }
+
+    /// Stiffness of the contact of the last solution: the [mixed problem](SetStiffness) on the pixels that carry
+    /// pressure. About five FFT convolutions in double precision, and memory for four fields and six more of the pixels in
+    /// contact.
+    ///
+    /// # Errors
+    /// [`SolverError::NoSurface`] if there is no last solution; [`SolverError::Memory`] if the machine does not have
+    /// the memory for it beside the solver.
+    pub fn contact_stiffness(&mut self) -> Result<SetStiffness, SolverError> {
+        self.pool.run(|| self.engine.contact_stiffness())?
     }
 }

@@ -17,7 +17,7 @@ fn answered(points: usize, name: &str, seed: u64, pressure: f64) -> Answered {
         ..Setup::new(Solver::builder(), ContactModulus::from_pascals(1.0).unwrap())
     };
     let mut ladder = Ladder::new(given, setup).unwrap();
-    ladder.solve(Load::MeanPressure(pressure * rms), |_| ()).unwrap()
+    ladder.solve(Load::MeanPressure(pressure * rms), None, |_| ()).unwrap()
 }
 
 fn leak(points: usize, name: &str, seed: u64, pressure: f64) -> Leak {
@@ -79,9 +79,9 @@ fn random_maps_are_sealed_at_about_forty_two_per_cent() {
         };
         let builder = Solver::builder().maps(Maps::PressureAndGap);
         let mut solver = builder.build(grid, modulus).unwrap();
-        solver.take_surface(recipe.generate().unwrap()).unwrap();
+        solver.take_surface(&recipe.generate().unwrap()).unwrap();
         let mut at = |pressure: f64| {
-            let found = solver.solve_again(Load::MeanPressure(pressure), |_| ()).unwrap();
+            let found = solver.solve_again(Load::MeanPressure(pressure), None, |_| ()).unwrap();
             let points = found.gap.iter().zip(&found.pressure);
             let open: Vec<f64> =
                 points.map(|(g, p)| if *p > 0.0 { 0.0 } else { g.max(0.0) }).collect();

@@ -46,6 +46,8 @@ pub(crate) struct ContactTask<'a, T> {
     /// Relative rms pressure error to reach.
     pub(crate) tolerance: f64,
     pub(crate) max_iterations: usize,
+    /// Whether the last iterate takes the pressure of the trial that would come next, without its displacement.
+    pub(crate) ends_on_trial: bool,
 }
 
 /// Where the iteration begins.

@@ -47,7 +47,8 @@ fn run_up_to<T: Real>(
     let mut state = State::new(problem.grid.len());
     let target = Target::Pressure(load);
     let ceiling = f64::INFINITY;
-    let task = ContactTask { problem, target, ceiling, tolerance, max_iterations };
+    let task =
+        ContactTask { problem, target, ceiling, tolerance, max_iterations, ends_on_trial: false };
     let mut watch = |_: &super::contract::IterateView<'_, T>| ControlFlow::Continue(());
     let outcome = method.solve(&task, &mut half_space, Start::Cold, &mut state, &mut watch);
     (outcome, state)

@@ -23,7 +23,7 @@ fn observers_are_closures() {
     assert_eq!(error.solution().unwrap().diagnostics.end, End::Stopped);
     let mut numbers = Vec::new();
     let mut watch = |it: &Iteration<'_>| numbers.push(it.number);
-    assert_eq!(solver.solve_again(load, &mut watch).unwrap().diagnostics.end, End::Converged);
+    assert_eq!(solver.solve_again(load, None, &mut watch).unwrap().diagnostics.end, End::Converged);
     assert!(numbers.len() > 1 && numbers[0] == 0);
 }
 
@@ -36,10 +36,10 @@ fn a_panic_in_an_observer_leaves_the_solver_usable() {
             let mut solver = common::solver(map.grid(), to(1e-4).method(method));
             let before = solver.solve(&map, load).unwrap();
             let broken = catch_unwind(AssertUnwindSafe(|| {
-                solver.solve_again(load, |it| assert!(it.number > 1000, "as wanted"))
+                solver.solve_again(load, None, |it| assert!(it.number > 1000, "as wanted"))
             }));
             assert!(broken.is_err());
-            let after = solver.solve_again(load, |_| ()).unwrap();
+            let after = solver.solve_again(load, None, |_| ()).unwrap();
             assert_eq!(before.pressure, after.pressure, "{method} {load:?}");
             assert_eq!(before.gap, after.gap);
         }
@@ -78,6 +78,45 @@ fn a_section_is_a_row_of_the_maps() {
         let along = row * nx..(row + 1) * nx;
         assert_eq!((section.row, &section.pressure[..]), (row, &whole.pressure[along.clone()]));
         assert_eq!(section.gap, whole.gap[along]);
+    }
+}
+
+/// From the pressure of a solution one convolution says that it is one. What is no pressure is no
+/// start.
+#[test]
+fn a_start_is_a_pressure_of_each_pixel() {
+    let (map, load) = (surface(), Load::MeanPressure(0.05));
+    for boundary in [Boundary::Periodic, Boundary::Free] {
+        let mut solver = common::solver(map.grid(), to(1e-6).boundary(boundary));
+        let cold = solver.solve(&map, load).unwrap();
+        let mut from =
+            |start: &[f64]| solver.solve_again(load, Some(&|i| start[i]), |_| ()).unwrap();
+        let again = from(&cold.pressure);
+        assert_eq!(again.diagnostics.iterations, 0);
+        let close = |(p, q): (&f64, &f64)| (p - q).abs() <= 1e-12 * q;
+        assert!(again.pressure.iter().zip(&cold.pressure).all(close));
+        let nothing = vec![f64::NAN; map.grid().len()];
+        assert_eq!(from(&nothing).pressure, cold.pressure);
+    }
+}
+
+/// The pressure of the trial that would come next is several times closer, for the same convolutions, and carries the load.
+#[test]
+fn the_last_trial_is_closer() {
+    let map = surface();
+    let elastic = [to(1e-2), to(1e-2).boundary(Boundary::Free)];
+    for builder in elastic.into_iter().chain([to(1e-2).hardness(0.3)]) {
+        let exact = solve(&map, builder.clone().tolerance(1e-9), 0.05).pressure;
+        let of = |ends_on_trial| {
+            let mut builder = builder.clone();
+            builder.ends_on_trial = ends_on_trial;
+            let found = solve(&map, builder, 0.05);
+            let off = found.pressure.iter().zip(&exact).map(|(p, q)| (p - q).powi(2)).sum::<f64>();
+            assert!((found.state.mean_pressure / 0.05 - 1.0).abs() < 1e-12);
+            (off.sqrt(), found.diagnostics.transforms)
+        };
+        let ((iterate, spent), (trial, again)) = (of(false), of(true));
+        assert!(trial < 0.3 * iterate && spent <= again && again <= spent, "{trial:e} {iterate:e}");
     }
 }
 

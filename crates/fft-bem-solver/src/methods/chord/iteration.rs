@@ -134,6 +134,9 @@ impl<T: Real> Chord<T> {
             iteration += 1;
             proposal = run.propose(task.tolerance);
         };
+        if task.ends_on_trial && end == End::Converged {
+            run.end_on_trial(proposal);
+        }
         if run.control.is_none() {
             run.end_drift();
         }
@@ -194,6 +197,15 @@ impl<T: Real, C: Ceiling<T>> Run<'_, T, C> {
         self.memory.residual =
             if residual <= tolerance { self.credible(estimate, level) } else { residual };
         Proposal { level, set }
+    }
+
+    /// Step 3, and its trial for the iterate.
+    fn end_on_trial(&mut self, proposal: Proposal) {
+        self.sweep_trial(proposal.set, self.memory.residual.min(1.0));
+        if let Some(scale) = self.end_trial(proposal.level) {
+            std::mem::swap(&mut self.iterate.pressure, &mut self.work.pairs.trial.pressure);
+            fields::scale(scale, &mut self.iterate.pressure);
+        }
     }
 
     /// Steps 3 to 5, or a step of another kind if the estimate has not been halved for long.
