@@ -120,7 +120,7 @@ fn certify(
         ..Setup::new(builder, surface.inputs.modulus)
     };
     let mut ladder = Ladder::new(surface.surface.clone(), setup).ok()?;
-    let found = ladder.solve(load, Some(&surface.pressure), |now| watch.iteration(now)).ok()?;
+    let found = ladder.solve(load, |now| watch.iteration(now)).ok()?;
     let area = found.solution.state.area_fraction;
     let answer = surface.deterministic.get_mut(surface.headline).and_then(|p| p.answer.as_mut());
     if let Some(answer) = answer {

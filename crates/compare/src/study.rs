@@ -249,8 +249,7 @@ fn elastic_beside(
             continue;
         }
         let load = Load::MeanPressure(point.mean_pressure);
-        let result =
-            ladder.solve(load, None, |now| progress(Progress::Iterated { index, now: *now }));
+        let result = ladder.solve(load, |now| progress(Progress::Iterated { index, now: *now }));
         if matches!(result, Err(SolverError::Stopped(_))) {
             return Err(StudyError::Stopped);
         }

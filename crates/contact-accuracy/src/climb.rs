@@ -205,7 +205,7 @@ fn attempt(
     sink.begin(ladder.map(), &ladder.known);
     let (mut widest, mut any_between, mut unmet) = (0.0_f64, false, None);
     for (index, &load) in loads.iter().enumerate() {
-        let result = ladder.solve(load, None, |now| sink.iterated(index, now));
+        let result = ladder.solve(load, |now| sink.iterated(index, now));
         if matches!(result, Err(SolverError::Stopped(_))) {
             return Err(LadderError::Stopped);
         }

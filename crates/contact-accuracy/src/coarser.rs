@@ -94,9 +94,9 @@ pub(crate) fn both(map: &HeightMap, is_mirrored: bool) -> Result<Vec<HeightMap>,
     PHASES.into_iter().map(part).collect()
 }
 
-/// The pressure of a map with `[ny, nx]` points at the pixels, by their index, of one of this `shape`: the map itself, thinned from
-/// `first` or with twice the points, and its mirror images if those belong to it. Each has that of the given point where it lies.
-pub(crate) fn pressure_beside(
+/// The pressure of a map with `[ny, nx]` points at the pixels, by their index, of one of this `shape`: thinned from `first` or with
+/// twice the points, and its mirror images if those belong to it. Each has that of the given point where it lies.
+fn pressure_beside(
     pressure: &[f64],
     [ny, nx]: [usize; 2],
     shape: [usize; 2],
@@ -125,12 +125,16 @@ impl RungMaps {
         grid.shape().iter().all(|n| enough(*n)) && grid.len() > 1
     }
 
-    /// Of these maps, such as [`both`] thinned ones. Where a contact set or a gap is asked for they are solved as closely as the
-    /// given map, for area and mean gap as loosely as there is an uncertainty, to end on a trial, which is closer.
-    pub(crate) fn of(maps: Vec<HeightMap>, setup: Setup) -> Result<Self, SolverError> {
+    /// Of these maps, such as [`both`] thinned ones, which are solved as closely as the given map. If `may_be_loose`, for area and
+    /// mean gap alone, as loosely as there is an uncertainty, to end on a trial, which is closer.
+    pub(crate) fn of(
+        maps: Vec<HeightMap>,
+        setup: Setup,
+        may_be_loose: bool,
+    ) -> Result<Self, SolverError> {
         let builder = setup.builder.clone().boundary(setup.boundary).maps(setup.maps());
         let mut builder = builder.method(Method::Auto).certified(false);
-        if !setup.stiffness && setup.maps() == Maps::None {
+        if may_be_loose && !setup.stiffness && setup.maps() == Maps::None {
             builder.tolerance = builder.tolerance.max(LOOSEST);
             builder.ends_on_trial = true;
         }

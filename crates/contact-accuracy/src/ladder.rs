@@ -2,7 +2,7 @@
 //! between the points, on twice as many.
 
 use crate::budget::{Budget, Map};
-use crate::coarser::{Numbers, RungMaps, both, pressure_beside};
+use crate::coarser::{Numbers, RungMaps, both};
 use crate::estimate::NoUncertainty;
 use crate::indicator::{LIMIT, indicator};
 use crate::leak::Leaks;
@@ -83,7 +83,7 @@ impl Ladder {
         drop(surface);
         let grid = map.grid();
         let coarser = if RungMaps::is_possible(grid) {
-            Ok(RungMaps::of(both(&map, setup.mirrored)?, setup.clone())?)
+            Ok(RungMaps::of(both(&map, setup.mirrored)?, setup.clone(), true)?)
         } else {
             Err(NoUncertainty::TooFewPoints { shape: grid.shape() })
         };
@@ -109,7 +109,7 @@ impl Ladder {
         Ok(())
     }
 
-    /// Solves for a load from `start` if that is a pressure (Pa) for each pixel, or else from where the last one ended.
+    /// Solves for a load from where the last one ended.
     ///
     /// # Errors
     /// [`SolverError`] of the map itself, its iterate on the map as it was given; [`SolverError::Stopped`] with its
@@ -117,15 +117,10 @@ impl Ladder {
     pub fn solve<A: ObserverResult>(
         &mut self,
         load: Load,
-        start: Option<&[f64]>,
         mut observer: impl FnMut(&Iteration<'_>) -> A + Send,
     ) -> Result<Answered, SolverError> {
         let (grid, is_mirrored) = (self.given.grid(), self.setup.mirrored);
-        let (of, factor) = (grid.shape(), if is_mirrored { 2 } else { 1 });
-        let on_all = |p| pressure_beside(p, of, of.map(|n| factor * n), ([0; 2], is_mirrored));
-        let start = start.filter(|p| p.len() == grid.len()).map(on_all);
-        let start = start.as_ref().map(|at| at as &(dyn Fn(usize) -> f64 + Sync));
-        let found = self.solver.solve_again(load, start, &mut observer);
+        let found = self.solver.solve_again(load, None, &mut observer);
         let mut solution = on_given(found, grid)?;
         let set = self.setup.stiffness.then(|| self.solver.contact_stiffness()).transpose()?;
         let clock = Clock::now();
@@ -187,7 +182,7 @@ impl Ladder {
             let map = regrid(&self.given, shape, repeats).ok()?;
             let map = if self.setup.mirrored { mirrored(&map).ok()? } else { map };
             let setup = Setup { leak: Vec::new(), ..self.setup.clone() };
-            self.finer = Some(RungMaps::of(vec![map], setup).ok()?);
+            self.finer = Some(RungMaps::of(vec![map], setup, false).ok()?);
         }
         self.finer.as_mut()?.solve(load, given, observer).ok()?.pop()
     }

@@ -170,7 +170,7 @@ impl SolveRequest {
             for index in 0..self.loads.len() {
                 let load = self.loads[work.order[index]];
                 work.watch.working_on(load);
-                let result = ladder.solve(load, None, |now| work.iterated(index, now));
+                let result = ladder.solve(load, |now| work.iterated(index, now));
                 let is_stopped = matches!(result, Err(SolverError::Stopped(_)));
                 if is_stopped || work.take(index, result).is_break() {
                     break;

@@ -24,7 +24,7 @@ pub fn solve(
     modulus: ContactModulus,
     load: Load,
 ) -> Result<Answered, LadderError> {
-    Ok(ladder(map, modulus)?.solve(load, None, |_| ())?)
+    Ok(ladder(map, modulus)?.solve(load, |_| ())?)
 }
 
 /// The same for many loads: [`Ladder::solve`] tells each iteration and may be stopped.

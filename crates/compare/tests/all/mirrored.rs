@@ -37,7 +37,7 @@ fn the_answer_is_that_of_the_map_among_its_images() {
     let (part, all) = (cosines([ny, nx]), cosines([2 * ny, 2 * nx]));
     let mut among_images = ladder(part, 1e-10);
     for load in [Load::MeanPressure(2e6), Load::MeanGap(1.5e-7)] {
-        let found = among_images.solve(load, None, |_| ()).unwrap().solution;
+        let found = among_images.solve(load, |_| ()).unwrap().solution;
         let expected = solve(&all, load, 1e-10);
         assert_eq!((found.pressure.len(), found.gap.len()), (ny * nx, ny * nx));
         let top = expected.diagnostics.max_pressure;
@@ -77,7 +77,7 @@ fn the_intervals_hold() {
         let mut ladder = ladder(map, 1e-4);
         for load in [0.02, 0.2] {
             let load = Load::MeanPressure(load * 1e9 * 0.1);
-            let answered = ladder.solve(load, None, |_| ()).unwrap();
+            let answered = ladder.solve(load, |_| ()).unwrap();
             assert_ne!(answered.coarser[0], answered.coarser[1], "seed {seed}: one choice");
             let given = answered.budget;
             let truth = solve(&mirrored(&finer).unwrap(), load, 1e-5);

@@ -172,12 +172,11 @@ pub(crate) fn solved(heights: &Heights, case: Case) -> Coverage {
     let mut loads: Vec<Load> =
         pressures.into_iter().filter(|p| *p < 0.9 * hardness).map(Load::MeanPressure).collect();
     if case == Case::Gap {
-        let mut gap =
-            |load| ladder.solve(load, None, |_| ()).unwrap().solution.state.mean_gap.unwrap();
+        let mut gap = |load| ladder.solve(load, |_| ()).unwrap().solution.state.mean_gap.unwrap();
         loads = loads.into_iter().map(|load| Load::MeanGap(gap(load))).collect();
     }
     for load in loads {
-        let answered = ladder.solve(load, None, |_| ()).unwrap();
+        let answered = ladder.solve(load, |_| ()).unwrap();
         let Ok(truth) = exact.solve_again(load, None, |_| ()) else { continue };
         let set = exact.contact_stiffness().unwrap();
         let (budget, true_area) = (answered.budget, truth.state.area_fraction);
@@ -188,7 +187,7 @@ pub(crate) fn solved(heights: &Heights, case: Case) -> Coverage {
         } else if let (Some(gap), Some(truth)) = (&budget.mean_gap, truth.state.mean_gap) {
             found.held[1].take(gap, truth, unit);
         }
-        let stiffness = stiff.solve(load, None, |_| ()).unwrap().budget.stiffness;
+        let stiffness = stiff.solve(load, |_| ()).unwrap().budget.stiffness;
         if let Some(stiffness) = stiffness.filter(|_| set.per_area.is_finite()) {
             found.held[2].take(&stiffness, set.per_area, set.per_area);
         }
@@ -260,7 +259,7 @@ pub(crate) fn sampling() -> String {
             let setup = Setup { finer: false, stiffness: true, ..Setup::new(builder(), modulus()) };
             let mut ladder = Ladder::new(map(POINTS, &family(name, seed).unwrap()), setup).unwrap();
             for (k, p) in pressures.iter().enumerate() {
-                let b = ladder.solve(Load::MeanPressure(*p), None, |_| ()).unwrap().budget;
+                let b = ladder.solve(Load::MeanPressure(*p), |_| ()).unwrap().budget;
                 let of = |e: Option<Estimate>| e.and_then(|e| Some([e.value, e.sampling?]));
                 numbers[k].push([of(Some(b.area)), of(b.mean_gap), of(b.stiffness)]);
             }

@@ -47,11 +47,11 @@ fn uncertainties_hold_the_surface_of_the_formula() {
         let mut exact =
             Solver::builder().build(fine.grid(), setup(Solver::builder()).modulus).unwrap();
         for load in [0.3, 3.0, 20.0].map(|p| Load::MeanPressure(p * rms)) {
-            let found = ladder.solve(load, None, |_| ()).unwrap().budget;
+            let found = ladder.solve(load, |_| ()).unwrap().budget;
             let truth = exact.solve(&fine, load).unwrap();
             let set = exact.contact_stiffness().unwrap();
             let gap = found.mean_gap.unwrap();
-            let by_gap = ladder.solve(Load::MeanGap(gap.value), None, |_| ()).unwrap().budget;
+            let by_gap = ladder.solve(Load::MeanGap(gap.value), |_| ()).unwrap().budget;
             let of_gap = exact.solve(&fine, Load::MeanGap(gap.value)).unwrap();
             for (what, off) in [
                 ("area", off(&found.area, truth.state.area_fraction)),
@@ -97,8 +97,7 @@ fn no_map_is_without_an_uncertainty() {
     ];
     for (case, (map, setup, pressure)) in cases.into_iter().enumerate() {
         let load = Load::MeanPressure(pressure);
-        let found =
-            Ladder::new(map(128), setup.clone()).unwrap().solve(load, None, |_| ()).unwrap();
+        let found = Ladder::new(map(128), setup.clone()).unwrap().solve(load, |_| ()).unwrap();
         let builder = setup.builder.clone().boundary(setup.boundary);
         let fine = map(512);
         let truth = builder.build(fine.grid(), setup.modulus).unwrap().solve(&fine, load).unwrap();
@@ -116,7 +115,7 @@ fn too_few_points_and_no_contact_say_so() {
     let heights = family("waves, long", 33).unwrap();
     let solve = |n: usize, load| {
         let mut ladder = Ladder::new(map(n, &heights), setup(Solver::builder())).unwrap();
-        ladder.solve(load, None, |_| ()).unwrap().budget.area.half_width()
+        ladder.solve(load, |_| ()).unwrap().budget.area.half_width()
     };
     let light = Load::MeanPressure(1e-3);
     assert_eq!(solve(15, light), Err(NoUncertainty::TooFewPoints { shape: [15, 15] }));
@@ -129,7 +128,7 @@ fn too_few_points_and_no_contact_say_so() {
 fn an_answer_that_depends_on_interpolation_is_solved_on_twice_the_points() {
     let heights = family("cut", 34).unwrap();
     let mut ladder = Ladder::new(map(128, &heights), setup(Solver::builder())).unwrap();
-    let found = ladder.solve(Load::MeanPressure(1.0), None, |_| ()).unwrap();
+    let found = ladder.solve(Load::MeanPressure(1.0), |_| ()).unwrap();
     let [low, high] = found.budget.area.interval().unwrap();
     assert!(found.budget.indicator.unwrap() > contact_accuracy::INDICATOR_LIMIT);
     assert!((low..=high).contains(&found.finer.unwrap().area));
@@ -142,10 +141,10 @@ fn another_map_is_taken() {
     let load = Load::MeanPressure(1.0);
     let tight = setup(Solver::builder().tolerance(1e-9));
     let mut kept = Ladder::new(a, tight.clone()).unwrap();
-    kept.solve(load, None, |_| ()).unwrap();
+    kept.solve(load, |_| ()).unwrap();
     kept.take_map(b.clone()).unwrap();
-    let again = kept.solve(load, None, |_| ()).unwrap().budget;
-    let fresh = Ladder::new(b, tight).unwrap().solve(load, None, |_| ()).unwrap().budget;
+    let again = kept.solve(load, |_| ()).unwrap().budget;
+    let fresh = Ladder::new(b, tight).unwrap().solve(load, |_| ()).unwrap().budget;
     assert!((again.area.value - fresh.area.value).abs() < 1e-9);
     let [again, fresh] = [again, fresh].map(|b| b.area.half_width().unwrap());
     assert!((again / fresh - 1.0).abs() < 1e-6, "{again} {fresh}");

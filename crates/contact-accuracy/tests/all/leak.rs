@@ -17,7 +17,7 @@ fn answered(points: usize, name: &str, seed: u64, pressure: f64) -> Answered {
         ..Setup::new(Solver::builder(), ContactModulus::from_pascals(1.0).unwrap())
     };
     let mut ladder = Ladder::new(given, setup).unwrap();
-    ladder.solve(Load::MeanPressure(pressure * rms), None, |_| ()).unwrap()
+    ladder.solve(Load::MeanPressure(pressure * rms), |_| ()).unwrap()
 }
 
 fn leak(points: usize, name: &str, seed: u64, pressure: f64) -> Leak {
