@@ -5,10 +5,10 @@
 //! with the whole map by accident.
 
 use crate::leak::permeability;
-use crate::setup::{LOOSEST, Setup};
+use crate::setup::Setup;
 use contact_types::{Grid, HeightMap, SurfaceError};
 use fft_bem_solver::{
-    Iteration, Load, Maps, Method, ObserverResult, SetStiffness, Solution, Solver, SolverError,
+    Iteration, Load, Method, ObserverResult, SetStiffness, Solution, Solver, SolverError,
 };
 use surface_stats::clean::{mirrored, resample};
 use surface_stats::{Edges, StatsError};
@@ -84,14 +84,14 @@ pub fn regrid(map: &HeightMap, shape: [usize; 2], repeats: bool) -> Result<Heigh
     resample(map, shape, if repeats { Edges::Periodic } else { Edges::Open })
 }
 
-/// Both, with their mirror images if those belong to the map. (Of a map and its images, every second row would be the image of
-/// the others: twice the same.)
+/// The map with its mirror images, if those belong to it.
+pub(crate) fn whole(map: HeightMap, is_mirrored: bool) -> Result<HeightMap, StatsError> {
+    if is_mirrored { mirrored(&map) } else { Ok(map) }
+}
+
+/// Both, whole. (Of a map and its images, every second row would be the image of the others: twice the same.)
 pub(crate) fn both(map: &HeightMap, is_mirrored: bool) -> Result<Vec<HeightMap>, StatsError> {
-    let part = |first| {
-        let part = thinned(map, first)?;
-        if is_mirrored { mirrored(&part) } else { Ok(part) }
-    };
-    PHASES.into_iter().map(part).collect()
+    PHASES.into_iter().map(|first| whole(thinned(map, first)?, is_mirrored)).collect()
 }
 
 /// The pressure of a map with `[ny, nx]` points at the pixels, by their index, of one of this `shape`: thinned from `first` or with
@@ -125,19 +125,10 @@ impl RungMaps {
         grid.shape().iter().all(|n| enough(*n)) && grid.len() > 1
     }
 
-    /// Of these maps, such as [`both`] thinned ones, which are solved as closely as the given map. If `may_be_loose`, for area and
-    /// mean gap alone, as loosely as there is an uncertainty, to end on a trial, which is closer.
-    pub(crate) fn of(
-        maps: Vec<HeightMap>,
-        setup: Setup,
-        may_be_loose: bool,
-    ) -> Result<Self, SolverError> {
+    /// Of these maps, such as [`both`] thinned ones.
+    pub(crate) fn of(maps: Vec<HeightMap>, setup: Setup) -> Result<Self, SolverError> {
         let builder = setup.builder.clone().boundary(setup.boundary).maps(setup.maps());
-        let mut builder = builder.method(Method::Auto).certified(false);
-        if may_be_loose && !setup.stiffness && setup.maps() == Maps::None {
-            builder.tolerance = builder.tolerance.max(LOOSEST);
-            builder.ends_on_trial = true;
-        }
+        let builder = builder.method(Method::Auto).certified(false);
         let solver = |map: &HeightMap| {
             Ok((builder.clone().build(map.grid(), setup.modulus)?, map.grid().shape()))
         };

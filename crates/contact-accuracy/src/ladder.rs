@@ -2,7 +2,7 @@
 //! between the points, on twice as many.
 
 use crate::budget::{Budget, Map};
-use crate::coarser::{Numbers, RungMaps, both};
+use crate::coarser::{Numbers, RungMaps, both, whole};
 use crate::estimate::NoUncertainty;
 use crate::indicator::{LIMIT, indicator};
 use crate::leak::Leaks;
@@ -83,7 +83,7 @@ impl Ladder {
         drop(surface);
         let grid = map.grid();
         let coarser = if RungMaps::is_possible(grid) {
-            Ok(RungMaps::of(both(&map, setup.mirrored)?, setup.clone(), true)?)
+            Ok(RungMaps::of(both(&map, setup.mirrored)?, setup.clone().loose())?)
         } else {
             Err(NoUncertainty::TooFewPoints { shape: grid.shape() })
         };
@@ -178,11 +178,10 @@ impl Ladder {
     ) -> Option<Numbers> {
         if self.finer.is_none() {
             let shape = self.given.grid().shape().map(|n| 2 * n);
-            let repeats = self.repeats();
-            let map = regrid(&self.given, shape, repeats).ok()?;
-            let map = if self.setup.mirrored { mirrored(&map).ok()? } else { map };
+            let map = regrid(&self.given, shape, self.repeats()).ok()?;
+            let map = whole(map, self.setup.mirrored).ok()?;
             let setup = Setup { leak: Vec::new(), ..self.setup.clone() };
-            self.finer = Some(RungMaps::of(vec![map], setup, false).ok()?);
+            self.finer = Some(RungMaps::of(vec![map], setup).ok()?);
         }
         self.finer.as_mut()?.solve(load, given, observer).ok()?.pop()
     }

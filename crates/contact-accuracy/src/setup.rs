@@ -47,6 +47,16 @@ impl Setup {
         }
     }
 
+    /// The same as loosely as there is an uncertainty, to end on a trial, which is closer; as it is where a contact set or a gap is
+    /// asked for and not area and mean gap alone.
+    pub(crate) fn loose(mut self) -> Self {
+        if !self.stiffness && self.maps() == Maps::None {
+            self.builder.tolerance = self.builder.tolerance.max(LOOSEST);
+            self.builder.ends_on_trial = true;
+        }
+        self
+    }
+
     /// What the rungs beside the map keep of a solution.
     pub(crate) fn maps(&self) -> Maps {
         if self.jump.is_some() || !self.leak.is_empty() { Maps::PressureAndGap } else { Maps::None }

@@ -7,7 +7,7 @@
 //! *loading curve* is that of C only while nothing yields.
 //!
 //! Conjugate gradients on the set, with the cheap inverse of the [chord iteration](crate::Method::Chord) as
-//! preconditioner, from a uniform pressure swept onto it. `c = ⟨p, K p⟩ / ⟨p⟩` is least for the answer, so that its error is
+//! preconditioner, from a uniform pressure swept onto it. `c = ⟨p, K p⟩ / ⟨p⟩²` is least for the answer, so that its error is
 //! the energy `⟨r, K⁻¹ r⟩` of the residual `r = c - K p`, of second order: the preconditioner estimates it.
 //!
 //! Source: Barber (2003), *Proc. R. Soc. A* 459, 53–66.
@@ -108,8 +108,7 @@ pub(crate) fn solve(
         }
         answer(&d, &mut kd);
         transforms += 1.0;
-        let descent = -dot(&u, &d);
-        let length = descent / dot(&d, &kd);
+        let length = -dot(&u, &d) / dot(&d, &kd);
         if !length.is_finite() {
             break (rise, residual); // nothing left but rounding
         }
