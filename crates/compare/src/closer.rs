@@ -1,11 +1,11 @@
-//! A closer look at the headline, for a report: what a coarser grid would have cost in accuracy, proof of its iteration
-//! error, its stiffness, and what other choices in preparing the map would have made of its area.
+//! A closer look at the headline, for a report: what a coarser grid would have cost in accuracy, its stiffness, and what
+//! other choices in preparing the map would have made of its area.
 
 use crate::conduction::remove_octaves;
 use crate::progress::LoadListener;
 use crate::result::{ChoiceKind, Coarser, Comparison, SurfaceComparison};
 use crate::{EdgesName, Listener, Origin, Settings, StudyError};
-use contact_accuracy::{Ladder, Setup, regrid, thinned};
+use contact_accuracy::{Estimate, Ladder, Setup, regrid, thinned};
 use contact_types::HeightMap;
 use fft_bem_solver::{Load, Maps, Solution, Solver};
 use grid_fft::parallel::on_threads;
@@ -19,13 +19,6 @@ const COARSER: [usize; 3] = [2, 4, 8];
 
 /// Points along the shorter side below which a grid is not tried, nor a choice.
 const FEWEST_POINTS: usize = 16;
-
-/// A short solution is repeated this often, so that its time is its own and not that of what else
-/// the machine did just then.
-const REPEATS: usize = 5;
-
-/// Seconds after which a solution is not repeated.
-const SHORT: f64 = 0.05;
 
 /// Points a side above which the choices are compared on a coarser grid.
 const MOST_POINTS: usize = 1024;
@@ -77,7 +70,7 @@ impl SurfaceComparison {
             return None;
         }
         let whole = settings.edges.around(map).ok()?;
-        let builder = settings.solver().maps(Maps::None);
+        let builder = settings.solver().maps(Maps::Pressure);
         let mut solver = builder.build(whole.grid(), self.inputs.modulus).ok()?;
         let load = Load::MeanPressure(self.headline_pressure());
         solver.take_surface(&whole).ok()?;
@@ -98,45 +91,41 @@ fn look_closer(
     if surface.plan.is_some() || !is_solved || surface.map.rms_height <= 0.0 {
         return;
     }
-    let area = certify(surface, settings, watch);
+    let stiffness = stiffness(surface, settings, watch);
+    if let Some(answer) = &mut surface.deterministic[surface.headline].answer {
+        answer.budget.stiffness = stiffness;
+    }
     if !watch.is_stopped {
-        let choices = choices(surface, settings, area, watch);
+        let choices = choices(surface, settings, watch);
         surface.choices = (!watch.is_stopped).then_some(choices);
     }
 }
 
-/// Solves the headline once more with the rigorous bound and the stiffness of its contact set. Answers with the
-/// area of this solution, if there is one.
-fn certify(
+/// The stiffness of the headline's contact set: that of its conductance, if it was asked for.
+fn stiffness(
     surface: &mut SurfaceComparison,
     settings: &Settings,
     watch: &mut LoadListener<'_, '_>,
-) -> Option<f64> {
-    let load = Load::MeanPressure(surface.headline_pressure());
-    let builder = settings.solver().certified(true).maps(Maps::Pressure);
+) -> Option<Estimate> {
+    if let Some(known) = surface.headline_answer()?.budget.stiffness {
+        return Some(known);
+    }
     let setup = Setup {
         mirrored: settings.edges == EdgesName::Mirrored,
         stiffness: true,
-        ..Setup::new(builder, surface.inputs.modulus)
+        ..Setup::new(settings.solver().maps(Maps::Pressure), surface.inputs.modulus)
     };
     let mut ladder = Ladder::new(surface.surface.clone(), setup).ok()?;
-    let found = ladder.solve(load, |now| watch.iteration(now)).ok()?;
-    let area = found.solution.state.area_fraction;
-    let answer = surface.deterministic.get_mut(surface.headline).and_then(|p| p.answer.as_mut());
-    if let Some(answer) = answer {
-        answer.diagnostics.energy_bound = found.solution.diagnostics.energy_bound;
-        // With its conductance the stiffness was found already.
-        answer.budget.stiffness = answer.budget.stiffness.or(found.budget.stiffness);
-    }
-    Some(area)
+    let mut solution = surface.solution.take()?;
+    solution.pressure.clone_from(&surface.pressure);
+    let load = Load::MeanPressure(surface.headline_pressure());
+    ladder.answer(load, solution, |now| watch.iteration(now)).ok()?.budget.stiffness
 }
 
-/// What other choices do to the area, which is `known` of the map as it is; those that cannot be tried on this map
-/// are left out.
+/// What other choices do to the area; those that cannot be tried on this map are left out.
 fn choices(
     surface: &SurfaceComparison,
     settings: &Settings,
-    known: Option<f64>,
     watch: &mut LoadListener<'_, '_>,
 ) -> Vec<(ChoiceKind, f64)> {
     let mut area = |map: &HeightMap| {
@@ -156,6 +145,7 @@ fn choices(
         Some(Cow::Borrowed(&surface.surface))
     };
     let Some(used) = used.as_deref() else { return Vec::new() };
+    let known = surface.headline_answer().map(|a| a.area_fraction);
     let known = known.filter(|area| factor == 1 && *area > 0.0);
     let Some(reference) = known.or_else(|| area(used)) else { return Vec::new() };
     let mut list = Vec::new();
@@ -222,26 +212,14 @@ fn solve(
     watch: &mut LoadListener<'_, '_>,
 ) -> Option<Coarser> {
     let truth = surface.headline_answer().filter(|a| a.converged)?.area_fraction;
-    let (mut solver, solution) = surface.solve_headline(map, settings, watch)?;
-    let load = Load::MeanPressure(surface.headline_pressure());
-    // Nothing else runs while a solution is timed.
-    let found = &solution.diagnostics;
-    let (mut seconds, mut spent) = (found.seconds, found.seconds);
-    for _ in 1..REPEATS {
-        if spent + seconds > SHORT {
-            break;
-        }
-        solver.forget();
-        let again = solver.solve_again(load, None, |_| ()).ok()?.diagnostics.seconds;
-        (seconds, spent) = (seconds.min(again), spent + again);
-    }
+    let (_, solution) = surface.solve_headline(map, settings, watch)?;
     (truth > 0.0).then(|| Coarser {
         factor,
         shape: map.grid().shape(),
         touching_fraction: solution.touching_fraction(),
         area_fraction: solution.state.area_fraction,
         error: solution.state.area_fraction / truth - 1.0,
-        seconds,
+        seconds: solution.diagnostics.seconds,
     })
 }
 

@@ -181,8 +181,8 @@ fn octaves(
     let shortest = surface.statistics.cutoff.unwrap_or(0.0).max(2.0 * dy.max(dx));
     let mut found = vec![Octave { shortest, area: answer.area_fraction, stiffness }];
     let mut solve = |map: &HeightMap| -> Option<[f64; 2]> {
-        let (mut solver, solution) = surface.solve_headline(map, settings, watch)?;
-        let set = solver.contact_stiffness().ok()?;
+        let (solver, solution) = surface.solve_headline(map, settings, watch)?;
+        let set = solver.contact_stiffness(|i| solution.pressure[i] > 0.0).ok()?;
         Some([solution.state.area_fraction, set.per_area])
     };
     let mut cut = shortest;

@@ -9,6 +9,7 @@ use contact_accuracy::{Answered, Leaks, Map, Sink};
 use contact_types::HeightMap;
 use fft_bem_solver::{Iteration, Solution, SolverError};
 use grid_fft::parallel::join;
+use std::mem::take;
 use std::ops::ControlFlow;
 
 /// Area fraction the headline is looked for at.
@@ -53,7 +54,7 @@ impl Sink for Curve<'_, '_> {
         found.distributions.clear();
         (found.first_contact, found.pressure_maps) = (None, None);
         found.sections.clear();
-        found.headline = 0;
+        (found.headline, found.solution) = (0, None);
         found.pressure.clear();
         self.score = f64::INFINITY;
     }
@@ -95,7 +96,9 @@ impl Sink for Curve<'_, '_> {
         found.leaks.push(leak);
         if score < self.score {
             (self.score, found.headline) = (score, index);
-            found.pressure = solution.map_or_else(Vec::new, |s| s.pressure);
+            let fields = solution.as_mut().map(|s| (take(&mut s.pressure), take(&mut s.gap)));
+            found.pressure = fields.unwrap_or_default().0;
+            found.solution = solution;
         }
         let headline = found.headline;
         let others = found.leaks.iter_mut().enumerate().filter(|(i, _)| *i != headline);

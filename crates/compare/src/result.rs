@@ -92,6 +92,9 @@ pub struct SurfaceComparison {
     pub load_area: Option<f64>,
     /// Pressure field at that load (Pa) on the grid solved; empty if there is no solution.
     pub pressure: Vec<f64>,
+    /// The rest of that solution but for its gap.
+    #[serde(skip)]
+    pub(crate) solution: Option<Solution>,
     /// The contact of every load; `None` unless every load has a solution in which points only join.
     pub first_contact: Option<FirstContact>,
     /// The pressure of every load; `None` unless every load has a solution.
@@ -218,7 +221,7 @@ pub struct Coarser {
     /// Signed relative error of the corrected area against that of the map as given.
     #[serde(rename = "area_error")]
     pub error: f64,
-    /// Wall-clock time of the solution (s), the shortest of up to five runs within 0.05 s.
+    /// Wall-clock time of the solution (s).
     pub seconds: f64,
 }
 

@@ -191,6 +191,7 @@ fn compare(
         headline: 0,
         load_area: settings.load_area,
         pressure: Vec::new(),
+        solution: None,
         first_contact: None,
         pressure_maps: None,
         sections: Vec::new(),

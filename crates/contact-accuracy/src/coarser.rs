@@ -40,7 +40,7 @@ pub struct Numbers {
 impl Numbers {
     /// Of a solution, with the stiffness of its contact set if that was asked for, and the gas with temperature jumps of this
     /// length (m) if there is one.
-    pub fn of(solution: &Solution, set: Option<&SetStiffness>, jump: Option<f64>) -> Self {
+    pub(crate) fn of(solution: &Solution, set: Option<&SetStiffness>, jump: Option<f64>) -> Self {
         let stiffness = set.map(|set| set.per_area).filter(|k| *k > 0.0 && k.is_finite());
         Self {
             mean_pressure: solution.state.mean_pressure,
@@ -94,9 +94,9 @@ pub(crate) fn both(map: &HeightMap, is_mirrored: bool) -> Result<Vec<HeightMap>,
     PHASES.into_iter().map(|first| whole(thinned(map, first)?, is_mirrored)).collect()
 }
 
-/// The pressure of a map with `[ny, nx]` points at the pixels, by their index, of one of this `shape`: thinned from `first` or with
-/// twice the points, and its mirror images if those belong to it. Each has that of the given point where it lies.
-fn pressure_beside(
+/// The pressure of a map with `[ny, nx]` points at the pixels, by their index, of one of this `shape`: itself, thinned from `first`
+/// or with twice the points, and its mirror images if those belong to it. Each has that of the given point where it lies.
+pub(crate) fn pressure_beside(
     pressure: &[f64],
     [ny, nx]: [usize; 2],
     shape: [usize; 2],
@@ -158,7 +158,8 @@ impl RungMaps {
             let start = pressure_beside(pressure, of, *shape, (first, *mirrored));
             let start = is_kept.then_some(&start as &(dyn Fn(usize) -> f64 + Sync));
             let solution = solver.solve_again(load, start, &mut observer)?;
-            let set = stiffness.then(|| solver.contact_stiffness()).transpose()?;
+            let touches = |i: usize| solution.pressure[i] > 0.0;
+            let set = stiffness.then(|| solver.contact_stiffness(touches)).transpose()?;
             let permeability = permeability(&solution, leak);
             Ok(Numbers { permeability, ..Numbers::of(&solution, set.as_ref(), *jump) })
         };

@@ -2,7 +2,7 @@
 //! between the points, on twice as many.
 
 use crate::budget::{Budget, Map};
-use crate::coarser::{Numbers, RungMaps, both, whole};
+use crate::coarser::{Numbers, RungMaps, both, pressure_beside, whole};
 use crate::estimate::NoUncertainty;
 use crate::indicator::{LIMIT, indicator};
 use crate::leak::Leaks;
@@ -11,7 +11,7 @@ use crate::setup::Setup;
 use crate::uncertainty::Beside;
 use contact_types::{Clock, Grid, HeightMap};
 use fft_bem_solver::{
-    Boundary, Iteration, Load, Maps, ObserverResult, SetStiffness, Solution, Solver, SolverError,
+    Boundary, Iteration, Load, ObserverResult, SetStiffness, Solution, Solver, SolverError,
 };
 use std::borrow::Cow;
 use surface_stats::StatsError;
@@ -74,9 +74,7 @@ impl Ladder {
     pub fn new(map: HeightMap, setup: Setup) -> Result<Self, LadderError> {
         let known = Map::of(&map);
         let mut builder = setup.builder.clone().boundary(setup.boundary);
-        if setup.maps() != Maps::None {
-            builder = builder.maps(setup.maps());
-        }
+        builder.maps = builder.maps.max(setup.maps());
         let surface = around(&map, setup.mirrored)?;
         let mut solver = builder.section(setup.section).build(surface.grid(), setup.modulus)?;
         solver.take_surface(&surface)?;
@@ -119,10 +117,30 @@ impl Ladder {
         load: Load,
         mut observer: impl FnMut(&Iteration<'_>) -> A + Send,
     ) -> Result<Answered, SolverError> {
-        let (grid, is_mirrored) = (self.given.grid(), self.setup.mirrored);
         let found = self.solver.solve_again(load, None, &mut observer);
-        let mut solution = on_given(found, grid)?;
-        let set = self.setup.stiffness.then(|| self.solver.contact_stiffness()).transpose()?;
+        let solution = on_given(found, self.given.grid())?;
+        self.answer(load, solution, observer)
+    }
+
+    /// The answer to a load whose solution on the map is known: solves only what lies beside it. Without its pressure there
+    /// is no stiffness.
+    ///
+    /// # Errors
+    /// As [`solve`](Self::solve).
+    pub fn answer<A: ObserverResult>(
+        &mut self,
+        load: Load,
+        mut solution: Solution,
+        mut observer: impl FnMut(&Iteration<'_>) -> A + Send,
+    ) -> Result<Answered, SolverError> {
+        let (shape, is_mirrored) = (self.given.grid().shape(), self.setup.mirrored);
+        let is_kept = solution.pressure.len() == self.given.grid().len();
+        let set = (self.setup.stiffness && is_kept).then(|| {
+            let whole = shape.map(|n| if is_mirrored { 2 * n } else { n });
+            let at = pressure_beside(&solution.pressure, shape, whole, ([0; 2], is_mirrored));
+            self.solver.contact_stiffness(|i| at(i) > 0.0)
+        });
+        let set = set.transpose()?;
         let clock = Clock::now();
         let coarser = match &mut self.coarser {
             Ok(coarser) => match coarser.solve(load, &solution, &mut observer) {

@@ -25,7 +25,7 @@ pub struct Setup {
     /// Row of the map along which a solution carries pressure and gap, if one.
     pub section: Option<usize>,
     /// Length of the temperature jumps of a gas in the gap (m), if its conductance is asked for. With this or the next,
-    /// pressure and gap are kept.
+    /// pressure and gap are kept, for the stiffness the pressure.
     pub jump: Option<f64>,
     /// Axes along which the leak through the gap is asked for.
     pub leak: Vec<Axis>,
@@ -50,7 +50,7 @@ impl Setup {
     /// The same as loosely as there is an uncertainty, to end on a trial, which is closer; as it is where a contact set or a gap is
     /// asked for and not area and mean gap alone.
     pub(crate) fn loose(mut self) -> Self {
-        if !self.stiffness && self.maps() == Maps::None {
+        if self.maps() == Maps::None {
             self.builder.tolerance = self.builder.tolerance.max(LOOSEST);
             self.builder.ends_on_trial = true;
         }
@@ -59,6 +59,10 @@ impl Setup {
 
     /// What the rungs beside the map keep of a solution.
     pub(crate) fn maps(&self) -> Maps {
-        if self.jump.is_some() || !self.leak.is_empty() { Maps::PressureAndGap } else { Maps::None }
+        match self.jump.is_some() || !self.leak.is_empty() {
+            true => Maps::PressureAndGap,
+            false if self.stiffness => Maps::Pressure,
+            false => Maps::None,
+        }
     }
 }

@@ -13,7 +13,8 @@ pub struct SolverBuilder {
     pub tolerance: f64,
     pub(crate) threads: Option<usize>,
     pub(crate) certified: bool,
-    pub(crate) maps: Maps,
+    /// As set with [`maps`](Self::maps).
+    pub maps: Maps,
     pub(crate) section: Option<usize>,
     /// Pa; infinite for elastic bodies.
     pub(crate) hardness: f64,

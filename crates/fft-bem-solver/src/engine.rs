@@ -4,10 +4,10 @@ use crate::methods::{
     self, Compliance, ContactMethod, ContactTask, IterateView, Outcome, Start, State, Target,
 };
 use crate::observer::Observe;
-use crate::problem::{self, Problem};
+use crate::problem::Problem;
 use crate::{
-    Boundary, End, HalfSpace, Iteration, Load, Method, Real, SetStiffness, Solution, SolverBuilder,
-    SolverError, control, fields, memory, mixed_problem, special_cases,
+    Boundary, End, HalfSpace, Iteration, Load, Method, Real, Solution, SolverBuilder, SolverError,
+    control, fields, special_cases,
 };
 use contact_types::{Clock, ContactModulus, Grid, HeightMap};
 use std::sync::Arc;
@@ -48,9 +48,6 @@ pub(crate) trait AnyEngine: Send + Sync {
         observer: &mut Observe<'_>,
         clock: Clock,
     ) -> Result<Solution, SolverError>;
-
-    /// Of the pixels that carry pressure, once there is a surface.
-    fn contact_stiffness(&self) -> Result<SetStiffness, SolverError>;
 }
 
 impl<T: Real> Engine<T> {
@@ -130,16 +127,6 @@ impl<T: Real> AnyEngine for Engine<T> {
             End::Exhausted => Err(SolverError::NotConverged(Box::new(solution))),
             End::Stopped => Err(SolverError::Stopped(Box::new(solution))),
         }
-    }
-
-    fn contact_stiffness(&self) -> Result<SetStiffness, SolverError> {
-        let grid = self.problem.as_ref().ok_or(SolverError::NoSurface)?.given;
-        let contact: Vec<bool> = self.state.pressure.iter().map(|p| *p > T::zero()).collect();
-        let size = contact.iter().filter(|is_in| **is_in).count();
-        memory::check_set(grid, self.settings.boundary, size)?;
-        let mut operator = HalfSpace::scaled(self.scaled, self.settings.boundary);
-        let unit = self.modulus.pascals() / problem::fine_pixel(grid);
-        Ok(mixed_problem::solve(self.scaled, &mut operator, &contact, unit))
     }
 }
 

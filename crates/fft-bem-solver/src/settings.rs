@@ -91,7 +91,7 @@ impl std::fmt::Display for Precision {
 }
 
 /// Which maps a solution carries, at 8 bytes per pixel each; its numbers do not need them.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
+#[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Default)]
 #[non_exhaustive]
 pub enum Maps {
     /// None: both fields are empty.

@@ -5,7 +5,8 @@ use crate::engine::{AnyEngine, Engine};
 use crate::observer::ObserverResult;
 use crate::pool::Pool;
 use crate::{
-    Iteration, Load, Method, Precision, Real, SetStiffness, Solution, SolverError, memory, problem,
+    Boundary, HalfSpace, Iteration, Load, Method, Precision, Real, SetStiffness, Solution,
+    SolverError, memory, mixed_problem, problem,
 };
 use contact_types::{Clock, ContactModulus, Grid, HeightMap};
 
@@ -47,6 +48,7 @@ impl SolverBuilder {
         memory::check(grid, memory::bytes(&self, grid))?;
         // Transforms are planned for the threads of the pool they are planned in.
         let pool = Pool::new(self.threads)?;
+        let boundary = self.boundary;
         let engine = pool.run(|| {
             #[cfg(all(feature = "single", not(test)))]
             // unit tests take none: half the code of their build
@@ -55,7 +57,7 @@ impl SolverBuilder {
             }
             boxed::<f64>(self, modulus, scaled)
         })??;
-        Ok(Solver { grid, modulus, engine, pool })
+        Ok(Solver { grid, boundary, modulus, engine, pool })
     }
 }
 
@@ -71,6 +73,7 @@ fn boxed<T: Real>(
 /// from the last solution, which changes the answer only within the tolerance.
 pub struct Solver {
     grid: Grid,
+    boundary: Boundary,
     modulus: ContactModulus,
     engine: Box<dyn AnyEngine>,
     pool: Pool,
@@ -157,14 +160,24 @@ impl Solver {
         })?
     }
 
-    /// Stiffness of the contact of the last solution: the [mixed problem](SetStiffness) on the pixels that carry
-    /// pressure. About five FFT convolutions in double precision, and memory for four fields and six more of the pixels in
-    /// contact.
+    /// Stiffness of the contact of these pixels, by their index, such as those of a solution that carry pressure: the
+    /// [mixed problem](SetStiffness). About five FFT convolutions in double precision, and memory for four fields and six
+    /// more of the pixels in contact.
     ///
     /// # Errors
-    /// [`SolverError::NoSurface`] if there is no last solution; [`SolverError::Memory`] if the machine does not have
-    /// the memory for it beside the solver.
-    pub fn contact_stiffness(&mut self) -> Result<SetStiffness, SolverError> {
-        self.pool.run(|| self.engine.contact_stiffness())?
+    /// [`SolverError::Memory`] if the machine does not have the memory for it beside the solver.
+    pub fn contact_stiffness(
+        &self,
+        touches: impl Fn(usize) -> bool + Send + Sync,
+    ) -> Result<SetStiffness, SolverError> {
+        let (grid, boundary) = (self.grid, self.boundary);
+        self.pool.run(|| {
+            let contact: Vec<bool> = (0..grid.len()).map(touches).collect();
+            memory::check_set(grid, boundary, contact.iter().filter(|is_in| **is_in).count())?;
+            let scaled = problem::scaled_grid(grid)?;
+            let unit = self.modulus.pascals() / problem::fine_pixel(grid);
+            let mut operator = HalfSpace::scaled(scaled, boundary);
+            Ok(mixed_problem::solve(scaled, &mut operator, &contact, unit))
+        })?
     }
 }

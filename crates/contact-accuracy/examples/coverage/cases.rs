@@ -1,8 +1,8 @@
 //! What is solved: a family on given points, and as the truth on four times as many.
 
-use crate::families::{FAMILIES, Heights, MANY_WAVES, family, map};
+use crate::families::{self, FAMILIES, FEW, Heights, MANY_WAVES, family, map};
 use contact_accuracy::{
-    Axis, ContactModulus, Estimate, Grid, HeightMap, Ladder, Leak, Load, Map, Maps, Numbers, Setup,
+    Axis, ContactModulus, Estimate, Grid, HeightMap, Ladder, Leak, Load, Map, Maps, Setup,
     Solution, Solver, SolverBuilder, median, thinned,
 };
 use gap_flow::Gap;
@@ -11,17 +11,6 @@ const POINTS: usize = 128;
 const FINER: usize = 4;
 /// Area fractions on the given map that the loads are looked for at.
 const AREAS: [f64; 5] = [0.005, 0.03, 0.15, 0.5, 0.95];
-/// Families of the cases that not all take part in.
-const FEW: [&str; 8] = [
-    "waves, 8 points",
-    "short waves",
-    "lay",
-    "log-normal",
-    "balls",
-    "two levels",
-    "cones",
-    "ridges",
-];
 
 /// Length of the temperature jumps of the gas, over the rms height.
 const JUMP: f64 = 0.3;
@@ -166,7 +155,7 @@ pub(crate) fn solved(heights: &Heights, case: Case) -> Coverage {
     let with = |stiffness| Ladder::new(used.clone(), Setup { stiffness, ..setup.clone() }).unwrap();
     // Where it is asked for, the maps beside are solved more closely.
     let (mut ladder, mut stiff) = (with(false), with(true));
-    let maps = if case == Case::Gaps { Maps::PressureAndGap } else { Maps::None };
+    let maps = if case == Case::Gaps { Maps::PressureAndGap } else { Maps::Pressure };
     let mut exact = solver_of(&fine, builder.tolerance(1e-5).maps(maps));
     let mut found = Coverage::default();
     let mut loads: Vec<Load> =
@@ -178,7 +167,7 @@ pub(crate) fn solved(heights: &Heights, case: Case) -> Coverage {
     for load in loads {
         let answered = ladder.solve(load, |_| ()).unwrap();
         let Ok(truth) = exact.solve_again(load, None, |_| ()) else { continue };
-        let set = exact.contact_stiffness().unwrap();
+        let set = exact.contact_stiffness(|i| truth.pressure[i] > 0.0).unwrap();
         let (budget, true_area) = (answered.budget, truth.state.area_fraction);
         found.held[0].take(&budget.area, true_area, true_area);
         if case == Case::Gap {
@@ -187,12 +176,8 @@ pub(crate) fn solved(heights: &Heights, case: Case) -> Coverage {
         } else if let (Some(gap), Some(truth)) = (&budget.mean_gap, truth.state.mean_gap) {
             found.held[1].take(gap, truth, unit);
         }
-        let stiffness = stiff.solve(load, |_| ()).unwrap().budget.stiffness;
-        if let Some(stiffness) = stiffness.filter(|_| set.per_area.is_finite()) {
-            found.held[2].take(&stiffness, set.per_area, set.per_area);
-        }
         if let (Some(gas), Some(leak)) = (&budget.gas, &answered.leak) {
-            let true_gas = Numbers::of(&truth, None, Some(JUMP * unit)).gas.unwrap();
+            let true_gas = families::gas(&truth, JUMP * unit);
             found.held[3].take(gas, true_gas, true_gas);
             let [_, _, _, _, rates, bounds] = &mut found.held;
             let stated = leak.along[0].1.as_ref().unwrap();
@@ -202,6 +187,10 @@ pub(crate) fn solved(heights: &Heights, case: Case) -> Coverage {
         found.seconds[0] += answered.solution.diagnostics.seconds - coarser - finer;
         found.seconds[1] += coarser;
         found.seconds[2] += finer;
+        let stiffness = stiff.answer(load, answered.solution, |_| ()).unwrap().budget.stiffness;
+        if let Some(stiffness) = stiffness.filter(|_| set.per_area.is_finite()) {
+            found.held[2].take(&stiffness, set.per_area, set.per_area);
+        }
     }
     found
 }

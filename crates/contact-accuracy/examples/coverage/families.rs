@@ -2,7 +2,7 @@
 //! creases, tips, steps and edges that do not match.
 
 use Half::{Training as T, Validation as V};
-use contact_accuracy::{Grid, HeightMap};
+use contact_accuracy::{Grid, HeightMap, Solution};
 use std::f64::consts::TAU;
 
 /// A number from 0 to 1 for each place in a sequence.
@@ -234,6 +234,18 @@ pub(crate) const FAMILIES: [(&str, Half, FamilyRecipe); 43] = [
     }),
 ];
 
+/// Families of the cases that not all take part in.
+pub(crate) const FEW: [&str; 8] = [
+    "waves, 8 points",
+    "short waves",
+    "lay",
+    "log-normal",
+    "balls",
+    "two levels",
+    "cones",
+    "ridges",
+];
+
 /// A family of the sampling variability alone.
 pub(crate) const MANY_WAVES: &str = "waves, many";
 
@@ -253,4 +265,11 @@ pub(crate) fn map(points: usize, heights: &Heights) -> HeightMap {
     let pixel = 1.0 / points as f64;
     let grid = Grid::new([points, points], [pixel, pixel]).unwrap();
     HeightMap::from_fn(grid, heights).unwrap()
+}
+
+/// Mean of `1/(g + M)` over the points, M the temperature `jump`; 0 where one carries pressure.
+pub(crate) fn gas(truth: &Solution, jump: f64) -> f64 {
+    let points = truth.gap.iter().zip(&truth.pressure);
+    let open = points.map(|(g, p)| if *p > 0.0 { 0.0 } else { 1.0 / (g.max(0.0) + jump) });
+    open.sum::<f64>() / truth.gap.len() as f64
 }

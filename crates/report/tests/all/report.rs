@@ -236,13 +236,11 @@ fn the_report_is_deterministic() {
     assert_eq!(csv(&a), csv(&b));
 }
 
-/// A proven bound, a stiffness with both intervals, choices with what they do.
+/// A stiffness with both intervals, choices with what they do.
 #[test]
 fn the_budget_has_every_source_and_choices_are_listed() {
     let surface = &ONE.surfaces[0];
     let answer = surface.headline_answer().unwrap();
-    let eta = answer.diagnostics.energy_bound.unwrap();
-    assert!(eta > 0.0 && eta < 1e-3, "{eta}");
     let stiffness = answer.budget.stiffness.unwrap();
     let [low, high] = stiffness.interval().unwrap();
     let [lowest, highest] = stiffness.prediction().unwrap();
