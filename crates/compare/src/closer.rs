@@ -30,7 +30,7 @@ impl Comparison {
     /// What a report asks beside the loads, at the converged headline of every surface: coarser grids, unless the grid was
     /// chosen for an accuracy; the map without its shortest octaves, if its conductance was asked for, since what of
     /// that and of the area is a property of the shortest wave that was measured; and a closer look, for a map whose
-    /// edges do not match about nine solutions.
+    /// edges do not match about four solutions.
     ///
     /// # Errors
     /// Which of `coarser_grids`, `octaves` and `closer_look` is not finished, and [`StudyError::Stopped`] if the listener
@@ -115,8 +115,8 @@ fn stiffness(
         stiffness: true,
         ..Setup::new(settings.solver().maps(Maps::Pressure), surface.inputs.modulus)
     };
-    let mut ladder = Ladder::new(surface.surface.clone(), setup).ok()?;
     let mut solution = surface.solution.take()?;
+    let mut ladder = Ladder::new(surface.surface.clone(), setup).ok()?;
     solution.pressure.clone_from(&surface.pressure);
     let load = Load::MeanPressure(surface.headline_pressure());
     ladder.answer(load, solution, |now| watch.iteration(now)).ok()?.budget.stiffness

@@ -168,7 +168,7 @@ impl Solver {
     /// [`SolverError::Memory`] if the machine does not have the memory for it beside the solver.
     pub fn contact_stiffness(
         &self,
-        touches: impl Fn(usize) -> bool + Send + Sync,
+        touches: impl Fn(usize) -> bool + Send,
     ) -> Result<SetStiffness, SolverError> {
         let (grid, boundary) = (self.grid, self.boundary);
         self.pool.run(|| {

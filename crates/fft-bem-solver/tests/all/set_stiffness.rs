@@ -9,11 +9,7 @@ use fft_bem_solver::{Boundary, SetStiffness, Solver};
 use std::f64::consts::PI;
 
 /// The stiffness of a set of pixels, one E* Pa.
-fn stiffness(
-    grid: Grid,
-    boundary: Boundary,
-    set: impl Fn(usize) -> bool + Sync + Send,
-) -> SetStiffness {
+fn stiffness(grid: Grid, boundary: Boundary, set: impl Fn(usize) -> bool + Send) -> SetStiffness {
     solver(grid, Solver::builder().boundary(boundary)).contact_stiffness(set).unwrap()
 }
 
