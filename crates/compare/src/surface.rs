@@ -204,11 +204,11 @@ impl Origin {
         if repeats { Edges::Periodic } else { Edges::Open }
     }
 
-    /// The form that is taken off: [`Level::Auto`] follows what was said of the edges, where something was.
+    /// The form that is taken off: [`Level::Auto`] follows what is known of the edges.
     pub fn level(&self, asked: Level) -> Level {
         match (self, asked) {
-            (Self::Given(GivenOrigin { repeats: Some(true), .. }), Level::Auto) => Level::Mean,
             (Self::Given(GivenOrigin { repeats: Some(false), .. }), Level::Auto) => Level::Plane,
+            (_, Level::Auto) if self.edges() == Edges::Periodic => Level::Mean,
             _ => asked,
         }
     }

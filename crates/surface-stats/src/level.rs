@@ -1,7 +1,7 @@
 //! Form removal before statistics.
 
 use crate::polynomial::Polynomial;
-use crate::seam::repeats;
+use crate::seam::{repeats, seam_jump};
 use crate::{HeightStatistics, StatsError, Warning};
 use contact_types::{HeightMap, Named};
 
@@ -22,7 +22,7 @@ pub enum Level {
     Plane,
     /// All terms up to second degree: plane, cylinder, sphere-like cap and saddle.
     Quadratic,
-    /// The plane; but the mean where opposite edges meet and the plane would take them apart: a map that repeats has no tilt.
+    /// The plane; but the mean where opposite edges meet, and no better without the plane: a map that repeats has no tilt.
     #[default]
     Auto,
 }
@@ -39,14 +39,14 @@ impl Level {
     /// use surface_stats::Level;
     ///
     /// let grid = Grid::new([64, 64], [1e-6, 1e-6])?;
-    /// let wave = HeightMap::from_fn(grid, |_, x| 1e-8 * (TAU * x / 64e-6).sin())?;
-    /// let tilted = HeightMap::from_fn(grid, |_, x| 1e-8 * (TAU * x / 64e-6).sin() + 0.01 * x)?;
+    /// let wave = HeightMap::from_fn(grid, |_, x| 1e-8 * (TAU * x / 64e-6).cos())?;
+    /// let tilted = HeightMap::from_fn(grid, |_, x| 1e-8 * (TAU * x / 64e-6).cos() + 0.01 * x)?;
     /// assert_eq!([Level::Auto.on(&wave)?, Level::Auto.on(&tilted)?], [Level::Mean, Level::Plane]);
     /// # Ok::<(), Box<dyn std::error::Error>>(())
     /// ```
     pub fn on(self, map: &HeightMap) -> Result<Self, StatsError> {
         match self {
-            Self::Auto if repeats(map) && !repeats(&without_form(map, 1)?) => Ok(Self::Mean),
+            Self::Auto if repeats(map) && meets(map, &without_form(map, 1)?) => Ok(Self::Mean),
             Self::Auto => Ok(Self::Plane),
             named => Ok(named),
         }
@@ -113,8 +113,13 @@ pub fn tilted(map: &HeightMap, asked: Level) -> Result<Option<Warning>, StatsErr
     let rms = |map: &HeightMap| HeightStatistics::of(map).rms_height;
     let explained = 1.0 - (rms(&without_plane) / rms(map)).powi(2); // no number for a flat map
     // A map that repeats has no tilt, whatever a plane explains of it.
-    let is_tilted = explained > 0.05 && (!repeats(map) || repeats(&without_plane));
+    let is_tilted = explained > 0.05 && !(repeats(map) && meets(map, &without_plane));
     Ok(is_tilted.then_some(Warning::Tilted { explained }))
+}
+
+/// True if its opposite edges are no further apart than they are without its plane.
+fn meets(map: &HeightMap, without_plane: &HeightMap) -> bool {
+    seam_jump(map) <= seam_jump(without_plane)
 }
 
 #[cfg(test)]
@@ -123,6 +128,7 @@ mod tests {
     use approx::assert_abs_diff_eq;
     use contact_types::Grid;
     use proptest::prelude::*;
+    use std::f64::consts::TAU;
 
     fn ripple(y: f64, x: f64) -> f64 {
         1e-8 * (3e6 * x).sin() * (2e6 * y + 0.3).cos()
@@ -159,6 +165,20 @@ mod tests {
                 assert_abs_diff_eq!(p, q, epsilon = rounding);
             }
         }
+    }
+
+    /// A wave keeps its plane at any phase; noise, which meets itself everywhere, loses a tilt of half its own height.
+    #[test]
+    fn what_repeats_has_no_tilt() {
+        let grid = Grid::new([48, 64], [1.0, 1.0]).unwrap();
+        for shift in 0..64 {
+            let wave = |_: f64, x: f64| (TAU * (x + f64::from(shift)) / 64.0).sin();
+            let wave = HeightMap::from_fn(grid, wave).unwrap();
+            assert_eq!(Level::Auto.on(&wave), Ok(Level::Mean), "{shift}");
+        }
+        let noise = |y: f64, x: f64| (1e4 * (x + 64.0 * y).powi(2)).sin() + 0.01 * x;
+        let noise = HeightMap::from_fn(grid, noise).unwrap();
+        assert_eq!(Level::Auto.on(&noise), Ok(Level::Plane));
     }
 
     #[test]
