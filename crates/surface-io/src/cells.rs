@@ -111,7 +111,7 @@ const MINUS: [char; 8] =
 /// A number with a decimal point or comma, thousands parted by the other mark, an apostrophe, a hard
 /// blank or (`blanks`) a blank, and an exponent behind E or D. Where the mark is not known a single
 /// one is the decimal mark, and so is the last of two kinds.
-fn number(text: &str, decimal: Option<DecimalMark>, blanks: bool) -> Option<f64> {
+pub(crate) fn number(text: &str, decimal: Option<DecimalMark>, blanks: bool) -> Option<f64> {
     if decimal != Some(DecimalMark::Comma) || !text.contains('.') {
         if let Ok(value) = text.parse::<f64>() {
             return Some(value);

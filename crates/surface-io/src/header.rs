@@ -1,9 +1,10 @@
 //! What the lines before the numbers of a text file say: sizes, units, titles of the columns.
 
+use crate::DecimalMark;
 use crate::cells::{self, BLANK};
 use crate::meaning::{self, UNUSED};
 use crate::text::{NumberTable, Title};
-use crate::units::{length, metres_per, quantity};
+use crate::units::{metres_per, quantity};
 use std::collections::BTreeMap;
 
 /// What the lines before the numbers say.
@@ -65,7 +66,6 @@ const KEYS: &[(Key, &str)] = &[
     (Key::UnitValue, "height units|unit z|unit data|jednotky hodnot|einheiten|werteinheiten"),
     (Key::UnitValue, "werteeinheiten|unités|unités de valeur|unità valore|unidades de valor"),
     (Key::UnitValue, "値の単位|값 단위|единицы измерения"),
-    (Key::Missing, "nodata_value|nodata|missing value|missing"),
 ];
 
 impl Header {
@@ -116,11 +116,12 @@ impl Header {
         let mut unused = Vec::new();
         for (key, value) in &lines {
             let name = key.to_lowercase();
-            let number = || value.replace(',', ".").parse::<f64>().ok();
+            let number = || number(value.trim_start_matches("value").trim(), table.decimal);
             let own = if is_keyence { keyence_key(&name) } else { None };
             let known = own.or_else(|| {
                 let is_one = |names: &str| names.split('|').any(|one| one == name);
-                KEYS.iter().find(|(_, names)| is_one(names)).map(|(key, _)| *key)
+                let listed = KEYS.iter().find(|(_, names)| is_one(names)).map(|(key, _)| *key);
+                listed.or(is_missing_key(&name, value).then_some(Key::Missing))
             });
             match (known, &name[..]) {
                 (Some(Key::Channel), _) => header.channel = Some(value.clone()),
@@ -144,11 +145,14 @@ impl Header {
         header.lateral_unit = x_unit.map(str::to_owned);
         let total = is_spip.then_some("nm");
         let metres = |text: Option<&str>, unit: Option<&str>| {
-            let text = text?.replace(',', ".");
-            length(&text).or_else(|| {
-                let (value, written) = quantity(&text)?;
-                (written.is_empty()).then_some(value.abs() * metres_per(unit?)?)
-            })
+            let text = text?.trim();
+            let digits = text.len() - quantity(&text.replace(',', "0"))?.1.len();
+            let (digits, written) = text.split_at(digits);
+            let value = number(digits.trim(), table.decimal)?;
+            if written.is_empty() {
+                return Some(value.abs() * metres_per(unit?)?);
+            }
+            Some(value * metres_per(written)?)
         };
         header.size = metres(last(Key::Height), y_unit.or(total))
             .zip(metres(last(Key::Width), x_unit.or(total)))
@@ -208,7 +212,15 @@ impl Header {
                     cells
                 })
                 .find(|cells| cells.len() == table.columns || cells.len() == table.columns.min(2));
-            let Some(cells) = cells else { continue };
+            // Words, of which none is a value or the key of one.
+            let is_no_title = |cell: &&str| {
+                let quantity = quantity(cell).map(|(_, unit)| unit);
+                let is_value = |unit: &str| unit.is_empty() || metres_per(unit).is_some();
+                cell.ends_with([':', '=']) || quantity.is_some_and(is_value)
+            };
+            let Some(cells) = cells.filter(|cells| !cells.iter().any(is_no_title)) else {
+                continue;
+            };
             for (i, cell) in cells.into_iter().enumerate() {
                 let Title { name, unit } = title(cell);
                 self.columns.resize(self.columns.len().max(i + 1), Title::default());
@@ -220,6 +232,26 @@ impl Header {
             }
         }
     }
+}
+
+/// True if a key in lower case says which number stands for a missing point; without "value" it may say how many are.
+fn is_missing_key(name: &str, value: &str) -> bool {
+    let letters: String = name.chars().filter(|c| c.is_alphabetic()).collect();
+    let is_of_value = letters.ends_with("value") || value.starts_with('-');
+    let what = letters.trim_end_matches("value").trim_end_matches("points");
+    matches!(&letters[..], "nodata" | "missing")
+        || is_of_value
+            && "nodata|missing|missingdata|fill|bad|invalid|void|undefined"
+                .split('|')
+                .any(|one| one == what)
+}
+
+/// The number that a value is; none where a comma may part thousands and the numbers of the table do not tell.
+fn number(text: &str, decimal: Option<DecimalMark>) -> Option<f64> {
+    let known = cells::number(text, decimal, false);
+    let thousands = cells::number(text, Some(DecimalMark::Point), false);
+    let is_either = decimal.is_none() && text.contains(',') && thousands.is_some();
+    known.or_else(|| cells::number(text, None, false)).filter(|_| !is_either)
 }
 
 /// What a key in lower case means in the export of a Keyence microscope and nowhere else: every cell
@@ -263,7 +295,10 @@ fn title(cell: &str) -> Title {
     let cell = cell.trim().trim_matches('"');
     let word = |c: char| c.is_whitespace() || matches!(c, '_' | '[' | ']' | '(' | ')' | '/');
     let words: Vec<&str> = cell.split(word).filter(|w| !w.is_empty()).collect();
-    let unit = words.last().filter(|w| metres_per(w).is_some()).map(|w| (*w).to_owned());
+    let in_brackets =
+        cell.split_once(['[', '(']).map(|(_, rest)| rest.trim_end_matches([']', ')']));
+    let unit = in_brackets.as_ref().or(words.last()).filter(|w| metres_per(w).is_some());
+    let unit = unit.map(|w| w.trim().to_owned());
     let name = words.first().filter(|_| unit.is_none() || words.len() > 1);
     Title { name: name.map_or(String::new(), |name| (*name).to_owned()), unit }
 }

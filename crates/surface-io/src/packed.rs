@@ -36,12 +36,17 @@ impl Packing {
     pub(crate) fn unpack(&self, stored: &mut [f64]) {
         let [low, high] = self.valid;
         for value in stored {
-            let is_missing = self.missing.iter().any(|mark| mark.to_bits() == value.to_bits())
+            let is_missing = self.missing.iter().any(|mark| is_mark(*value, *mark))
                 || *value < low
                 || *value > high;
             *value = if is_missing { f64::NAN } else { *value * self.factor + self.offset };
         }
     }
+}
+
+/// True if a stored number is this mark, or is it as a single number.
+pub(crate) fn is_mark(value: f64, mark: f64) -> bool {
+    value.to_bits() == mark.to_bits() || value.to_bits() == f64::from(mark as f32).to_bits()
 }
 
 #[cfg(test)]

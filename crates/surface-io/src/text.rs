@@ -5,7 +5,7 @@ use crate::cells::{BLANK, Cell, Digits, Marks, cell, cells};
 pub(crate) use crate::encoding::{decode, is_text, latin1, lines};
 use crate::error::TEXT;
 use crate::units::metres_per;
-use crate::{ReadError, ReadOptions};
+use crate::{DecimalMark, ReadError, ReadOptions};
 
 /// Title of a column: "X [mm]" is x in mm.
 #[derive(Debug, Clone, Default)]
@@ -21,6 +21,9 @@ pub(crate) struct NumberTable<'a> {
     pub(crate) columns: usize,
     /// Row-major, NaN where a cell is missing.
     pub(crate) values: Vec<f64>,
+    pub(crate) decimal: Option<DecimalMark>,
+    /// Columns up to the last cell that is not empty.
+    pub(crate) filled: usize,
     /// How precisely the numbers of the first four columns are printed.
     pub(crate) digits: [Digits; 4],
     /// The same of the first row behind its first cell.
@@ -40,6 +43,8 @@ impl<'a> NumberTable<'a> {
             separator: BLANK,
             columns: 0,
             values: Vec::new(),
+            decimal: None,
+            filled: 0,
             digits: [Digits::NONE; 4],
             first_row: Digits::NONE,
             titles: Vec::new(),
@@ -65,7 +70,8 @@ impl<'a> NumberTable<'a> {
         begins: &dyn Fn(&NumberedLines<'a>) -> bool,
     ) -> Result<Vec<Self>, ReadError> {
         let (mut tables, marks) = scan(text, options, begins)?;
-        if options.decimal.is_none() {
+        let mut decimal = options.decimal;
+        if decimal.is_none() {
             let is_in_pairs = |t: &Self| t.separator == ',' && t.columns.is_multiple_of(2);
             if marks.are_torn() && tables.iter().all(is_in_pairs) {
                 return Err(ReadError::at(
@@ -75,12 +81,14 @@ impl<'a> NumberTable<'a> {
                      semicolons between the cells, or with decimal points",
                 ));
             }
-            if let Some((decimal, true)) = marks.decide()? {
-                let known = ReadOptions { decimal: Some(decimal), ..options.clone() };
-                tables = scan(text, &known, begins)?.0;
+            let decided = marks.decide()?;
+            decimal = decided.map(|(decimal, _)| decimal);
+            if let Some((_, true)) = decided {
+                tables = scan(text, &ReadOptions { decimal, ..options.clone() }, begins)?.0;
             }
         }
         for table in &mut tables {
+            table.decimal = decimal;
             table.mind_rows_in_header(options)?;
             table.drop_trailing_separator();
         }
@@ -180,6 +188,9 @@ impl<'a> NumberTable<'a> {
         let (before, is_first) = (self.values.len(), self.values.is_empty());
         for (column, text) in cells(self.separator, &line).enumerate() {
             let cell = cell(text, self.separator, options);
+            if !text.trim_matches('"').is_empty() {
+                self.filled = self.filled.max(column + 1);
+            }
             if let Cell::Number(_) | Cell::Length(..) = cell {
                 if options.decimal.is_none() {
                     marks.see(column, number, text);
@@ -219,12 +230,10 @@ impl<'a> NumberTable<'a> {
     /// A separator at the end of every row is no column, nor are empty columns behind a list of
     /// coordinates; a border of missing points is.
     fn drop_trailing_separator(&mut self) {
-        let columns = self.columns;
+        let (columns, filled) = (self.columns, self.filled);
         if self.separator == BLANK || columns < 2 {
             return;
         }
-        let is_empty = |column: usize| self.values.chunks(columns).all(|row| row[column].is_nan());
-        let filled = (0..columns).rev().find(|&column| !is_empty(column)).map_or(0, |c| c + 1);
         if filled + 1 == columns || (2..=3).contains(&filled) {
             let mut index = 0;
             self.values.retain(|_| {

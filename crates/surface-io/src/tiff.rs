@@ -8,6 +8,7 @@
 //! | 256, 257 | width, length |
 //! | 258, 339 | bits per sample; 1 unsigned, 2 signed, 3 floating |
 //! | 259 | compression: 1 none, 5 LZW, 8 and 32946 deflate, 32773 PackBits |
+//! | 262 | 1 black is 0; 0 white is 0 and 3 a palette of colours are refused |
 //! | 277 | samples per pixel: 1 is read |
 //! | 273, 278, 279 | strips: offsets, rows per strip, bytes |
 //! | 322, 323, 324, 325 | tiles: width, length, offsets, bytes |
@@ -158,6 +159,11 @@ impl<'a> Page<'a> {
             return unsupported(format!(
                 "a picture of {per_pixel} colours (heights are one number a point)"
             ));
+        }
+        match self.number_or(262, 1.0)? as u32 {
+            0 => return unsupported("a picture whose 0 is white (save it with 0 as black)".into()),
+            3 => return unsupported("a picture of colours from a palette".into()),
+            _ => {}
         }
         let (bits, kind) = (self.number_or(258, 1.0)?, self.number_or(339, 1.0)?);
         let sample = match (bits as usize, kind as u32) {

@@ -48,12 +48,6 @@ pub(crate) fn quantity(text: &str) -> Option<(f64, &str)> {
     Some((value, text[end..].trim()))
 }
 
-/// A length in metres from "12.34 µm"; `None` without a unit of length.
-pub(crate) fn length(text: &str) -> Option<f64> {
-    let (value, unit) = quantity(text)?;
-    Some(value * metres_per(unit)?)
-}
-
 #[cfg(test)]
 mod tests {
     use super::*;

@@ -9,7 +9,7 @@
 //! | `zunit` | unit of the heights; nm if absent |
 //! | `bit2nm` | factor from stored value to `zunit`; 1 if absent |
 //! | `intelmode` | 1 little endian (or absent), 0 big endian |
-//! | `voidpixels` | a missing point; else 32767 for bcrstm and the largest f32 for bcrf |
+//! | `voidpixels` | a missing point if it is 32767 or beyond, else how many there are; 32767 in bcrstm and the largest f32 in bcrf are missing points anyway |
 //! | data | i16 for bcrstm, f32 for bcrf, in rows |
 //!
 //! Some writers store (N − 1) pixels as `xlength`; the file cannot tell. It is taken literally.
@@ -71,11 +71,12 @@ pub(crate) fn parse(mut b: Bytes<'_>) -> Result<Contents<'_>, ReadError> {
     let step = entries.number_or("bit2nm", 1.0)?;
     let (sample, default) =
         if is_float { (Sample::F32, f64::from(f32::MAX)) } else { (Sample::I16, 32767.0) };
-    let void = entries.number_or("voidpixels", default)? as f32;
+    let void = entries.number_or("voidpixels", default)?;
+    let marks = [default as f32, if void.abs() < 32767.0 { default } else { void } as f32];
     let convert = move |raw: f64| {
         // Compared as stored: the mark is printed with fewer digits than it has.
-        let is_void = (raw as f32).to_bits() == void.to_bits() || raw >= f64::from(f32::MAX);
-        if is_void { f64::NAN } else { raw * step }
+        let is_void = marks.iter().any(|mark| mark.to_bits() == (raw as f32).to_bits());
+        if is_void || raw >= f64::from(f32::MAX) { f64::NAN } else { raw * step }
     };
     let unit = entries.get("zunit").unwrap_or("nm");
     let raster = b.raster(start, shape, sample)?;

@@ -16,6 +16,12 @@ pub(crate) const MAGIC: &[u8] = b"\x93NUMPY";
 
 pub(crate) fn parse(b: Bytes<'_>) -> Result<Contents<'_>, ReadError> {
     let array = Array::parse(b)?;
+    let end = array.start + array.shape[0] * array.shape[1] * array.sample.size();
+    if b.data.len() > end {
+        let what =
+            format!("{} bytes follow the array: one array a file is read", b.data.len() - end);
+        return Err(b.fault(end, what));
+    }
     let channel = Channel::new("array", None, array.shape, Pixel::Unknown, move || array.values(b));
     Ok(Contents { channels: vec![channel], ..Contents::default() })
 }

@@ -97,6 +97,11 @@ impl GriddedMap {
     pub(crate) fn is_wide(&self) -> bool {
         self.shape.iter().all(|n| *n > 2)
     }
+
+    /// Three points a side, all there: not by chance.
+    pub(crate) fn is_plain(&self) -> bool {
+        self.is_wide() && self.is_complete
+    }
 }
 
 /// Puts a list of x y z and more (row-major) on the grid its coordinates form. Points of the grid

@@ -22,8 +22,8 @@
 
 use super::prelude::*;
 
-/// Behind the points a trailer of text may follow; more bytes than this that are no text may not, for
-/// then the header lies about the size.
+/// Behind the points a trailer of text may follow; more bytes than this or than the points that are no text may not,
+/// for then the header lies about the size.
 const LONGEST_TRAILER: usize = 1 << 16;
 
 pub(crate) fn parse(b: Bytes<'_>) -> Result<Contents<'_>, ReadError> {
@@ -70,7 +70,7 @@ fn binary(b: Bytes<'_>) -> Result<Contents<'_>, ReadError> {
     let pixel = Pixel::Metres([b.f64(scales + 8)?, b.f64(scales)?]);
     let raster = b.raster(scales + 35, shape, sample)?;
     let trailer = &b.data[raster.end..];
-    if trailer.len() > LONGEST_TRAILER && !text::is_text(trailer) {
+    if trailer.len() >= LONGEST_TRAILER.min(raster.end - scales - 35) && !text::is_text(trailer) {
         let [ny, nx] = shape;
         let what = format!(
             "{} bytes follow the {ny} x {nx} points that the header promises, and they are no text",

@@ -33,6 +33,7 @@ use super::scattered::{self, GriddedMap, Line};
 use crate::binary::Bytes;
 use crate::error::TEXT;
 use crate::header::Header;
+use crate::meaning::Meaning;
 use crate::measurement::{Channel, Contents, Pixel};
 use crate::text::{self, NumberTable, NumberedLines, Title, is_monotone};
 use crate::units::metres_per;
@@ -105,18 +106,22 @@ fn channels(
     table.leave_out_invalid()?;
     let are_traces =
         layout == Some(Layout::Traces) || layout.is_none() && are_traces(&table.titles);
-    let says_map = header.size.is_some() || header.pixel.is_some() && table.columns > 1;
-    let is_list = layout == Some(Layout::List) || layout.is_none() && !are_traces && !says_map;
     let has_index = table.columns > 2 && table.is_called(0, &INDEX)
         || !matches!(layout, Some(Layout::Matrix | Layout::Traces))
-            && !says_map
             && table.has_index(&options.limits);
     if has_index {
         let others: Vec<usize> = (1..table.columns).collect();
         table = table.pick(&others);
         header.metadata.insert("left out".into(), "running numbers of the points".into());
     }
-    let order = table.order().filter(|_| is_list);
+    let order = table.order().filter(|_| !are_traces && layout != Some(Layout::Matrix));
+    // A size or a spacing says that these are heights, unless the columns are coordinates.
+    let is_sized = header.size.is_some() || header.pixel.is_some() && table.columns > 1;
+    let says_map = is_sized
+        && order.is_none()
+        && !table.is_called(0, &POSITIONS)
+        && !(table.columns == 3 && table.grid(&options.limits).is_ok_and(|map| map.is_plain()));
+    let is_list = layout == Some(Layout::List) || layout.is_none() && !are_traces && !says_map;
     if let Some(order) = &order {
         table = table.pick(order);
     }
@@ -127,6 +132,14 @@ fn channels(
         || order.is_some();
     let map = match table.columns {
         _ if are_traces => return traces(&table, header),
+        1 if is_sized && table.rows() > 1 && layout.is_none() => {
+            let what = format!(
+                "one column of {} numbers, and the header states the size of a map: in how many rows is not said; \
+                 save it in rows",
+                table.rows()
+            );
+            return Err(two_readings(what, &[Layout::Matrix]));
+        }
         _ if !is_list => None,
         1 if layout.is_some() => {
             return Err(bad_layout(Layout::List, "it has one column (a list has x y z or x z)"));
@@ -149,51 +162,53 @@ fn channels(
         })?),
         _ if order.is_some() || layout.is_some() => Some(table.grid(&options.limits)?),
         _ => {
-            // Three points a side, all there, or many of them: not by chance.
-            let is_sure =
-                |map: &GriddedMap| map.is_wide() && (map.is_complete || table.rows() > 19);
+            // All points, or many of them.
+            let is_sure = |map: &GriddedMap| map.is_plain() || map.is_wide() && table.rows() > 19;
             table.grid(&options.limits).ok().filter(is_sure)
         }
     };
     if let Some(map) = map {
-        let is_plain = is_told || map.is_complete && map.is_wide();
+        check_rows(header, map.shape)?;
+        let is_plain = is_told || map.is_plain();
         return Ok(list(map, &table, header, (!is_plain).then_some(LIST)));
     }
-    let found = table.rows();
-    if let [Some(rows), Some(columns)] = header.counts()
-        && table.columns == columns
-        && found < rows
-    {
+    check_rows(header, [table.rows(), table.columns])?;
+    table.leave_out_axes(header, layout)?;
+    table.apply_mask(header);
+    if layout.is_none() {
+        table.refuse_positions()?;
+    }
+    maps(table, header, options)
+}
+
+/// Refuses a map that has not the rows that the header says.
+fn check_rows(header: &Header, [found, across]: [usize; 2]) -> Result<(), ReadError> {
+    let [Some(rows), Some(columns)] = header.counts() else { return Ok(()) };
+    if across == columns && found < rows {
         let what = format!(
             "the header says {rows} rows of {columns} numbers, {found} are there: the file was cut off. To read \
              these, change the number of rows in the header to {found}"
         );
         return Err(ReadError::at(TEXT, "rows", what));
     }
-    table.leave_out_axes(header, layout)?;
-    table.apply_mask(header);
-    if layout.is_none() && !says_map {
-        table.refuse_positions()?;
-    }
-    maps(table, header, options)
-}
-
-/// The heights of a profile, unless the header says that they are those of a map.
-fn column(table: NumberTable<'_>, header: &Header) -> Result<Vec<Channel<'static>>, ReadError> {
-    let found = table.rows();
-    if let [Some(rows), Some(columns)] = header.counts()
-        && found == rows.saturating_mul(columns)
-    {
+    if across != columns && found.checked_mul(across) == rows.checked_mul(columns) {
         let what = format!(
-            "one column of {found} numbers, and the header says {rows} rows of {columns}: whether rows or columns \
-             follow each other is not said; save it in {rows} rows"
+            "{found} rows of {across} numbers, and the header says {rows} rows of {columns}: whether rows or columns \
+             follow each other is not said; save it in {rows} rows, or mend the header"
         );
         return Err(two_readings(what, &[]));
     }
+    Ok(())
+}
+
+/// The heights of a profile.
+fn column(table: NumberTable<'_>, header: &Header) -> Result<Vec<Channel<'static>>, ReadError> {
+    check_rows(header, [table.rows(), 1])?;
     let pixel = header.pixel.map_or(Pixel::Unknown, Pixel::Metres);
     let unit = header.value_unit.clone().or(table.unit(0));
+    let shape = [1, table.rows()];
     let decode = move || Ok(table.values);
-    let mut channel = Channel::new(header.name(), unit.as_deref(), [1, found], pixel, decode);
+    let mut channel = Channel::new(header.name(), unit.as_deref(), shape, pixel, decode);
     channel.ambiguity = Some(COLUMN);
     Ok(vec![channel])
 }
@@ -266,7 +281,10 @@ fn list(
             Channel::new(name, unit.map(String::as_str), shape, pixel, move || Ok(heights));
         channel.ambiguity = ambiguity.filter(|_| i == 0);
         // Without a unit it is as likely an intensity.
-        channel.info.is_height = i == 0 && channel.info.is_height || channel.scale.is_some();
+        channel.info.is_height = match Meaning::of(&title.name) {
+            Meaning::Other => false,
+            _ => i == 0 && channel.info.is_height || channel.scale.is_some(),
+        };
         channel
     };
     map.heights.into_iter().enumerate().map(channel).collect()

@@ -22,6 +22,7 @@
 
 use super::archive::is_main_xml;
 use super::prelude::*;
+use crate::meaning::UNUSED;
 
 pub(crate) fn parse(b: Bytes<'_>) -> Result<Contents<'_>, ReadError> {
     let mut archive = Archive::open(b)?;
@@ -107,6 +108,10 @@ pub(crate) fn parse(b: Bytes<'_>) -> Result<Contents<'_>, ReadError> {
         let key = path.strip_prefix("Record2/").or_else(|| path.strip_prefix("Record1/"))?;
         (!key.starts_with("Axes/")).then(|| (key.to_owned(), value.clone()))
     });
+    let unused = (factor.to_bits() != increment.to_bits()).then(|| {
+        (UNUSED.to_owned(), format!("Increment of heights stored in metres = {increment:e}"))
+    });
+    let metadata = metadata.chain(unused);
     Ok(Contents { channels, metadata: metadata.collect() })
 }
 

@@ -95,6 +95,15 @@ fn what_is_not_used_is_named() {
     let text = format!("# Width: 8\n# Height: 2\n# Value units: nm\n{ROWS}");
     assert_refused(unaided(&text), &["Width = 8"]);
     let text = format!("# pixel size: 1 um\n# z unit: nm\n# z calibration: 2.5\n{ROWS}");
+    // Thousands where the numbers say so; a mark that can be either is not used. A compound unit is none.
+    let thousands = "# pixel size: 1,250 nm\n# z unit: nm\n";
+    assert_eq!(picometres(&format!("{thousands}{}", ROWS.replace('8', "8.5")))[0], 1_250_000);
+    assert_eq!(picometres(&format!("{thousands}{}", ROWS.replace('8', "8,5")))[0], 1_250);
+    assert_refused(unaided(format!("{thousands}{ROWS}")), &["pixel size = 1,250 nm"]);
+    assert_refused(
+        unaided("x [um];y [um];z [nm/m]\n0;0;1\n1;0;2\n0;1;3\n1;1;4\n"),
+        &["no height unit"],
+    );
     for (text, said) in [(&text, Some("z calibration = 2.5")), (&text.replace("2.5", "none"), None)]
     {
         let found = unaided(text).unwrap();

@@ -132,8 +132,12 @@ fn a_first_row_that_counts_is_no_heights() {
 
 #[test]
 fn a_first_column_that_rises_may_be_positions() {
-    for y in [["0,", "1,", "2,", "3,"], ["0.0,", "0.5,", "1.0,", "1.5,"]] {
-        let text = rows(&y, ",", |z| format!("{z:.2}"));
+    for (head, y) in [
+        ("", ["0,", "1,", "2,", "3,"]),
+        (GWYDDION, ["0,", "1,", "2,", "3,"]),
+        ("", ["0.0,", "0.5,", "1.0,", "1.5,"]),
+    ] {
+        let text = head.to_owned() + &rows(&y, ",", |z| format!("{z:.2}"));
         let error = refusal(&text, &scaled().lateral(1e-6));
         let layouts = [Layout::Traces, Layout::Matrix].map(Need::Layout);
         assert_eq!(error.needs(), layouts, "{error}");
@@ -174,6 +178,19 @@ fn lists_have_further_columns_and_any_order() {
         let found = read_bytes(text.as_bytes(), &options).unwrap_or_else(|e| panic!("{text}: {e}"));
         assert_eq!(found.grid(), Grid::new([4, 5], [2e-6, 0.5e-6]).unwrap(), "{text}");
         assert_eq!(heights(&text, &options), all(), "{text}");
+    }
+    // A stated spacing, size or value makes no heights and no units of coordinates.
+    for head in
+        ["Spacing: 2 nm\n", "Width: 2 nm\nHeight: 2 nm\n", "Resolution: 500 nm\n", "Lc 0.8 mm\n"]
+    {
+        for titles in ["x y z\n", "x intensity y h\n", ""] {
+            let text = list(&|i, y, z| match titles.len() {
+                17 => format!("{} {i} {} {z}", x(i), y * 2),
+                _ => format!("{} {} {z}", x(i), y * 2),
+            });
+            let text = format!("{head}{titles}{text}");
+            assert_eq!(heights(&text, &options), all(), "{text}");
+        }
     }
     // By rows and columns.
     let text = format!("row col height\n{}", list(&|x, y, z| format!("{y} {x} {z}")));
@@ -332,9 +349,21 @@ fn marks_of_missing_points() {
     let list = "0 0 1\n1 0 0\n0 1 3\n1 1 4\n";
     let options = scaled().lateral(1e-6).and(|o| o.missing.push("0".into()));
     assert_eq!(read_bytes(list.as_bytes(), &options).unwrap().missing(), 1);
-    // The mark that a header gives, in a list as well.
-    let list = "nodata: -999\nx [um] y [um] z [nm]\n0 0 1\n1 0 -999\n0 1 3\n1 1 4\n";
-    assert_eq!(read(list).missing(), 1);
+    // The mark that a header gives, in a list as well; what is no mark is a count.
+    for (key, missing) in [
+        ("nodata: -999", 1),
+        ("No data value: -999", 1),
+        ("NODATA_value -999", 1),
+        ("nodata value -999", 1),
+        ("_FillValue = -999", 1),
+        ("Invalid: -999", 1),
+        ("Missing points: 4", 0),
+    ] {
+        let list = format!("{key}\nx [um] y [um] z [nm]\n0 0 1\n1 0 -999\n0 1 3\n1 1 4\n");
+        assert_eq!(read(&list).missing(), missing, "{key}");
+    }
+    // A column that no number stands in is missing, unless its cells are empty.
+    assert_eq!(read(&format!("{GWYDDION}1,5,2,NaN\n4,3,7,NaN\n")).missing(), 2);
 }
 
 #[test]
@@ -385,8 +414,15 @@ fn rows_that_the_header_declares_are_there() {
         let error = refusal(&text("1,2,4\n4,5,9\n6,8,7\n"), &ReadOptions::default()).to_string();
         assert!(error.contains("4 rows of 3") && error.contains("3 are there"), "{error}");
     }
-    let error = refusal("rows: 2\ncolumns: 2\n1\n2\n4\n3\n", &scaled()).to_string();
-    assert!(error.contains("2 rows of 2"), "{error}");
+    for (text, said) in [
+        ("rows: 2\ncolumns: 2\n1\n2\n4\n3\n", "2 rows of 2"),
+        ("nx: 8\nny: 2\n1 2 4 1\n4 5 9 2\n6 8 7 4\n1 3 2 3\n", "2 rows of 8"),
+        ("nx: 2\nny: 3\n0 0 1\n1 0 3\n0 1 4\n1 1 5\n", "2 are there"),
+        ("Width: 2 um\nHeight: 2 um\n1\n2\n4\n3\n", "in how many rows is not said"),
+    ] {
+        let error = refusal(text, &scaled()).to_string();
+        assert!(error.contains(said), "{text}: {error}");
+    }
 }
 
 /// Headers, counts, borders and line ends do not change how many rows there are; a bad row does not pass for

@@ -3,6 +3,7 @@
 use super::super::scattered::{self, Line};
 use crate::cells::Digits;
 use crate::header::Header;
+use crate::meaning::Meaning;
 use crate::text::{NumberTable, Title, is_monotone};
 use crate::{Layout, Limits, Need, ReadError};
 
@@ -82,11 +83,10 @@ impl NumberTable<'_> {
         let x = either("x", &["col", "col.", "column", "spalte"])?;
         let y = either("y", &["row", "line", "zeile"])?;
         let others = || (0..self.columns).filter(move |&column| column != x && column != y);
-        let is_height = |column: &usize| {
+        let z = others().min_by_key(|column| {
             let name = self.titles[*column].name.to_lowercase();
-            HEIGHTS.iter().any(|height| name.starts_with(height))
-        };
-        let z = others().find(is_height).or_else(|| others().next())?;
+            (!HEIGHTS.iter().any(|height| name.starts_with(height)), Meaning::of(&name))
+        })?;
         Some([x, y, z].into_iter().chain(others().filter(|&column| column != z)).collect())
     }
 
@@ -144,7 +144,7 @@ impl NumberTable<'_> {
             .flat_map(|row| row[1..4].iter().copied())
             .collect();
         scattered::grid(&values, 3, [self.digits[1], self.digits[2]], limits)
-            .is_ok_and(|map| map.is_wide() && map.is_complete)
+            .is_ok_and(|map| map.is_plain())
     }
 
     pub(super) fn grid(&self, limits: &Limits) -> Result<scattered::GriddedMap, ReadError> {
@@ -211,8 +211,8 @@ impl NumberTable<'_> {
         if layout.is_some() || is_plane {
             return Ok(());
         }
-        // Who states what a number means writes no row that counts.
-        if header.value_unit.is_some() || header.value_scale.is_some() {
+        // Who states what a number means writes no row that counts, and a long one does so by no chance.
+        if columns < 8 && (header.value_unit.is_some() || header.value_scale.is_some()) {
             return Ok(());
         }
         let rest = || self.values[columns..].iter().filter(|z| !z.is_nan());
@@ -249,7 +249,7 @@ impl NumberTable<'_> {
 
     /// A first column that rises or falls from row to row, and no other does, may be positions of traces.
     pub(super) fn refuse_positions(&self) -> Result<(), ReadError> {
-        if self.columns < 4 || self.rows() < 4 {
+        if self.columns < 2 || self.rows() < 4 {
             return Ok(());
         }
         let x = self.column(0);
