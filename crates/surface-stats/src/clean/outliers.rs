@@ -57,16 +57,18 @@ pub fn find_outliers(grid: Grid, heights: &[f64], threshold: f64) -> Result<Outl
     let (window, mut scratch) = (Neighbourhood::new(grid, heights), Vec::new());
     // An odd stride, so that the sample does not run down a few columns.
     let stride = (heights.len() / SAMPLE) | 1;
-    let mut sample: Vec<f64> = (0..heights.len())
-        .step_by(stride)
-        .filter_map(|i| window.distance(i, &mut scratch))
-        .collect();
-    let spread = spread(&mut sample);
+    let sampled = || (0..heights.len()).step_by(stride);
+    let mut sample: Vec<f64> = sampled().filter_map(|i| window.distance(i, &mut scratch)).collect();
+    let mut deviation = spread(&mut sample);
     // Neither a height step nor rounding is a spike, where the relief is flat.
     let magnitude = heights.iter().fold(0.0f64, |m, h| m.max(h.abs())); // `max` passes over NaN
-    let limit = (threshold * spread)
-        .max(height_step(heights).unwrap_or(0.0))
-        .max(16.0 * f64::EPSILON * magnitude);
+    let rounding = 16.0 * f64::EPSILON * magnitude;
+    if deviation <= rounding {
+        // On ridges all but the crests are their neighbours' median.
+        sample = sampled().filter_map(|i| window.from_pairs(i, &mut scratch)).collect();
+        deviation = spread(&mut sample);
+    }
+    let limit = (threshold * deviation).max(height_step(heights).unwrap_or(0.0)).max(rounding);
     let (mut indices, mut largest) = (Vec::new(), 0.0f64);
     let mut is_within = vec![false; window.nx];
     for first in (0..heights.len()).step_by(window.nx) {
@@ -116,24 +118,33 @@ impl Neighbourhood {
         move |step| &self.heights[index.wrapping_add_signed(step)..]
     }
 
-    /// How far a valid point is off; `None` for a missing or lonely one.
-    fn distance(&self, index: usize, values: &mut Vec<f64>) -> Option<f64> {
+    /// How far a valid point is from the means of opposite neighbours; `None` for a missing or lonely one.
+    fn from_pairs(&self, index: usize, values: &mut Vec<f64>) -> Option<f64> {
         values.clear();
         let from = self.from(index);
         let at = |step: isize| from(step)[0];
         let here = at(0);
         let pairs = self.half.iter().map(|&k| (here - f64::midpoint(at(k), at(-k))).abs());
         values.extend(pairs.filter(|d| !d.is_nan()));
-        let around = || self.half.iter().flat_map(|&k| [k, -k]);
         if values.len() < 3 {
-            let lines = around().map(|k| (here - (2.0 * at(k) - at(2 * k))).abs());
+            let lines = self.around().map(|k| (here - (2.0 * at(k) - at(2 * k))).abs());
             values.extend(lines.filter(|d| !d.is_nan()));
         }
         let lower = values.len().saturating_sub(1) / 2;
-        let from_pairs = select(values, lower).unwrap_or(f64::INFINITY);
+        select(values, lower)
+    }
 
+    fn around(&self) -> impl Iterator<Item = isize> {
+        self.half.iter().flat_map(|&k| [k, -k])
+    }
+
+    /// How far a valid point is off; `None` for a missing or lonely one.
+    fn distance(&self, index: usize, values: &mut Vec<f64>) -> Option<f64> {
+        let from_pairs = self.from_pairs(index, values).unwrap_or(f64::INFINITY);
+        let from = self.from(index);
+        let here = from(0)[0];
         values.clear();
-        values.extend(around().map(at).filter(|h| !h.is_nan()));
+        values.extend(self.around().map(|k| from(k)[0]).filter(|h| !h.is_nan()));
         let middle = values.len() / 2;
         let far = |side: f64| values.iter().filter(|h| side * (here - **h) >= from_pairs).count();
         // Where the median is among those that are farther off, it need not be found.
@@ -222,7 +233,8 @@ mod tests {
         let grid = Grid::new([20, 20], [1.0, 1.0]).unwrap();
         let edge: Vec<f64> = (0..400).map(|i| if i % 20 < 9 { 0.0 } else { 1.0 }).collect();
         let mut flat = vec![76e-3; 400];
-        for heights in [&edge, &flat, &vec![f64::NAN; 400]] {
+        let ridges: Vec<f64> = (0..400).map(|i| f64::from(i % 20).cos()).collect();
+        for heights in [&edge, &flat, &vec![f64::NAN; 400], &ridges] {
             assert_eq!(spikes(grid, heights), [0; 0]);
         }
         flat[123] += 1e-9;
