@@ -139,9 +139,7 @@ fn beyond_yield(at: Pressed, [low, high]: [f64; 2], full: Option<f64>) -> Words 
     let ends = full.map_or_else(String::new, |full| {
         let shown = show(full);
         if mean <= full {
-            return format!(
-                " The elastic area holds for a hardness H of at least {shown} (E* h′rms)."
-            );
+            return format!(" The elastic area holds for H ≥ {shown} (E* h′rms).");
         }
         let why = if nominal > 0.5 * mean {
             "the surface is pressed flat"

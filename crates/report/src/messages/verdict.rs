@@ -38,12 +38,12 @@ fn words(reason: &Reason) -> String {
         Reason::Strained { caveat: None, from } => {
             format!("asperities interact from {} (area 5{SPACE}%)", chosen(*from, PASCALS))
         }
-        Reason::Band { dimension, short, long } => {
-            let (short, long) = (short.map_or("–".into(), length), length(*long));
-            match dimension {
-                Some(d) => format!("D = {} depends on the fit range, {short} to {long}", plain(*d)),
-                None => format!("B_max at λ = {short} depends on the record length ({long})"),
-            }
+        Reason::Band { dimension: Some(d), short, long } => {
+            let short = short.map_or("–".into(), length);
+            format!("D = {} depends on the fit range, {short} to {}", plain(*d), length(*long))
+        }
+        Reason::Band { dimension: None, long, .. } => {
+            format!("B_max depends on the record length ({})", length(*long))
         }
         Reason::Strained {
             caveat: Some(Caveat::BeyondModel { quantity, value, limit, reason }),
@@ -69,9 +69,7 @@ fn of_surface(fact: &Fact) -> String {
         Fact::Warned(Warning::Anisotropic { ratio }) => {
             format!("the surface has a lay (slopes {ratio:.1} : 1)")
         }
-        Fact::Warned(Warning::NotGaussian { skewness, kurtosis }) => {
-            format!("skewness {}, kurtosis {}", plain(*skewness), plain(*kurtosis))
-        }
+        Fact::Warned(Warning::NotGaussian { .. }) => "heights not normal".to_owned(),
         other => of_fact(other)[0].clone(),
     }
 }

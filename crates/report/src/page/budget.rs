@@ -60,7 +60,7 @@ pub(crate) fn sources(
     };
     add("Half the points", &|e| part(e, |p| p.coarser), &how);
     let how = format!(
-        "a tenth of the perimeter correction [<a href=\"#r{correction}\">{correction}</a>], and counting"
+        "a tenth of the perimeter correction [<a href=\"#r{correction}\">{correction}</a>]"
     );
     add("Contact line", &|e| part(e, |p| p.contact_line.hypot(p.counting)), &how);
     if let Some(finer) = answer.finer {
@@ -71,7 +71,7 @@ pub(crate) fn sources(
     add("Iteration", &|e| part(e, |p| p.iteration), &format!("rms pressure error {left}"));
     add("Of this map ±", &|e| e.interval().ok(), "");
     if budget.area.sampling.is_some() {
-        let how = "8 × 8 blocks, and the long waves";
+        let how = "8 × 8 blocks";
         add("Sampling variability", &|e| ends(e.value, e.sampling), how);
     }
     if budget.area.materials > 0.0 {
@@ -97,7 +97,7 @@ pub(crate) fn choices(surface: &SurfaceComparison) -> String {
         && answer.area_fraction > 0.0
     {
         let counted = answer.touching_fraction / answer.area_fraction - 1.0;
-        list.push((counted, "contact points counted, perimeter not corrected".into()));
+        list.push((counted, "perimeter not corrected".into()));
     }
     list.sort_by(|a, b| b.0.abs().total_cmp(&a.0.abs()));
     let one = |(effect, what): &(f64, String)| row(what, [signed_percent(*effect)], "");

@@ -148,16 +148,12 @@ pub(crate) fn origin_words(origin: &Origin) -> String {
                 "{note} (heights handed over by a program{filled}), SHA-256 of the heights <code>{hash}</code>"
             )
         }
-        Origin::Recipe(Recipe { description, hurst, rolloff, cutoff, seed, quantise, .. }) => {
-            let about = match escape(description) {
-                none if none.is_empty() => none,
-                about => about + ". ",
-            };
+        Origin::Recipe(Recipe { hurst, rolloff, cutoff, seed, quantise, .. }) => {
             let [rolloff, cutoff] = [*rolloff, *cutoff].map(|wave| chosen(wave, METRES));
             let step = |q| format!(", height steps {}", chosen(q, METRES));
             let steps = quantise.map_or_else(String::new, step);
             format!(
-                "{about}Made from a recipe: self-affine, H = {hurst}, roll-off {rolloff}, cut-off {cutoff}{steps}, seed {seed}"
+                "Made from a recipe: self-affine, H = {hurst}, roll-off {rolloff}, cut-off {cutoff}{steps}, seed {seed}"
             )
         }
     }

@@ -59,6 +59,9 @@ fn a_page_keeps_its_contract() {
         assert!(elsewhere.split("src=").skip(1).all(|s| s.starts_with("\"data:image/png;")));
         assert!(!elsewhere.contains("@import") && page.contains("default-src 'none'"));
         assert!(page.len() < 3_000_000, "{} bytes", page.len());
+        // Without the pictures, in whose letters anything may occur.
+        let parts = page.split("base64,");
+        let page: String = parts.map(|part| part.split_once('"').unwrap().1).collect();
         for bad in ["NaN", "inf ", "inf<", "-0.0", "<td></td>", "e-0", "class=\"n\"></td>"] {
             assert!(!page.contains(bad), "{bad}: {}", &page[page.find(bad).unwrap() - 80..][..160]);
         }

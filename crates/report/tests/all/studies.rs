@@ -12,12 +12,12 @@ pub(crate) fn run(surfaces: Vec<Surface>, settings: Settings) -> Comparison {
     Comparison::run(surfaces, settings, built_in(), &mut |_| ControlFlow::Continue(())).unwrap()
 }
 
-/// The built-in surfaces on 96 x 96 points.
+/// The built-in surfaces on 100 x 100 points.
 pub(crate) fn small(names: &[&str]) -> Vec<Surface> {
     let mut recipes = built_in_recipes();
     recipes.retain(|r| names.contains(&r.name.as_str()));
     for recipe in &mut recipes {
-        recipe.shape = [96, 96];
+        recipe.shape = [100, 100];
     }
     recipes.iter().map(|recipe| recipe.make().unwrap()).collect()
 }
