@@ -20,7 +20,7 @@ const WEIGHTS: [i16; 4] = [1225 - 1152, -245 + 128, 49, -5];
 /// The indicator of a `surface` under `pressure` (Pa, of its grid). Beyond its edges stands itself if it
 /// `repeats`, its mirror image otherwise. `None` if nothing touches, the pressure is not of this grid, or a side
 /// has fewer than eight points.
-pub fn indicator(
+pub(crate) fn indicator(
     surface: &HeightMap,
     repeats: bool,
     pressure: &[f64],

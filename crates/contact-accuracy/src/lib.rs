@@ -31,7 +31,7 @@ pub use fft_bem_solver::{
     SolverError,
 };
 pub use gap_flow::{Bottleneck, Flow, NotSolved};
-pub use indicator::{LIMIT as INDICATOR_LIMIT, indicator};
+pub use indicator::LIMIT as INDICATOR_LIMIT;
 pub use ladder::{Answered, Ladder, LadderError};
 pub use leak::{Leak, Leaks};
 pub use request::{AccuracyRequest, BadRequest};

@@ -93,7 +93,6 @@ impl<T: Real> Engine<T> {
             end: run.end,
             iterations: run.iterations,
             transforms,
-            fallbacks: run.fallbacks,
             residuals,
             duality_gap,
             energy_bound,

@@ -29,9 +29,6 @@ pub struct SetStiffness {
     /// Incremental normal stiffness per nominal area, `-dp/dg` with the mean gap g (Pa/m): 0 without contact,
     /// infinite where everything is in contact and the map repeats.
     pub per_area: f64,
-    /// Pressure over mean pressure, and current density over mean current density, row-major; 0 outside
-    /// the set. Empty without contact.
-    pub density: Vec<f64>,
     /// Estimated relative error of the stiffness.
     pub residual: f64,
     /// FFT convolutions spent.
@@ -52,12 +49,12 @@ pub(crate) fn solve(
     let nodes: Vec<NodeState> = contact.iter().map(|is_in| NodeState::of(*is_in)).collect();
     let size = nodes.iter().filter(|m| m.is_in()).count();
     let (residual, transforms, iterations) = (0.0, 0.0, 0);
-    let exact = SetStiffness { per_area: 0.0, density: vec![], residual, transforms, iterations };
+    let exact = SetStiffness { per_area: 0.0, residual, transforms, iterations };
     if size == 0 {
         return exact;
     }
     if size == n && operator.boundary() == Boundary::Periodic {
-        return SetStiffness { per_area: f64::INFINITY, density: vec![1.0; n], ..exact };
+        return SetStiffness { per_area: f64::INFINITY, ..exact };
     }
     let on: Vec<usize> = (0..n).filter(|i| nodes[*i].is_in()).collect();
     let mut inverse = SetInverse::new(scaled, nodes);
@@ -118,6 +115,5 @@ pub(crate) fn solve(
         }
         (iterations, has_direction) = (iterations + 1, true);
     };
-    fields::scatter(&p, &on, &mut field);
-    SetStiffness { per_area: unit / rise, density: field, residual, transforms, iterations }
+    SetStiffness { per_area: unit / rise, residual, transforms, iterations }
 }

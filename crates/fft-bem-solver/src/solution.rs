@@ -122,8 +122,6 @@ pub struct Diagnostics {
     pub iterations: usize,
     /// FFT convolutions (a forward and an inverse transform) of the whole map, coarser ones in proportion.
     pub transforms: f64,
-    /// Steps of another kind that the chord iteration took because its own did not help: they cost time, not accuracy.
-    pub fallbacks: usize,
     /// What is left of the conditions of contact.
     pub residuals: Residuals,
     /// Upper bound of the energy error per nominal area, `mean p (g - min g)` (J/m²), and with a hardness H
