@@ -148,8 +148,6 @@ fn point(p: &DeterministicPoint) -> Value {
     point.extend(parts_json::keys_of(json!({
         "mean_pressure": p.mean_pressure,
         "area_fraction": a.area_fraction,
-        "area_interval_covers": "this map",
-        "no_interval_because": a.budget.area.half_width().err().map(|r| r.to_string()),
         "mean_gap": a.mean_gap,
         "converged": a.converged,
         "trouble": p.trouble,
