@@ -5,7 +5,7 @@ use crate::conduction::remove_octaves;
 use crate::progress::LoadListener;
 use crate::result::{ChoiceKind, Coarser, Comparison, SurfaceComparison};
 use crate::{EdgesName, Listener, Origin, Settings, StudyError};
-use contact_accuracy::{Estimate, Ladder, Setup, regrid, thinned};
+use contact_accuracy::{Estimate, Ladder, Setup, regrid, thinned, with_images};
 use contact_types::HeightMap;
 use fft_bem_solver::{Load, Maps, Solution, Solver};
 use grid_fft::parallel::on_threads;
@@ -69,7 +69,8 @@ impl SurfaceComparison {
         if watch.is_stopped {
             return None;
         }
-        let whole = settings.edges.around(map).ok()?;
+        let is_mirrored = settings.edges == EdgesName::Mirrored;
+        let whole = with_images(Cow::Borrowed(map), is_mirrored).ok()?;
         let builder = settings.solver().maps(Maps::Pressure);
         let mut solver = builder.build(whole.grid(), self.inputs.modulus).ok()?;
         let load = Load::MeanPressure(self.headline_pressure());

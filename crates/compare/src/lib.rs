@@ -34,7 +34,9 @@ pub use conducted::{
     Conductance, Conducted, Conduction, Joint, Octave, Resistance, TheoryStiffness,
 };
 pub use conduction::conducted_by;
-pub use contact_accuracy::{AccuracyRequest, Budget, EdgeShare, Estimate, NoUncertainty, Reached};
+pub use contact_accuracy::{
+    AccuracyRequest, Budget, EdgeShare, Estimate, NoUncertainty, Reached, with_images,
+};
 pub use contact_types::{
     Caveat, Citation, ContactModel, ContactModulus, ContactState, Grid, HeightMap, ModelError,
     SeparationModel, SpectralMoments, SurfaceError,

@@ -4,12 +4,10 @@ use crate::{
     Card, GapGas, Joint, MaterialUse, Origin, Registry, StudyError, Theory, WorkOfAdhesion,
 };
 use contact_accuracy::Axis;
-use contact_types::{HeightMap, Named};
+use contact_types::Named;
 use fft_bem_solver::{Method, Precision, Solver, SolverBuilder};
 use serde::{Deserialize, Serialize};
-use std::borrow::Cow;
-use surface_stats::clean::mirrored;
-use surface_stats::{Level, StatsError};
+use surface_stats::Level;
 
 /// Settings of a study. SI units.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
@@ -193,20 +191,6 @@ pub enum EdgesName {
 impl Named for EdgesName {
     const NAMES: &'static [(Self, &'static str)] =
         &[(Self::Periodic, "periodic"), (Self::Mirrored, "mirrored")];
-}
-
-impl EdgesName {
-    /// The map as the solver gets it, which repeats it: mirror images repeat without a jump. The means of an answer are those
-    /// of the map, for every quarter has the same.
-    ///
-    /// # Errors
-    /// [`StatsError::Surface`] if the mirror images make too many points.
-    pub fn around(self, map: &HeightMap) -> Result<Cow<'_, HeightMap>, StatsError> {
-        Ok(match self {
-            Self::Periodic => Cow::Borrowed(map),
-            Self::Mirrored => Cow::Owned(mirrored(map)?),
-        })
-    }
 }
 
 /// Directions of the pressure drop.

@@ -10,6 +10,7 @@ use contact_types::{Grid, HeightMap, SurfaceError};
 use fft_bem_solver::{
     Iteration, Load, Method, ObserverResult, SetStiffness, Solution, Solver, SolverError,
 };
+use std::borrow::Cow;
 use surface_stats::clean::{mirrored, resample};
 use surface_stats::{Edges, StatsError};
 
@@ -84,14 +85,22 @@ pub fn regrid(map: &HeightMap, shape: [usize; 2], repeats: bool) -> Result<Heigh
     resample(map, shape, if repeats { Edges::Periodic } else { Edges::Open })
 }
 
-/// The map with its mirror images, if those belong to it.
-pub(crate) fn whole(map: HeightMap, is_mirrored: bool) -> Result<HeightMap, StatsError> {
-    if is_mirrored { mirrored(&map) } else { Ok(map) }
+/// The map as the solver gets it, which repeats it: with its mirror images, if those belong to it, which repeat without a
+/// jump. The means of an answer are those of the map, for every quarter has the same.
+///
+/// # Errors
+/// [`StatsError::Surface`] if the mirror images make too many points.
+pub fn with_images(
+    map: Cow<'_, HeightMap>,
+    is_mirrored: bool,
+) -> Result<Cow<'_, HeightMap>, StatsError> {
+    Ok(if is_mirrored { Cow::Owned(mirrored(&map)?) } else { map })
 }
 
 /// Both, whole. (Of a map and its images, every second row would be the image of the others: twice the same.)
 pub(crate) fn both(map: &HeightMap, is_mirrored: bool) -> Result<Vec<HeightMap>, StatsError> {
-    PHASES.into_iter().map(|first| whole(thinned(map, first)?, is_mirrored)).collect()
+    let whole = |first| with_images(Cow::Owned(thinned(map, first)?), is_mirrored);
+    PHASES.into_iter().map(|first| Ok(whole(first)?.into_owned())).collect()
 }
 
 /// The pressure of a map with `[ny, nx]` points at the pixels, by their index, of one of this `shape`: itself, thinned from `first`

@@ -2,7 +2,7 @@
 //! between the points, on twice as many.
 
 use crate::budget::{Budget, Map};
-use crate::coarser::{Numbers, RungMaps, both, pressure_beside, whole};
+use crate::coarser::{Numbers, RungMaps, both, pressure_beside, with_images};
 use crate::estimate::NoUncertainty;
 use crate::indicator::{LIMIT, indicator};
 use crate::leak::Leaks;
@@ -15,7 +15,6 @@ use fft_bem_solver::{
 };
 use std::borrow::Cow;
 use surface_stats::StatsError;
-use surface_stats::clean::mirrored;
 
 /// Relative uncertainty of the area above which twice the points are solved.
 const WIDE: f64 = 0.2;
@@ -75,7 +74,7 @@ impl Ladder {
         let known = Map::of(&map);
         let mut builder = setup.builder.clone().boundary(setup.boundary);
         builder.maps = builder.maps.max(setup.maps());
-        let surface = around(&map, setup.mirrored)?;
+        let surface = with_images(Cow::Borrowed(&map), setup.mirrored)?;
         let mut solver = builder.section(setup.section).build(surface.grid(), setup.modulus)?;
         solver.take_surface(&surface)?;
         drop(surface);
@@ -99,7 +98,7 @@ impl Ladder {
     /// [`LadderError`].
     pub fn take_map(&mut self, map: HeightMap) -> Result<(), LadderError> {
         self.known = Map::of(&map);
-        self.solver.take_surface(&*around(&map, self.setup.mirrored)?)?;
+        self.solver.take_surface(&*with_images(Cow::Borrowed(&map), self.setup.mirrored)?)?;
         if let Ok(coarser) = &mut self.coarser {
             coarser.take(both(&map, self.setup.mirrored)?)?;
         }
@@ -197,17 +196,12 @@ impl Ladder {
         if self.finer.is_none() {
             let shape = self.given.grid().shape().map(|n| 2 * n);
             let map = regrid(&self.given, shape, self.repeats()).ok()?;
-            let map = whole(map, self.setup.mirrored).ok()?;
+            let map = with_images(Cow::Owned(map), self.setup.mirrored).ok()?.into_owned();
             let setup = Setup { leak: Vec::new(), ..self.setup.clone() };
             self.finer = Some(RungMaps::of(vec![map], setup).ok()?);
         }
         self.finer.as_mut()?.solve(load, given, observer).ok()?.pop()
     }
-}
-
-/// With its mirror images, if those belong to it.
-fn around(map: &HeightMap, is_mirrored: bool) -> Result<Cow<'_, HeightMap>, StatsError> {
-    Ok(if is_mirrored { Cow::Owned(mirrored(map)?) } else { Cow::Borrowed(map) })
 }
 
 /// Why a map has no rungs, or was not solved to the end.

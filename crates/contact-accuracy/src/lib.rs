@@ -22,7 +22,7 @@ mod uncertainty;
 
 pub use budget::{Budget, Map, RealPressure};
 pub use climb::{Aim, Next, Reached, Sink, Task, Unmet, climb};
-pub use coarser::{Numbers, regrid, thinned};
+pub use coarser::{Numbers, regrid, thinned, with_images};
 pub use contact_types::{Axis, ContactModulus, Grid, HeightMap};
 pub use edge_share::EdgeShare;
 pub use estimate::{Estimate, NoUncertainty, Parts};

@@ -4,10 +4,11 @@ use crate::message::Messages;
 use crate::request::{Remedies, Request};
 use crate::surface::{measurement, prepared, roughness};
 use crate::trouble::Trouble;
-use contact_compare::{Iteration, Load, Solver};
+use contact_compare::{Iteration, Load, Solver, with_images};
 use contact_front_end::{Failure, shown};
 use contact_types::ContactModulus;
 use serde_json::{Value, json};
+use std::borrow::Cow;
 use std::ops::ControlFlow;
 use surface_io::{Cut, Measurement};
 
@@ -81,7 +82,8 @@ fn solved(
 ) -> Result<Option<f64>, Trouble> {
     let map = prepared(measured, request)?;
     let modulus = ContactModulus::from_pascals(1.0).map_err(|e| Failure::from(&e))?;
-    let whole = request.remedies.edges().around(&map).map_err(|e| Failure::from(&e))?;
+    let whole = with_images(Cow::Owned(map), request.remedies.mirror);
+    let whole = whole.map_err(|e| Failure::from(&e))?;
     let mut solver = Solver::builder()
         .tolerance(TOLERANCE)
         .threads(request.place.threads)

@@ -204,10 +204,6 @@ impl Remedies {
     pub(crate) fn level(&self) -> Level {
         if self.plane { Level::Auto } else { Level::Mean }
     }
-
-    pub(crate) fn edges(&self) -> EdgesName {
-        if self.mirror { EdgesName::Mirrored } else { EdgesName::Periodic }
-    }
 }
 
 impl Request {
@@ -288,7 +284,7 @@ impl Request {
             pressures,
             load_area,
             level: self.remedies.level(),
-            edges: self.remedies.edges(),
+            edges: if self.remedies.mirror { EdgesName::Mirrored } else { EdgesName::Periodic },
             threads: self.place.threads,
             ..Settings::default()
         })
