@@ -157,8 +157,7 @@ fn compare(
         jump: settings.gas.map(|gas| gas.jump()),
         leak: settings.leak.map_or_else(Vec::new, |leak| leak.along.axes().to_vec()),
         stiffness: settings.joint().is_asked(),
-        section: Some(telling_row(&map)),
-        ..setup(settings.solver().maps(Maps::PressureAndGap))
+        ..setup(settings.solver().maps(Maps::PressureAndGap).section(Some(telling_row(&map))))
     };
     let aim = match (settings.accuracy, settings.fast) {
         (Some(accuracy), _) => Aim::Within(AccuracyRequest::new(accuracy)?),

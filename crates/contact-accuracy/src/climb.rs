@@ -11,7 +11,7 @@ use crate::setup::Setup;
 use contact_types::{Clock, Grid, HeightMap};
 use fft_bem_solver::{Boundary, Iteration, Load, Precision, SolverError};
 use std::ops::ControlFlow;
-use surface_stats::StatsError;
+use surface_stats::{StatsError, repeats};
 
 /// How well the area is to be known.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -185,23 +185,20 @@ fn attempt(
     let map = match factor {
         0.5 => thinned(given, [0, 0]).map_err(StatsError::from)?,
         2.0 => {
-            let repeats = surface_stats::repeats(given) && setup.boundary == Boundary::Periodic;
+            let repeats = repeats(given) && setup.builder.boundary == Boundary::Periodic;
             regrid(given, given.grid().shape().map(|n| 2 * n), repeats)?
         }
         _ => (*given).clone(),
     };
     let grid = map.grid();
     let row = |row: usize| ((factor * row as f64) as usize).min(grid.shape()[0] - 1);
-    let mut builder = setup.builder.clone();
+    let mut builder = setup.builder.clone().section(setup.builder.section.map(row));
     if let Aim::Within(request) = aim {
         builder = builder.tolerance(request.tolerance()).precision(request.precision());
     }
     let (precision, tolerance) = (builder.precision, builder.tolerance);
     let finer = setup.finer && grid == given.grid();
-    let mut ladder = Ladder::new(
-        map,
-        Setup { builder, finer, section: setup.section.map(row), ..setup.clone() },
-    )?;
+    let mut ladder = Ladder::new(map, Setup { builder, finer, ..setup.clone() })?;
     sink.begin(ladder.map(), &ladder.known);
     let (mut widest, mut any_between, mut unmet) = (0.0_f64, false, None);
     for (index, &load) in loads.iter().enumerate() {

@@ -72,10 +72,10 @@ impl Ladder {
     /// [`LadderError`].
     pub fn new(map: HeightMap, setup: Setup) -> Result<Self, LadderError> {
         let known = Map::of(&map);
-        let mut builder = setup.builder.clone().boundary(setup.boundary);
+        let mut builder = setup.builder.clone();
         builder.maps = builder.maps.max(setup.maps());
         let surface = with_images(Cow::Borrowed(&map), setup.mirrored)?;
-        let mut solver = builder.section(setup.section).build(surface.grid(), setup.modulus)?;
+        let mut solver = builder.build(surface.grid(), setup.modulus)?;
         solver.take_surface(&surface)?;
         drop(surface);
         let grid = map.grid();
@@ -174,7 +174,7 @@ impl Ladder {
     }
 
     fn repeats(&self) -> bool {
-        self.known.repeats && self.setup.boundary == Boundary::Periodic
+        self.known.repeats && self.setup.builder.boundary == Boundary::Periodic
     }
 
     fn needs_finer(&self, budget: &Budget) -> bool {

@@ -1,7 +1,7 @@
 //! How a map and the rungs beside it are solved.
 
 use contact_types::{Axis, ContactModulus};
-use fft_bem_solver::{Boundary, Maps, SolverBuilder};
+use fft_bem_solver::{Maps, SolverBuilder};
 
 /// Largest relative rms error of the pressure with which an uncertainty is known.
 pub(crate) const LOOSEST: f64 = 1e-2;
@@ -11,8 +11,6 @@ pub(crate) const LOOSEST: f64 = 1e-2;
 pub struct Setup {
     /// Settings of the solver.
     pub builder: SolverBuilder,
-    /// What lies beyond the edges.
-    pub boundary: Boundary,
     /// Whether the map is continued by its mirror images rather than by itself.
     pub mirrored: bool,
     /// Contact modulus.
@@ -22,8 +20,6 @@ pub struct Setup {
     pub finer: bool,
     /// Whether the stiffness of the contact set is asked for.
     pub stiffness: bool,
-    /// Row of the map along which a solution carries pressure and gap, if one.
-    pub section: Option<usize>,
     /// Length of the temperature jumps of a gas in the gap (m), if its conductance is asked for. With this or the next,
     /// pressure and gap are kept, for the stiffness the pressure.
     pub jump: Option<f64>,
@@ -36,12 +32,10 @@ impl Setup {
     pub fn new(builder: SolverBuilder, modulus: ContactModulus) -> Self {
         Self {
             builder,
-            boundary: Boundary::Periodic,
             mirrored: false,
             modulus,
             finer: true,
             stiffness: false,
-            section: None,
             jump: None,
             leak: Vec::new(),
         }

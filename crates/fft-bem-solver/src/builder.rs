@@ -6,7 +6,8 @@ use crate::{Boundary, Maps, Method, Precision};
 #[derive(Debug, Clone)]
 pub struct SolverBuilder {
     pub(crate) method: Method,
-    pub(crate) boundary: Boundary,
+    /// As set with [`boundary`](Self::boundary).
+    pub boundary: Boundary,
     /// As set with [`precision`](Self::precision).
     pub precision: Precision,
     /// As set with [`tolerance`](Self::tolerance).
@@ -15,7 +16,8 @@ pub struct SolverBuilder {
     pub(crate) certified: bool,
     /// As set with [`maps`](Self::maps).
     pub maps: Maps,
-    pub(crate) section: Option<usize>,
+    /// As set with [`section`](Self::section).
+    pub section: Option<usize>,
     /// Pa; infinite for elastic bodies.
     pub(crate) hardness: f64,
     /// Whether the pressure answered is the one that the next step would try, without the convolution for its displacement:

@@ -132,13 +132,13 @@ impl SolveRequest {
         // The indicator looks at the pressure.
         let gap_too = self.keep_gap || self.distributions;
         let maps = if gap_too { Maps::PressureAndGap } else { Maps::Pressure };
+        let builder = settings.solver().boundary(self.boundary).certified(self.certify);
         let setup = Setup {
-            boundary: self.boundary,
             mirrored: settings.edges == EdgesName::Mirrored,
             jump: settings.gas.map(|gas| gas.jump()),
             leak: settings.leak.map_or_else(Vec::new, |leak| leak.along.axes().to_vec()),
             stiffness: self.stiffness || settings.joint().is_asked(),
-            ..Setup::new(settings.solver().certified(self.certify).maps(maps), modulus)
+            ..Setup::new(builder.maps(maps), modulus)
         };
         let conducts = settings.joint().is_asked();
         let part = conducts.then(|| (self.joint(grid.area()), modulus));

@@ -78,7 +78,7 @@ fn no_map_is_without_an_uncertainty() {
         HeightMap::from_fn(grid, |y, x| -0.5 * ((y - 0.51).powi(2) + (x - 0.48).powi(2))).unwrap()
     };
     let square = |n: usize| map(n, &heights);
-    let free = Setup { boundary: Boundary::Free, ..setup(Solver::builder()) };
+    let free = setup(Solver::builder().boundary(Boundary::Free));
     let cases: [(Make<'_>, Setup, f64); 3] = [
         (&square, hard(30.0 * rms), 3.0 * rms),
         (&oblong, setup(Solver::builder()), rms),
@@ -87,9 +87,9 @@ fn no_map_is_without_an_uncertainty() {
     for (case, (map, setup, pressure)) in cases.into_iter().enumerate() {
         let load = Load::MeanPressure(pressure);
         let found = Ladder::new(map(128), setup.clone()).unwrap().solve(load, |_| ()).unwrap();
-        let builder = setup.builder.clone().boundary(setup.boundary);
         let fine = map(512);
-        let truth = builder.build(fine.grid(), setup.modulus).unwrap().solve(&fine, load).unwrap();
+        let truth =
+            setup.builder.build(fine.grid(), setup.modulus).unwrap().solve(&fine, load).unwrap();
         let area = off(&found.budget.area, truth.state.area_fraction);
         assert!(area <= 1.0, "{case}: {area}");
         if case == 0 {
