@@ -9,16 +9,17 @@ use crate::study::unmet;
 use crate::work::{Point, SolvedLoads, Watch};
 use contact_accuracy::{Aim, Ladder, LadderError, Setup, Sink, Task, climb};
 use contact_compare::{
-    AccuracyRequest, Adhesion, EdgesName, Finding, Hardness, Joint, Level, PairOrigin, Reached,
-    Scene, Settings, Solved, Spikes, Surface,
+    AccuracyRequest, Adhesion, EdgesName, Finding, Hardness, Inputs, Joint, Level, PairOrigin,
+    Reached, Scene, Settings, Solved, Spikes, Surface,
 };
-use contact_types::{AsperityStatistics, ContactModulus, HeightMap, Named};
+use contact_types::{ContactModulus, HeightMap, Named};
 use fft_bem_solver::{Boundary, Load, Maps, SolverError};
 use serde::Deserialize;
 use serde_json::{Value, json};
+use std::iter;
 use surface_stats::clean::Record;
 use surface_stats::profile::{self, Trace};
-use surface_stats::{Edges, HeightStatistics, StatsError, moments};
+use surface_stats::{Edges, StatsError, moments};
 
 /// Why a contact has no leak.
 const NO_SEAL: &str = "a leak is that of a map which touches all over, from one edge to the other: a profile has no \
@@ -275,21 +276,14 @@ fn scene(
     modulus: ContactModulus,
     plane_strain: bool,
 ) -> Result<Scene, StatsError> {
-    let scene = Scene {
-        modulus: modulus.pascals(),
-        rms_height: Some(HeightStatistics::of(map).rms_height),
-        ..Scene::default()
-    };
+    let inputs = |moments| Inputs { moments: Some(moments), ..Inputs::new(modulus) };
+    let of = |moments| Scene::of(&inputs(moments), iter::empty());
     if plane_strain {
         // Of ridges the slope of the section is the gradient.
         let trace = Trace::new(map.grid().pixel()[1], map.heights().to_vec())?;
-        return Ok(Scene { gradient: Some(profile::moments(&trace).m2.sqrt()), ..scene });
+        let moments = profile::moments(&trace);
+        return Ok(Scene { gradient: Some(moments.m2.sqrt()), radius: None, ..of(moments) });
     }
-    let moments = moments(map, Edges::Open)?;
-    Ok(Scene {
-        gradient: Some(moments.rms_gradient()),
-        radius: AsperityStatistics::from_moments(moments).ok().map(|a| a.radius),
-        rows: row_warning(map),
-        ..scene
-    })
+    let scene = of(moments(map, Edges::Open)?);
+    Ok(Scene { rows: row_warning(map), ..scene })
 }
