@@ -1,7 +1,7 @@
 //! A closer look at the headline, for a report: what a coarser grid would have cost in accuracy, its stiffness, and what
 //! other choices in preparing the map would have made of its area.
 
-use crate::conduction::remove_octaves;
+use crate::conduction::{FEWEST_POINTS, remove_octaves, without_shorter};
 use crate::progress::LoadListener;
 use crate::result::{ChoiceKind, Coarser, Comparison, SurfaceComparison};
 use crate::{EdgesName, Listener, Origin, Settings, StudyError};
@@ -16,9 +16,6 @@ use surface_stats::{Level, level};
 /// Point spacings tried, in spacings of the map. Together they have
 /// 1/4 + 1/16 + 1/64 = 33 % of its points.
 const COARSER: [usize; 3] = [2, 4, 8];
-
-/// Points along the shorter side below which a grid is not tried, nor a choice.
-const FEWEST_POINTS: usize = 16;
 
 /// Points a side above which the choices are compared on a coarser grid.
 const MOST_POINTS: usize = 1024;
@@ -170,11 +167,10 @@ fn choices(
     }
     let [dy, dx] = used.grid().pixel();
     let shortest = surface.statistics.cutoff.unwrap_or(0.0).max(2.0 * dy.max(dx));
-    let waves = used.grid().size().map(|side| (side / shortest).floor() as usize);
-    if waves[0].min(waves[1]) >= FEWEST_POINTS {
-        let smooth = on(used, waves).and_then(|coarse| on(&coarse, used.grid().shape()));
-        add(ChoiceKind::Cutoff(2.0 * shortest), effect(smooth));
-    }
+    let octave = surface.conduction.as_ref().and_then(|c| c.octaves.get(1));
+    let known = octave.filter(|_| factor == 1).map(|octave| octave.area / reference - 1.0);
+    let smooth = || effect(without_shorter(used, 2.0 * shortest, repeats));
+    add(ChoiceKind::Cutoff(2.0 * shortest), known.or_else(smooth));
     if !repeats && settings.edges == EdgesName::Periodic {
         // Half the points a side: its mirror images have as many as the map.
         let half = on(used, used.grid().shape().map(|n| n / 2));

@@ -14,9 +14,10 @@ use crate::{GapGas, Input, Inputs, Theory};
 use asperity_models::thermal_conductance::gas_between;
 use contact_accuracy::{Budget, regrid};
 use contact_types::{Clock, ContactModel, ContactModulus, ContactState, HeightMap};
+use std::iter::successors;
 
-/// Points along the shorter side that the shortest wave left must fit, twice.
-const FEWEST_POINTS: usize = 16;
+/// Points along the shorter side below which a grid is not tried, nor a choice.
+pub(crate) const FEWEST_POINTS: usize = 16;
 /// Most octaves taken off.
 const MOST_OCTAVES: usize = 4;
 /// Roll-off over the shortest wave left, at least: with less there is no roughness left to be asked.
@@ -180,29 +181,27 @@ fn octaves(
     let [dy, dx] = grid.pixel();
     let shortest = surface.statistics.cutoff.unwrap_or(0.0).max(2.0 * dy.max(dx));
     let mut found = vec![Octave { shortest, area: answer.area_fraction, stiffness }];
-    let mut solve = |map: &HeightMap| -> Option<[f64; 2]> {
-        let (solver, solution) = surface.solve_headline(map, settings, watch)?;
+    let solve = |cut: f64| {
+        let smooth = without_shorter(&surface.surface, cut, surface.map.repeats)?;
+        let (solver, solution) = surface.solve_headline(&smooth, settings, watch)?;
         let set = solver.contact_stiffness(|i| solution.pressure[i] > 0.0).ok()?;
-        Some([solution.state.area_fraction, set.per_area])
+        let (area, stiffness) = (solution.state.area_fraction, set.per_area);
+        let is_partial = area > 0.0 && stiffness > 0.0 && stiffness.is_finite();
+        is_partial.then_some(Octave { shortest: cut, area, stiffness })
     };
-    let mut cut = shortest;
-    let longest = surface.statistics.rolloff.unwrap_or(f64::INFINITY) / LEAST_BAND;
-    for _ in 0..MOST_OCTAVES {
-        cut *= 2.0;
-        let [ny, nx] = grid.size().map(|side| (2.0 * side / cut).round() as usize);
-        // The fit of the spectrum places cut-off and roll-off to a few per cent.
-        if ny.min(nx) < FEWEST_POINTS || cut > 1.1 * longest {
-            break;
-        }
-        let smooth = regrid(&surface.surface, [ny, nx], surface.map.repeats)
-            .and_then(|coarse| regrid(&coarse, grid.shape(), surface.map.repeats));
-        let Some([area, stiffness]) = smooth.ok().and_then(|map| solve(&map)) else { break };
-        if !(area > 0.0 && stiffness > 0.0 && stiffness.is_finite()) {
-            break;
-        }
-        found.push(Octave { shortest: cut, area, stiffness });
-    }
+    // The fit of the spectrum places cut-off and roll-off to a few per cent.
+    let longest = 1.1 * (surface.statistics.rolloff.unwrap_or(f64::INFINITY) / LEAST_BAND);
+    let cuts = successors(Some(2.0 * shortest), |cut| Some(2.0 * cut)).take(MOST_OCTAVES);
+    found.extend(cuts.take_while(|cut| *cut <= longest).map_while(solve));
     found
+}
+
+/// The map without waves shorter than this (m), if there are sixteen points with two to each.
+pub(crate) fn without_shorter(map: &HeightMap, wave: f64, repeats: bool) -> Option<HeightMap> {
+    let points = map.grid().size().map(|side| (2.0 * side / wave).round() as usize);
+    let is_enough = points[0].min(points[1]) >= FEWEST_POINTS;
+    let coarse = is_enough.then(|| regrid(map, points, repeats).ok())??;
+    regrid(&coarse, map.grid().shape(), repeats).ok()
 }
 
 #[cfg(test)]
