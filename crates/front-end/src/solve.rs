@@ -4,7 +4,7 @@ use crate::complete::Subject;
 use crate::failure::Failure;
 use crate::loads::Spread;
 use crate::shown::unusual_hardness;
-use crate::statistics::{adhesion, row_warning};
+use crate::statistics::{row_warning, with_spectrum};
 use crate::study::unmet;
 use crate::work::{Point, SolvedLoads, Watch};
 use contact_accuracy::{Aim, Ladder, LadderError, Setup, Sink, Task, climb};
@@ -12,14 +12,14 @@ use contact_compare::{
     AccuracyRequest, Adhesion, EdgesName, Finding, Hardness, Inputs, Joint, Level, PairOrigin,
     Reached, Scene, Settings, Solved, Spikes, Surface,
 };
-use contact_types::{ContactModulus, HeightMap, Named};
+use contact_types::{ContactModulus, HeightMap, Named, SpectralMoments};
 use fft_bem_solver::{Boundary, Load, Maps, SolverError};
 use serde::Deserialize;
 use serde_json::{Value, json};
 use std::iter;
 use surface_stats::clean::Record;
 use surface_stats::profile::{self, Trace};
-use surface_stats::{Edges, StatsError, moments};
+use surface_stats::{Edges, StatsError, moments, spectral_scales};
 
 /// Why a contact has no leak.
 const NO_SEAL: &str = "a leak is that of a map which touches all over, from one edge to the other: a profile has no \
@@ -121,13 +121,17 @@ impl SolveRequest {
         let level = asked.on(&heights).map_err(refused)?;
         let surface = surface_stats::level(&heights, level).map_err(refused)?;
         drop(heights);
-        solved.scene = scene(&surface, modulus, self.plane_strain).map_err(refused)?;
-        solved.scene.spacing = largest * f64::EPSILON;
+        let (scene, moments) = scene(&surface, modulus, self.plane_strain).map_err(refused)?;
+        solved.scene = Scene { spacing: largest * f64::EPSILON, ..scene };
         if self.boundary == Boundary::Periodic {
             solved.scene.tilted = surface_stats::tilted(&surface, asked).map_err(refused)?;
         }
         watch.levelled(&surface);
-        let sticking = settings.adhesion.map(|given| (given, surface.clone()));
+        let sticking = settings.adhesion.map(|given| {
+            let ([cutoff, _], _) = spectral_scales(&surface, Edges::Open)?;
+            Ok((given, with_spectrum(&surface, modulus, moments), cutoff))
+        });
+        let sticking = sticking.transpose().map_err(refused)?;
         let grid = surface.grid();
         solved.spikes = spikes.clone();
         // The indicator looks at the pressure.
@@ -180,11 +184,8 @@ impl SolveRequest {
             *kept = Some(ladder);
         }
         work.add_to(&mut solved);
-        if let Some((given, map)) = &sticking {
-            let contacts = work.contacts();
-            let found = adhesion(*given, map, modulus, &contacts).map_err(refused)?;
-            solved.adhesion = Some(found);
-        }
+        solved.adhesion = sticking
+            .map(|(given, inputs, cutoff)| Adhesion::of(given, &inputs, cutoff, &work.contacts()));
         solved.plan = plan.as_ref();
         let findings = solved.findings();
         let (modulus, gradient) = (settings.modulus, solved.scene.gradient);
@@ -275,15 +276,16 @@ fn scene(
     map: &HeightMap,
     modulus: ContactModulus,
     plane_strain: bool,
-) -> Result<Scene, StatsError> {
+) -> Result<(Scene, SpectralMoments), StatsError> {
     let inputs = |moments| Inputs { moments: Some(moments), ..Inputs::new(modulus) };
     let of = |moments| Scene::of(&inputs(moments), iter::empty());
     if plane_strain {
         // Of ridges the slope of the section is the gradient.
         let trace = Trace::new(map.grid().pixel()[1], map.heights().to_vec())?;
         let moments = profile::moments(&trace);
-        return Ok(Scene { gradient: Some(moments.m2.sqrt()), radius: None, ..of(moments) });
+        let gradient = Some(moments.m2.sqrt());
+        return Ok((Scene { gradient, radius: None, ..of(moments) }, moments));
     }
-    let scene = of(moments(map, Edges::Open)?);
-    Ok(Scene { rows: row_warning(map), ..scene })
+    let moments = moments(map, Edges::Open)?;
+    Ok((Scene { rows: row_warning(map), ..of(moments) }, moments))
 }

@@ -5,7 +5,7 @@ use crate::failure::Failure;
 use contact_compare::{
     Adhesion, Finding, Inputs, Level, ProfileSurface, Settings, Spikes, WorkOfAdhesion,
 };
-use contact_types::{ContactModulus, HeightMap};
+use contact_types::{ContactModulus, HeightMap, SpectralMoments};
 use serde::Deserialize;
 use serde_json::{Value, json};
 use std::path::Path;
@@ -13,9 +13,9 @@ use surface_io::Measurement;
 use surface_stats::clean::row_offsets;
 use surface_stats::iso25178::{self, IsoParameter};
 use surface_stats::profile::ProfileStatistics;
+use surface_stats::spectrum::radial;
 use surface_stats::{
     ByDistance, Edges, StatsError, StatsOptions, SurfaceStatistics, Warning, by_distance, level,
-    moments, spectral_scales,
 };
 
 /// What is asked of a map.
@@ -83,7 +83,8 @@ pub fn statistics(subject: &Subject<'_>, asked: &StatisticsRequest) -> Result<St
         scales = Some(found);
     }
     if let (Some(map), Some((given, modulus))) = (&levelled, asked.adhesion) {
-        let found = self::adhesion(given, map, modulus, &[]).map_err(refused)?;
+        let inputs = with_spectrum(map, modulus, s.moments());
+        let found = Adhesion::of(given, &inputs, s.cutoff, &[]);
         json["adhesion"] = json!(found);
         adhesion = Some(found);
     }
@@ -146,20 +147,11 @@ pub(crate) fn row_warning(map: &HeightMap) -> Option<Warning> {
     row_offsets(map.grid(), map.heights()).ok()?.warning
 }
 
-/// Whether the bodies stick, of a levelled map and of the contacts that were solved on it, `[mean pressure (Pa), area
-/// fraction]`.
-pub(crate) fn adhesion(
-    given: WorkOfAdhesion,
+/// What adhesion depends on, of a levelled map with these moments.
+pub(crate) fn with_spectrum(
     map: &HeightMap,
     modulus: ContactModulus,
-    contacts: &[[f64; 2]],
-) -> Result<Adhesion, StatsError> {
-    let moments = moments(map, Edges::Open)?;
-    let inputs = Inputs {
-        moments: Some(moments),
-        spectrum: surface_stats::spectrum::radial(map).ok(),
-        ..Inputs::new(modulus)
-    };
-    let ([cutoff, _], _) = spectral_scales(map, Edges::Open)?;
-    Ok(Adhesion::of(given, &inputs, cutoff, contacts))
+    m: SpectralMoments,
+) -> Inputs {
+    Inputs { moments: Some(m), spectrum: radial(map).ok(), ..Inputs::new(modulus) }
 }
