@@ -65,7 +65,7 @@ pub fn find_outliers(grid: Grid, heights: &[f64], threshold: f64) -> Result<Outl
     let rounding = 16.0 * f64::EPSILON * magnitude;
     if deviation <= rounding {
         // On ridges all but the crests are their neighbours' median.
-        sample = sampled().filter_map(|i| window.from_pairs(i, &mut scratch)).collect();
+        sample = sampled().filter_map(|i| window.distance_from_pairs(i, &mut scratch)).collect();
         deviation = spread(&mut sample);
     }
     let limit = (threshold * deviation).max(height_step(heights).unwrap_or(0.0)).max(rounding);
@@ -119,7 +119,7 @@ impl Neighbourhood {
     }
 
     /// How far a valid point is from the means of opposite neighbours; `None` for a missing or lonely one.
-    fn from_pairs(&self, index: usize, values: &mut Vec<f64>) -> Option<f64> {
+    fn distance_from_pairs(&self, index: usize, values: &mut Vec<f64>) -> Option<f64> {
         values.clear();
         let from = self.from(index);
         let at = |step: isize| from(step)[0];
@@ -140,7 +140,7 @@ impl Neighbourhood {
 
     /// How far a valid point is off; `None` for a missing or lonely one.
     fn distance(&self, index: usize, values: &mut Vec<f64>) -> Option<f64> {
-        let from_pairs = self.from_pairs(index, values).unwrap_or(f64::INFINITY);
+        let from_pairs = self.distance_from_pairs(index, values).unwrap_or(f64::INFINITY);
         let from = self.from(index);
         let here = from(0)[0];
         values.clear();
