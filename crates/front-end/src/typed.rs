@@ -88,14 +88,18 @@ pub fn inputs(
     ways: Option<&str>,
 ) -> Result<Inputs, Failure> {
     check(typed, card, &name, ways)?;
-    for (input, values) in typed {
-        let is_of_bodies = matches!(input, Input::RmsHeight | Input::MeanSlope | Input::Ra);
-        if is_of_bodies && values.len() > 2 {
-            let message = format!(
-                "{} has {} numbers; give one, or one for each of two surfaces",
-                name(*input),
-                values.len()
-            );
+    let of_bodies = "give one of each, that of both together, or two, those of two surfaces";
+    let of_levels = "give both for each level, coarse to fine";
+    let together: [(&[Input], usize, &str); 2] = [
+        (&[Input::RmsHeight, Input::Ra, Input::MeanSlope], 2, of_bodies),
+        (&[Input::SphereRadius, Input::SphereDensity], usize::MAX, of_levels),
+    ];
+    for (inputs, most, way_out) in together {
+        let count = |input: &Input| Some((name(*input), typed.get(input)?.len()));
+        let counts: Vec<_> = inputs.iter().filter_map(count).collect();
+        if counts.iter().any(|(_, count)| *count > most || *count != counts[0].1) {
+            let counts: Vec<_> = counts.iter().map(|(name, n)| format!("{name}: {n}")).collect();
+            let message = format!("numbers of {}; {way_out}", counts.join(", "));
             return Err(Failure::refused("usage", message));
         }
     }
@@ -109,10 +113,10 @@ pub fn inputs(
         hardness: one(Input::Hardness),
         ..Inputs::new(modulus)
     };
-    // Of two surfaces the squares add; of Gaussian heights σ = √(π/2) Ra.
+    // Of two surfaces the squares add, and one may be smooth; of Gaussian heights σ = √(π/2) Ra.
     let both = |input: Input| {
         let of_each = typed.get(&input)?;
-        let wrong = of_each.iter().copied().find(|x| x.is_nan() || *x <= 0.0);
+        let wrong = of_each.iter().copied().find(|x| x.is_nan() || *x < 0.0);
         Some(wrong.unwrap_or_else(|| of_each.iter().copied().fold(0.0, f64::hypot)))
     };
     inputs.mean_slope = both(Input::MeanSlope);
@@ -145,16 +149,6 @@ pub fn inputs(
         inputs.fractal = Some(FractalParameters { dimension, roughness });
     }
     let (radii, densities) = (all(Input::SphereRadius), all(Input::SphereDensity));
-    if radii.len() != densities.len() {
-        let message = format!(
-            "{} has {} levels and {} {}; give both for each level, coarse to fine",
-            name(Input::SphereRadius),
-            radii.len(),
-            name(Input::SphereDensity),
-            densities.len()
-        );
-        return Err(Failure::refused("usage", message));
-    }
     let level = |(radius, density)| SphereLevel { radius, density };
     inputs.spheres = radii.into_iter().zip(densities).map(level).collect();
     Ok(inputs)
