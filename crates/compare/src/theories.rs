@@ -229,7 +229,7 @@ const ROWS: &[ModelDescriptor] = &[
         names: ["mikic", "Mikic", "Mikic conductance, elastic"],
         needs: &[(&[RmsHeight, MeanSlope], &[]), (&[Ra, MeanSlope], &[])],
         of_map: None,
-        domain: "Gaussian heights, elastic, light contact",
+        domain: "Gaussian heights, elastic, area 1e-6 to 0.1",
         assumes: Assumes::Gaussian,
         build: Build::Pressure(|inputs| {
             let (slope, height) = joint(inputs, "Mikic")?;

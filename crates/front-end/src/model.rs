@@ -354,19 +354,11 @@ fn point_object(point: &ModelPoint) -> Value {
 }
 
 fn caveat(caveat: &Caveat) -> Value {
-    let (quantity, value, limit) = match caveat {
-        Caveat::Saturated { quantity } | Caveat::Underflow { quantity } => {
-            (quantity.as_ref(), None, None)
-        }
-        Caveat::BeyondModel { quantity, value, limit, .. } => {
-            (quantity.as_ref(), Some(*value), Some(*limit))
-        }
-        _ => ("", None, None),
-    };
-    json!({
-        "kind": variant(caveat), "quantity": quantity, "value": value, "limit": limit,
-        "message": caveat.to_string(),
-    })
+    let mut json = json!({ "value": null, "limit": null, "message": caveat.to_string() });
+    if let Value::Object(own) = json!(caveat) {
+        extend(&mut json, own);
+    }
+    json
 }
 
 fn refusal(error: &ModelError) -> Value {
