@@ -361,8 +361,8 @@ fn run_profiles(
     common: &CommonOptions,
 ) -> Result<Reply, Failure> {
     refuse_solver(settings)?;
-    let names = front_end::document_names(Some(surfaces.len()));
-    let folder = Folder::prepare(out, &names, common.force)?;
+    let names = |count| front_end::document_names(Some(count));
+    let folder = Folder::numbered(out, names, surfaces.len(), common.force)?;
     let study = |surface| ProfileComparison::run(surface, settings.clone(), built_in());
     let studies = surfaces.into_iter().map(study).collect::<Result<Vec<_>, _>>();
     let studies = studies.map_err(|e| Failure::from(&e))?;

@@ -122,7 +122,7 @@ impl FieldFolder {
         force: bool,
     ) -> Result<Option<Self>, Failure> {
         let Some(path) = &fields.maps else { return Ok(None) };
-        let folder = Folder::prepare(path, &fields.names(loads), force)?;
+        let folder = Folder::numbered(path, |loads| fields.names(loads), loads, force)?;
         Ok(Some(Self { folder, fields, surface: None, repeats }))
     }
 

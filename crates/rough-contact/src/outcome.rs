@@ -114,6 +114,25 @@ impl Folder {
         Ok(Self { path: path.to_owned() })
     }
 
+    /// The same for the files of `count` loads or profiles: those of an earlier run with another number of them
+    /// are in the way too, and with `force` removed.
+    pub(crate) fn numbered(
+        path: &Path,
+        names: impl Fn(usize) -> Vec<String>,
+        count: usize,
+        force: bool,
+    ) -> Result<Self, Failure> {
+        let own = names(count);
+        let most = count + path.read_dir().map_or(0, Iterator::count);
+        let is_stale = |name: &String| !own.contains(name) && path.join(name).exists();
+        let stale: Vec<String> = [1, most].into_iter().flat_map(names).filter(is_stale).collect();
+        let folder = Self::prepare(path, &[own, stale.clone()].concat(), force)?;
+        for file in stale.iter().map(|name| path.join(name)) {
+            fs::remove_file(&file).map_err(|e| unwritable(&file, &e))?;
+        }
+        Ok(folder)
+    }
+
     pub(crate) fn write_all(
         &self,
         files: impl IntoIterator<Item = (impl AsRef<str>, String)>,

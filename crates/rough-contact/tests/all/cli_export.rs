@@ -95,7 +95,11 @@ fn a_contact_is_written_whole() {
         ("h5", "--map-format hdf5 --fields pressure,gap,heights", "contact-000.h5"),
         ("only", "--fields spots", "spots-000.csv"),
     ] {
-        at.done(&format!("{SOLVE} --maps {folder} {options}"));
+        // A file of an earlier run with more loads is in the way, or goes.
+        std::fs::create_dir(at.join(folder)).unwrap();
+        at.file(&format!("{folder}/{}", name.replace("000", "001")), "of another load");
+        at.refuses(&format!("{SOLVE} --maps {folder} {options}"), &["-001.", "--force"]);
+        at.done(&format!("{SOLVE} --maps {folder} {options} --force"));
         let written = std::fs::read_dir(at.join(folder)).unwrap();
         assert_eq!(written.map(|e| e.unwrap().file_name()).collect::<Vec<_>>(), [name]);
     }
