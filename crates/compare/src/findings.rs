@@ -50,14 +50,13 @@ pub fn findings(surface: &SurfaceComparison) -> Vec<Finding> {
 }
 
 /// Why the area of each load has no uncertainty. Of those that converged it is that of the headline, and none where the
-/// headline has one, the map is flat or another load did not converge.
+/// headline has one, the map is flat or another load did not converge. A load that was refused is said to be elsewhere.
 fn without_uncertainty(surface: &SurfaceComparison) -> Vec<Option<NoUncertainty>> {
-    let of = |point: &DeterministicPoint| match &point.answer {
-        Some(answer) if answer.converged => answer.budget.area.half_width().err(),
-        answer => {
-            let at_rounding = answer.as_ref().is_some_and(|a| a.diagnostics.end == End::Rounding);
-            Some(NoUncertainty::NotConverged { at_rounding })
-        }
+    let of = |point: &DeterministicPoint| {
+        let answer = point.answer.as_ref()?;
+        let at_rounding = answer.diagnostics.end == End::Rounding;
+        let short = NoUncertainty::NotConverged { at_rounding };
+        if answer.converged { answer.budget.area.half_width().err() } else { Some(short) }
     };
     let all: Vec<_> = surface.deterministic.iter().map(of).collect();
     let is_told = surface.statistics.rms_height > 0.0 && !all.iter().flatten().any(is_unsolved);

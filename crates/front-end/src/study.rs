@@ -19,18 +19,21 @@ pub fn look_around(
     comparison.look_around(listener).map_err(incomplete)
 }
 
-fn not_converged(comparison: &Comparison) -> Option<Failure> {
+/// Loads that did not converge; those without an answer were refused.
+fn unsolved(comparison: &Comparison) -> impl Iterator<Item = Failure> {
     let points =
         comparison.surfaces.iter().flat_map(|s| s.deterministic.iter().map(|p| (&s.name, p)));
-    let line = |(name, point): (&String, &DeterministicPoint)| {
+    points.filter_map(|(name, point): (&String, &DeterministicPoint)| {
         let pressure = shown::pressure(point.mean_pressure);
-        Some(format!("{name}, {pressure}: {}", point.trouble.as_ref()?))
-    };
-    let lines: Vec<String> = points.filter_map(line).collect();
-    (!lines.is_empty()).then(|| Failure::incomplete("not_converged", lines.join("\n")))
+        let message = format!("{name}, {pressure}: {}", point.trouble.as_ref()?);
+        Some(match point.answer {
+            Some(_) => Failure::incomplete("not_converged", message),
+            None => Failure::refused("bad_load", message),
+        })
+    })
 }
 
-/// Surfaces without a study, loads that did not converge, and plans that miss the accuracy asked for.
+/// Surfaces without a study, loads that were refused or did not converge, and plans that miss the accuracy asked for.
 pub fn not_met(comparison: &Comparison) -> Option<Failure> {
     let unmet = comparison
         .surfaces
@@ -40,7 +43,7 @@ pub fn not_met(comparison: &Comparison) -> Option<Failure> {
         let of = if r.reason.contains(&r.name) { String::new() } else { format!("{}: ", r.name) };
         Failure::incomplete("files_failed", format!("no answer: {of}{}", r.reason))
     });
-    refused.chain(not_converged(comparison)).chain(unmet).reduce(Failure::and)
+    refused.chain(unsolved(comparison)).chain(unmet).reduce(Failure::and)
 }
 
 /// A request that is not met ends with exit status 1.

@@ -125,11 +125,10 @@ impl Sink for SolvedLoads<'_> {
             }
             Err(e) => {
                 error = Some(json!({ "kind": variant(e), "message": e.to_string() }));
-                // Above the hardness nothing was solved, which is said of itself.
-                let is_solved = !matches!(e, SolverError::AboveHardness { .. });
+                // Where nothing was solved, that is said of itself.
                 let at_rounding = matches!(e, SolverError::Rounding(_));
                 without_uncertainty =
-                    is_solved.then_some(NoUncertainty::NotConverged { at_rounding });
+                    e.solution().map(|_| NoUncertainty::NotConverged { at_rounding });
                 let message = format!("{}: {e}", shown(load));
                 self.report(match e {
                     SolverError::NotConverged(_) => Failure::incomplete("not_converged", message),
