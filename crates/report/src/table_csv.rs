@@ -10,27 +10,35 @@ use surface_stats::STATISTICS;
 const LEFT_OUT: [&str; 6] =
     ["metadata", "channels", "cleaning", "error", "checks", "distributions"];
 
-/// Units of the keys of results beside those of the statistics; what is not here has none. SI throughout.
+/// Units of the keys of results beside those of the statistics; what is not here has none, what has one of [`ENDINGS`] that
+/// of what is before it. SI throughout.
 const UNITS: &[(&str, &str)] = &[
     (
         "m",
-        "pixel height_min height_max height_mean radius height_std mean_offset fractal_range mean_gap \
-         mean_gap_interval mean_gap_prediction_interval approach spacing length s_filter l_filter \
-         fractal_roughness",
+        "pixel height height_min height_max height_mean radius height_std mean_offset fractal_range mean_gap approach \
+         spacing length s_filter l_filter fractal_roughness shift shift_asked seal_length seal_width free_path jump",
     ),
     ("N", "load"),
-    ("m²", "m0_interval median_spot_area largest_spot_area load_area"),
-    ("m⁻²", "m4_interval density"),
+    ("m²", "median_spot_area largest_spot_area load_area nominal_area"),
+    ("m³", "permeability"),
+    ("m³/s", "rate"),
+    ("m⁻²", "density"),
     ("m⁻¹", "curvature_mean"),
-    (
-        "Pa",
-        "modulus mean_pressure mean_pressure_interval mean_pressure_prediction_interval max_pressure \
-         real_pressure real_pressure_interval real_pressure_prediction_interval hardness",
-    ),
-    ("Pa/m", "stiffness stiffness_interval stiffness_prediction_interval"),
-    ("J/m²", "duality_gap"),
+    ("Pa", "modulus mean_pressure max_pressure real_pressure hardness"),
+    ("Pa", "pascals pressure pressure_drop"),
+    ("Pa s", "viscosity"),
+    ("Pa/m", "stiffness"),
+    ("J/m²", "duality_gap energy_bound"),
+    ("S/m²", "electrical_conductance"),
+    ("W/m²/K", "thermal_conductance gas_conductance joint_conductance"),
+    ("ohm", "electrical_resistance"),
+    ("K/W", "thermal_resistance"),
+    ("W/m/K", "conductivity"),
+    ("K", "temperature"),
     ("s", "seconds"),
 ];
+
+const ENDINGS: [&str; 3] = ["_one_spot", "_interval", "_prediction"];
 
 /// Writes the table. The first column is `file`, the last is `why`, empty where nothing is wrong.
 ///
@@ -66,15 +74,22 @@ pub fn write<'a>(
 
 /// `mean_gap_interval.0 (m)`.
 fn with_unit(head: &str) -> String {
-    let words =
-        || head.split(['.', '[', ']']).filter(|w| w.parse::<usize>().is_err() && !w.is_empty());
-    let name = words().next_back().unwrap_or_default();
+    let words = head.split(['.', '[', ']']).filter(|w| w.parse::<usize>().is_err());
+    let words: Vec<&str> = words.filter(|w| !w.is_empty()).collect();
+    let name = match words[..] {
+        ["budget", of, _] => of,
+        ["leak", _, "interval" | "coarser"] => "permeability",
+        _ => words.last().copied().unwrap_or_default(),
+    };
+    let name = ENDINGS.iter().fold(name, |name, end| name.strip_suffix(end).unwrap_or(name));
     let of_result = UNITS.iter().find(|(_, names)| names.split_whitespace().any(|n| n == name));
     let unit = of_result.map(|(unit, _)| *unit).or_else(|| {
         STATISTICS.iter().find(|field| field.key == name && !field.unit.is_empty()).map(|f| f.unit)
     });
     // `m^-2` of `m⁻²`: a header of CSV is read by programs.
-    let ascii = |unit: &str| unit.replace('²', "^2").replace("⁻^2", "^-2").replace("⁻¹", "^-1");
+    let ascii = |unit: &str| {
+        unit.replace('²', "^2").replace('³', "^3").replace("⁻^2", "^-2").replace("⁻¹", "^-1")
+    };
     unit.map_or_else(|| head.to_owned(), |unit| format!("{head} ({})", ascii(unit)))
 }
 
@@ -133,7 +148,8 @@ mod tests {
         let map = json!({
             "shape": [4, 5], "rms_height": 1e-7, "method": "chord", "findings": [{ "weight": "check" }, { "weight": "passed" }],
             "asperities": { "radius": 2e-6 },
-            "points": [{ "mean_gap": 1e-8, "residuals": { "x": 0.5 } }, { "mean_gap": null }],
+            "points": [{ "mean_gap": 1e-8, "residuals": { "x": 0.5 }, "budget": { "mean_gap": { "finer": 1e-9 } },
+                "leak": { "x": { "interval": [0.0, 1e-20], "rate_interval": [0.0, 1e-9] } } }, { "mean_gap": null }],
         });
         let other = json!({ "rms_height": 0.25, "points": [{ "converged": true }] });
         let rows = [
@@ -147,7 +163,8 @@ mod tests {
         let lines: Vec<&str> = text.lines().collect();
         let head: Vec<&str> = lines[0].split(',').collect();
         assert_eq!(head.first().zip(head.last()), Some((&"file", &"why")));
-        let names = "shape.0,rms_height (m),asperities.radius (m),mean_gap[1] (m),residuals.x[1]";
+        let names = "shape.0,rms_height (m),asperities.radius (m),mean_gap[1] (m),residuals.x[1],\
+                     budget.mean_gap.finer[1] (m),leak.x.interval.1[1] (m^3),leak.x.rate_interval.0[1] (m^3/s)";
         for name in names.split(',') {
             assert!(head.contains(&name), "{name} in {head:?}");
         }
