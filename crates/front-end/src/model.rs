@@ -144,6 +144,8 @@ pub struct ModelReply {
     pub findings: Vec<Finding>,
     /// What the model was given.
     pub inputs: Inputs,
+    /// The joint, with its area and hardness.
+    pub joint: Joint,
     /// The form that was taken off a map or a trace.
     pub level: Option<Level>,
     /// The two bodies, if it is a pair.
@@ -240,7 +242,11 @@ impl ModelSubject {
             ModelLoads::Pressures(all) => (all, true),
             ModelLoads::Separations(all) => (all, false),
         };
-        let answers = results(theory, (&inputs, joint), questions, ways)?;
+        // Of a joint the area that carries the load, or that of the map; traces have none.
+        let of_map = inputs.nominal_area.filter(|_| profile.is_none());
+        let area = joint.area.or(spread.map(|s| s.area)).or(of_map);
+        let joint = Joint { area, hardness: inputs.hardness, ..*joint };
+        let answers = results(theory, (&inputs, &joint), questions, ways)?;
         let point = |(&value, answer): (&f64, Result<Said, ModelError>)| {
             let state = answer.as_ref().ok().map(|said| &said.state);
             ModelPoint {
@@ -280,7 +286,7 @@ impl ModelSubject {
             Solved { scene, spikes, pair: pair.as_ref(), ..Solved::default() }.findings()
         };
         json["findings"] = contact_report::findings_json(&findings);
-        Ok(ModelReply { json, points, findings, inputs, level, pair })
+        Ok(ModelReply { json, points, findings, inputs, joint, level, pair })
     }
 }
 

@@ -133,6 +133,11 @@ def test_a_joint_from_height_slope_and_hardness() -> None:
     assert abs(both / found.json["points"][0]["thermal_conductance"] - 1) < 1e-12
     with pytest.raises(rc.ModelError):
         rc.model("cmy", roughness, **{**asked, "pressure": "2GPa"})
+    made = rc.synth((64, 64), pixel="1um", hurst=0.8, rolloff="16um", cutoff="6um", rms_height="0.6um", seed=1)
+    of_map = rc.model("cmy", made, **asked).json["points"][0]
+    assert abs(of_map["thermal_resistance"] * of_map["thermal_conductance"] * 64e-6**2 - 1) < 1e-12
+    with pytest.raises(rc.SettingError, match="modulus or bodies"):
+        rc.model("mikic", made, conductivity="180W/m/K", pressure="1MPa")
     with pytest.raises(TypeError):
         rc.model("cmy", roughness, gas="air", pressure="1MPa", hardness="1.2GPa")
 

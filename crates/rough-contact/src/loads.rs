@@ -4,7 +4,7 @@ use crate::args::{self, List};
 use crate::outcome::Failure;
 use crate::text;
 use crate::units::Dimension::{Area, Force, Length, Pressure};
-use clap::Args;
+use clap::{ArgGroup, Args};
 use rough_contact::fft_bem_solver::Load;
 pub(crate) use rough_contact::front_end::loads::{Spread, positive, rising, shown};
 
@@ -21,32 +21,26 @@ pub(crate) struct Forces {
 
 /// Loads to solve for, as one of three kinds.
 #[derive(Args, Clone, Debug)]
+#[command(group(ArgGroup::new("loads").required(true).args(["pressure", "load", "gap"])))]
 pub(crate) struct Loads {
     /// Mean pressures to solve for
     #[arg(long, value_name = "LIST", value_parser = args::list(Pressure), allow_hyphen_values = true)]
-    #[arg(required_unless_present_any = ["gap", "load"], conflicts_with = "gap")]
     pressure: Option<List>,
     #[command(flatten)]
     pub(crate) forces: Forces,
     /// Mean gaps to solve for, instead of --pressure
     #[arg(long, value_name = "LIST", value_parser = args::list(Length), allow_hyphen_values = true)]
-    #[arg(conflicts_with = "load")]
     pub(crate) gap: Option<List>,
 }
 
 impl Loads {
     /// How many loads there are; zero and negative ones are refused before any work.
     pub(crate) fn count(&self) -> Result<usize, Failure> {
-        if let Some(forces) = self.forces.given()? {
-            return Ok(forces.len());
-        }
-        if let Some(List(pressures)) = &self.pressure {
-            positive("mean pressure", pressures, "Pa", "at which something touches")?;
-            return Ok(pressures.len());
-        }
-        let List(gaps) = self.gap.as_ref().expect("clap requires one of the three");
-        positive("mean gap", gaps, "m", "or use --pressure for a closed gap")?;
-        Ok(gaps.len())
+        let all = |list: &Option<List>| list.clone().map_or_else(Vec::new, |List(all)| all);
+        let (pressures, gaps) = (all(&self.pressure), all(&self.gap));
+        positive("mean pressure", &pressures, "Pa", "at which something touches")?;
+        positive("mean gap", &gaps, "m", "or use --pressure for a closed gap")?;
+        Ok(self.forces.given()?.map_or(pressures.len() + gaps.len(), <[f64]>::len))
     }
 
     pub(crate) fn each(&self, spread: Option<&Spread>) -> Vec<Load> {

@@ -11,7 +11,7 @@ use crate::profiles;
 use crate::roughness::{Source, options_of, ways};
 use crate::text::{self, Columns};
 use crate::units::Dimension::{Force, Length, Pressure};
-use clap::Args;
+use clap::{ArgGroup, Args};
 use multiscale_models::Persson;
 use rough_contact::compare::survey::SIMILAR;
 use rough_contact::compare::{Card, Conducted, Input, Inputs, Joint, PairOrigin, Theory, built_in};
@@ -27,6 +27,7 @@ use std::fmt::Write as _;
 use std::path::PathBuf;
 
 #[derive(Args)]
+#[command(group(ArgGroup::new("loads").required(true).args(["pressure", "load", "separation", "list"])))]
 pub(crate) struct Model {
     /// Which model; --list describes them
     #[arg(value_name = "NAME", value_parser = args::models(), ignore_case = true)]
@@ -36,17 +37,15 @@ pub(crate) struct Model {
     #[arg(value_name = "FILE")]
     file: Option<PathBuf>,
     /// Every model with citation, inputs and domain
-    #[arg(long, conflicts_with_all = ["name", "file", "pressure", "load", "separation"])]
+    #[arg(long, conflicts_with_all = ["name", "file"])]
     list: bool,
     #[command(flatten)]
     bodies: BodyOptions,
     /// Nominal pressures to answer at
     #[arg(long, value_name = "LIST", value_parser = args::list(Pressure), allow_hyphen_values = true)]
-    #[arg(conflicts_with_all = ["separation", "load"])]
     pressure: Option<List>,
     /// Loads to answer at, such as 10N, over the area of FILE or --area, instead of --pressure
     #[arg(long, value_name = "LIST", value_parser = args::list(Force), allow_hyphen_values = true)]
-    #[arg(conflicts_with = "separation")]
     load: Option<List>,
     /// Separations to answer at (flat to mean plane of the undeformed heights), instead of
     /// --pressure
@@ -77,7 +76,6 @@ impl Model {
             None => self.bodies.required(hardness)?,
         };
         let joint = self.joint(card, &mut made_of)?;
-        self.refuse_silence()?;
         let area_has_use = self.load.is_some() || joint.is_asked();
         self.source.refuse_unused(card, self.file.as_deref(), area_has_use)?;
         let (modulus, asked) = (made_of.modulus, self.source.file.level.unwrap_or_default());
@@ -114,14 +112,6 @@ impl Model {
         // Of a load the area that carries it, which may be that of the map; traces have none.
         let of_map = subject.inputs.nominal_area.filter(|_| traces == 0);
         let (questions, spread) = self.questions(of_map)?;
-        let joint = match traces {
-            0 => Joint {
-                area: joint.area.or(spread.as_ref().map(|s| s.area)).or(of_map),
-                hardness: subject.inputs.hardness,
-                ..joint
-            },
-            _ => joint,
-        };
         let inputs = format!("give {}", ways(card));
         let found = subject.ask(
             theory,
@@ -131,7 +121,7 @@ impl Model {
             ["give --pressure", &inputs],
         )?;
         first += &text::findings(&found.findings);
-        let text = first + &describe(card, &found, &joint, spread.as_ref());
+        let text = first + &describe(card, &found, spread.as_ref());
         let told = found.points.iter().find_map(|point| point.answer.as_ref().err());
         let mut reply = Reply { text, trouble: told.map(model::failure), json: found.json };
         for point in &found.points {
@@ -170,18 +160,6 @@ impl Model {
         Err(Failure::refused("missing_input", message))
     }
 
-    /// Refuses to answer nothing.
-    fn refuse_silence(&self) -> Result<(), Failure> {
-        if self.pressure.is_some() || self.load.is_some() || self.separation.is_some() {
-            return Ok(());
-        }
-        Err(Failure::refused(
-            "usage",
-            "nothing is asked; give --pressure LIST, for example --pressure 1MPa..1GPa:10, --load LIST or \
-             --separation LIST",
-        ))
-    }
-
     /// What is asked, of a surface of this area if it is known.
     fn questions(&self, area: Option<f64>) -> Result<(ModelLoads, Option<Spread>), Failure> {
         if let Some(List(forces)) = &self.load {
@@ -211,8 +189,8 @@ fn said(point: &ModelPoint) -> Option<&Said> {
 }
 
 /// The table, and what must be known of it.
-fn describe(card: &Card, found: &ModelReply, joint: &Joint, spread: Option<&Spread>) -> String {
-    let (points, inputs) = (&found.points, &found.inputs);
+fn describe(card: &Card, found: &ModelReply, spread: Option<&Spread>) -> String {
+    let ModelReply { points, inputs, joint, .. } = found;
     let any = |of: fn(&Said) -> bool| points.iter().filter_map(said).any(of);
     let mut columns = Columns::default();
     let mut add = |heading: &str, cell: &dyn Fn(&ModelPoint) -> String| {

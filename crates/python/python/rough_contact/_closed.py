@@ -356,7 +356,7 @@ def _asked(
         roughness = source._given()
     elif not isinstance(source, Profile):
         raise TypeError(f"source takes a surface or roughness typed in, not {type(source).__name__}")
-    if modulus is None and bodies is None and "mean-slope" in (roughness or {}):
+    if modulus is None and bodies is None:  # refused there, but of bodies without elasticity
         own = None if hardness is None else _units.scalar(hardness, "pressure", "hardness")
         made_of: dict[str, Any] = {"modulus": None, "bodies": [], "hardness": own, "materials": []}
     else:
