@@ -63,8 +63,8 @@ pub(crate) fn resistance_lines(surface: &SurfaceComparison) -> Vec<String> {
     surface.conducted(surface.headline).iter().flat_map(resistances).map(line).collect()
 }
 
-/// Knudsen numbers at which the slip regime begins and ends.
-const SLIP: [f64; 2] = [0.01, 0.1];
+/// Knudsen numbers at which slip, transition and free flight of the molecules begin.
+const REGIMES: [f64; 3] = [0.01, 0.1, 10.0];
 /// Stefan and Boltzmann's constant (W/m²/K⁴).
 const STEFAN_BOLTZMANN: f64 = 5.670_374_419e-8;
 
@@ -78,9 +78,10 @@ pub fn joint_words(joint: &Joint, gaps: &[f64]) -> String {
             let narrowest = gaps.iter().copied().fold(f64::INFINITY, f64::min);
             let knudsen = [widest, narrowest].map(|gap| gas.free_path() / gap);
             let regime = match knudsen[1] {
-                k if k < SLIP[0] => "continuum",
-                k if k <= SLIP[1] => "slip",
-                _ => "transition, where M is an approximation",
+                k if k < REGIMES[0] => "continuum",
+                k if k <= REGIMES[1] => "slip",
+                k if k <= REGIMES[2] => "transition, where M is an approximation",
+                _ => "free-molecular",
             };
             let regime = match knudsen.map(|k| significant(k, 2)) {
                 _ if widest <= 0.0 || narrowest <= 0.0 => String::new(),
