@@ -25,7 +25,7 @@ const HEADING: &str = "Roughness, typed in instead of FILE";
 #[derive(Args, Clone)]
 #[command(next_help_heading = HEADING)]
 pub(crate) struct OfFile {
-    /// Form to remove from a FILE by least squares first [default: plane]
+    /// Form to remove from a FILE by least squares first [default: auto]
     #[arg(long, value_name = "FORM", value_parser = args::one_of::<Level>())]
     pub(crate) level: Option<Level>,
     /// What lies beyond the edges of a FILE [default: open]
@@ -146,16 +146,12 @@ impl Source {
     ) -> Result<(), Failure> {
         let refused = |message: String| Err(Failure::refused("usage", message));
         let Some(path) = file else {
-            let of_file = [
-                ("--level", self.file.level.is_some()),
-                ("--boundary", self.file.boundary.is_some()),
-            ];
-            return match of_file.iter().find(|(_, is_given)| *is_given) {
-                Some((name, _)) => {
-                    refused(format!("{name} is for a surface FILE, and none is given"))
-                }
-                None => Ok(()),
+            let name = match self.file {
+                OfFile { level: Some(_), .. } => "--level",
+                OfFile { boundary: Some(_), .. } => "--boundary",
+                _ => return Ok(()),
             };
+            return refused(format!("{name} is for a surface FILE, and none is given"));
         };
         // What no file says.
         let beside = |input: Input| {
