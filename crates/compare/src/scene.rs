@@ -99,7 +99,8 @@ impl Scene {
     fn unit(&self) -> Option<Finding> {
         let beyond = |value: Option<f64>, limit: f64| value.filter(|v| *v > limit || v.is_nan());
         let gradient = beyond(self.gradient, NO_SURFACE);
-        let rms_height = beyond(self.rms_height, NO_HEIGHT);
+        // A moment below 0 has no root, and is refused by itself.
+        let rms_height = self.rms_height.filter(|v| *v > NO_HEIGHT);
         let radius = beyond(self.radius, NO_RADIUS);
         let fact = Fact::Unit { gradient, rms_height, radius, hardness: None };
         let is_odd = [gradient, rms_height, radius].iter().any(Option::is_some);
