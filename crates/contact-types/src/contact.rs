@@ -1,6 +1,7 @@
 //! The question every model answers, and the shape of its answer.
 
 use crate::ModelError;
+use crate::error::number;
 use std::borrow::Cow;
 
 /// Where a theory comes from. Texts are borrowed from the program or owned, so that a model read
@@ -59,7 +60,8 @@ impl std::fmt::Display for Caveat {
         match self {
             Self::Saturated { quantity } => write!(f, "{quantity} reached its upper limit"),
             Self::BeyondModel { quantity, value, limit, reason } => {
-                write!(f, "{quantity} = {value:.4} is beyond {limit}: {reason}")
+                let short = format!("{value:.3e}").parse().unwrap_or(*value);
+                write!(f, "{quantity} = {} is beyond {}: {reason}", number(short), number(*limit))
             }
             Self::Underflow { quantity } => {
                 write!(f, "{quantity} is smaller than the smallest double")

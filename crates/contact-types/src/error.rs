@@ -140,7 +140,7 @@ fn shown(domain: &RangeInclusive<f64>, value: f64) -> String {
 }
 
 /// A number as people write it: with a power of ten where plain digits would be a row of zeros.
-fn number(value: f64) -> String {
+pub(crate) fn number(value: f64) -> String {
     let plain = value.abs() < 1e6 && (value.abs() >= 1e-4 || value.abs() <= 0.0);
     if plain { value.to_string() } else { format!("{value:e}") }
 }

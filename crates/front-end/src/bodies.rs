@@ -193,7 +193,7 @@ fn failure(error: &SurfaceError) -> Failure {
     match error {
         SurfaceError::Material { quantity, value, unit: "", domain } => {
             let (low, high) = (domain.start(), domain.end());
-            let message = format!("{quantity} = {value} is outside its domain, {low} to {high}");
+            let message = format!("{quantity} = {value} must be above {low} and at most {high}");
             Failure::refused("material", message)
         }
         other => Failure::from(other),

@@ -99,9 +99,13 @@ impl SelfAffineSpectrum {
             require::positive(MODEL, quantity, length)
                 .map(|length| (std::f64::consts::TAU / length).min(f64::MAX))
         };
-        let rolloff = wavenumber("roll-off wavelength", rolloff)?;
-        let cutoff = wavenumber("cut-off wavelength", cutoff)?;
-        Self::from_wavenumbers(hurst, [rolloff, rolloff, cutoff], m0)
+        let lower = wavenumber("roll-off wavelength", rolloff)?;
+        let upper = wavenumber("cut-off wavelength", cutoff)?;
+        if cutoff > rolloff {
+            let (quantity, reason) = ("cut-off wavelength", "it is shorter than the roll-off");
+            return Err(require::outside(MODEL, quantity, cutoff, f64::MIN..=rolloff, reason));
+        }
+        Self::from_wavenumbers(hurst, [lower, lower, upper], m0)
     }
 
     /// Profile spectral moments: `m0`, `m2 = pi int q^3 C dq`, `m4 = (3 pi / 4) int q^5 C dq`.

@@ -108,6 +108,8 @@ fn spectra_outside_their_theory() {
     outside(band(0.8, [1e4, 1e4, 1e4]), &["one shell"]);
     outside(band(0.8, [1e-9, 1e4, 1e12]), &["18 decades"]);
     invalid(SelfAffineSpectrum::from_wavelengths(0.8, 0.0, 1e-6, 1e-12), &["roll-off wavelength"]);
+    let inverted = SelfAffineSpectrum::from_wavelengths(0.8, 1e-6, 3.2e-5, 1e-12);
+    outside(inverted, &["cut-off wavelength = 3.2e-5", "at most 1e-6"]);
     let shell = |wavenumber| Shell { wavenumber, variance: 1e-12 };
     let spectrum = RoughnessSpectrum::new(vec![shell(1e-9), shell(1e12)]).unwrap();
     outside(Persson::from_spectrum(spectrum, modulus()), &["18 decades"]);

@@ -50,7 +50,7 @@ fn a_refusal_by_a_theory_is_said_once() {
     assert_eq!(said.status, 2);
     assert!(said.err.contains("D = 1.62346 is outside") && !said.out.contains("outside"));
     let solve = "solve none.txt --young 1GPa --poisson 0.6 --pressure 1MPa";
-    at.refuses(solve, &["Poisson's ratio = 0.6 is outside its domain, -1 to 0.5"]);
+    at.refuses(solve, &["Poisson's ratio = 0.6 must be above -1 and at most 0.5"]);
 }
 
 #[test]
