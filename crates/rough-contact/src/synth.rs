@@ -80,11 +80,9 @@ impl Synth {
             seed: self.seed,
             quantise: self.quantise,
         };
-        let with_both = match (self.rms_height, self.rms_gradient) {
-            (Some(_), Some(gradient)) => recipe.with_gradient(gradient),
-            _ => Ok(recipe),
-        };
-        let recipe = with_both.map_err(|e| Failure::from(&e))?;
+        let both = self.rms_gradient.filter(|_| self.rms_height.is_some());
+        let recipe = both.map_or(Ok(recipe), |gradient| recipe.with_gradient(gradient));
+        let recipe = recipe.map_err(|e| Failure::from(&e))?;
         let map = recipe.generate().map_err(|e| Failure::from(&e))?;
         Ok((map, recipe.rolloff))
     }

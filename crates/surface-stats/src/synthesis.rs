@@ -31,7 +31,7 @@ pub enum Scale {
 pub struct SelfAffine {
     /// Pixels of the map.
     pub grid: Grid,
-    /// Hurst exponent H, 0 to 1 (-).
+    /// Hurst exponent H, above 0 and at most 1 (-).
     pub hurst: f64,
     /// Wavelength beyond which the PSD is flat (m); longer than the map: a power law throughout.
     pub rolloff: f64,
@@ -96,6 +96,9 @@ impl SelfAffine {
             for h in &mut heights {
                 *h = (*h / step).round() * step;
             }
+            let is_rough = heights.iter().any(|h| h.abs() > 0.0);
+            let requirement = "rounds every height to 0; take a smaller step";
+            StatsError::require("height step", step, is_rough, requirement)?;
         }
         Ok(HeightMap::new(self.grid, heights)?)
     }
@@ -211,9 +214,11 @@ impl SelfAffine {
         let resolved = "must be at least two pixels along both axes: take smaller pixels or a longer \
                         cut-off";
         let ordered = "must not be shorter than the cut-off wavelength";
+        let few = "must be at most 2^28, as in a file: make a smaller map, or larger pixels";
         let usable = |x: f64| x.is_normal() && x > 0.0;
         let rules = [
-            ("Hurst exponent", hurst, (0.0..=1.0).contains(&hurst), "must lie between 0 and 1"),
+            ("points of the map", self.grid.len() as f64, self.grid.len() <= 1 << 28, few),
+            ("Hurst exponent", hurst, hurst > 0.0 && hurst <= 1.0, "must be above 0 and at most 1"),
             ("roll-off wavelength", rolloff, usable(rolloff), positive),
             ("cut-off wavelength", cutoff, usable(cutoff), positive),
             ("cut-off wavelength", cutoff, cutoff >= 2.0 * dy.max(dx) * (1.0 - 1e-12), resolved),
