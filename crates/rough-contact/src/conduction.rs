@@ -36,15 +36,12 @@ pub(crate) struct ConductionOptions {
     gas: Option<Filling>,
     /// Its pressure [default: 1 atm]
     #[arg(long, value_name = "P", value_parser = args::one(Pressure), allow_hyphen_values = true)]
-    #[arg(requires = "gas")]
     gas_pressure: Option<f64>,
     /// Its temperature, as 350K or 80degC [default: 25degC]
     #[arg(long, value_name = "T", value_parser = temperature, allow_hyphen_values = true)]
-    #[arg(requires = "gas")]
     temperature: Option<f64>,
     /// Accommodation coefficients of the walls, above 0 to 1 [default: 1, at which the gas conducts most]
     #[arg(long, value_name = "A[,A]", value_parser = accommodation, allow_hyphen_values = true)]
-    #[arg(requires = "gas")]
     accommodation: Option<[f64; 2]>,
 }
 
@@ -68,6 +65,12 @@ impl ConductionOptions {
         if joint.gas.is_some() && joint.conductivities.is_none() {
             let message = "--gas conducts heat beside the contact, and nothing says how that does; give \
                            --conductivity K[,K] of the bodies";
+            return Err(Failure::refused("usage", message));
+        }
+        let of_gas = self.gas_pressure.or(self.temperature).or(self.accommodation.map(|a| a[0]));
+        if of_gas.is_some() && joint.gas.is_none() {
+            let message = "--gas-pressure, --temperature and --accommodation are of a gas, and the gap is empty; give \
+                           --gas, or leave them out";
             return Err(Failure::refused("usage", message));
         }
         joint.check().map_err(|e| Failure::from(&e))?;
