@@ -54,6 +54,7 @@ const PRESSURES: &[UnitScale] = &[
     ("mPa", 1.0, -3),
     ("uPa", 1.0, -6),
     ("bar", 1.0, 5),
+    ("atm", 101_325.0, 0),
     ("kbar", 1.0, 8),
     ("kgf/mm^2", 980_665.0, 1), // standard gravity, 9.80665 m/s^2
     ("kgf/cm^2", 980_665.0, -1),

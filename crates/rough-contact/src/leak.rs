@@ -41,7 +41,7 @@ impl LeakOptions {
 }
 
 fn cubic(metres: f64) -> String {
-    format!("{metres:.3e} m³")
+    if metres.abs() > 0.0 { format!("{metres:.3e} m³") } else { "0".to_owned() }
 }
 
 /// A table with a row for each load and axis, and what must be known of it.
