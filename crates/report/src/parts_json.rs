@@ -43,30 +43,20 @@ pub fn solution_keys(found: Option<([f64; 2], &Diagnostics, &Budget)>) -> Map<St
     // An area that may be 0 leaves the pressure without an upper end, which JSON writes as null.
     let ends = [real.and_then(|r| r.interval), real.and_then(|r| r.prediction)];
     intervals(&mut keys, "real_pressure", ends);
-    let Some(([touching, approach], d, _)) = found else {
-        keys.extend(keys_of(json!({
-            "touching_fraction": null,
-            "approach": null,
-            "max_pressure": null,
-            "stopped_at_rounding": false,
-            "iterations": null,
-            "transforms": null,
-            "seconds": null,
-            "residuals": null,
-            "duality_gap": null,
-        })));
-        return keys;
-    };
+    let of = found.map(|(_, d, _)| d);
     keys.extend(keys_of(json!({
-        "touching_fraction": touching,
-        "approach": approach,
-        "max_pressure": d.max_pressure,
-        "stopped_at_rounding": d.end == End::Rounding,
-        "iterations": d.iterations,
-        "transforms": d.transforms,
-        "seconds": d.seconds,
-        "residuals": d.residuals,
-        "duality_gap": d.duality_gap,
+        "touching_fraction": found.map(|([touching, _], ..)| touching),
+        "approach": found.map(|([_, approach], ..)| approach),
+        "max_pressure": of.map(|d| d.max_pressure),
+        "stopped_at_rounding": of.is_some_and(|d| d.end == End::Rounding),
+        "iterations": of.map(|d| d.iterations),
+        "transforms": of.map(|d| d.transforms),
+        "seconds": of.map(|d| d.seconds),
+        "residuals": of.map(|d| &d.residuals),
+        "duality_gap": of.map(|d| d.duality_gap),
+    })));
+    let Some(([touching, _], d, _)) = found else { return keys };
+    keys.extend(keys_of(json!({
         "energy_bound": d.energy_bound,
         "contact_pixels": d.contact_pixels,
         "contact_perimeter": d.contact_perimeter,

@@ -106,18 +106,17 @@ impl AdhesionOptions {
     pub(crate) fn asked(self) -> Result<Option<WorkOfAdhesion>, Failure> {
         let Some(work) = self.work_of_adhesion else { return Ok(None) };
         let range = self.attraction_range.unwrap_or(WorkOfAdhesion::RANGE);
-        if work < 0.0 {
-            let message = format!(
+        let message = if work < 0.0 {
+            format!(
                 "--work-of-adhesion {work} J/m^2: it is the work to part the surfaces, 0 or more, for example 50mJ/m^2"
-            );
-            return Err(Failure::refused("adhesion", message));
-        }
-        if range <= 0.0 {
-            let message = format!(
+            )
+        } else if range <= 0.0 {
+            format!(
                 "--attraction-range {range} m: it is a distance above 0 m, some tenths of a nanometre, for example 0.3nm"
-            );
-            return Err(Failure::refused("adhesion", message));
-        }
-        Ok(Some(WorkOfAdhesion { work, range }))
+            )
+        } else {
+            return Ok(Some(WorkOfAdhesion { work, range }));
+        };
+        Err(Failure::refused("adhesion", message))
     }
 }

@@ -58,7 +58,7 @@ impl Convert {
         table.row("pixel", format!("{} × {} (dy × dx)", text::length(dy), text::length(dx)));
         table.row("level", form.name());
         table.row("heights", text::length_range(low, high));
-        if format == MapFormat::Npy {
+        if format.0 == "npy" {
             table.row("note", "NPY has no place for the pixel size and the unit (metres)");
         }
         let json = json!({
@@ -75,33 +75,18 @@ impl Convert {
     }
 }
 
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(crate) enum MapFormat {
-    Npy,
-    X3p,
-    Sdf,
-    Text,
-    Vti,
-    Hdf5,
-}
+/// A format by its ending.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct MapFormat(&'static str);
 
-const ENDINGS: [(MapFormat, &[&str]); 6] = [
-    (MapFormat::X3p, &["x3p"]),
-    (MapFormat::Npy, &["npy"]),
-    (MapFormat::Sdf, &["sdf"]),
-    (MapFormat::Text, &["txt", "asc"]),
-    (MapFormat::Vti, &["vti"]),
-    (MapFormat::Hdf5, &["h5", "hdf5"]),
-];
+const ENDINGS: [&str; 8] = ["x3p", "npy", "sdf", "txt", "asc", "vti", "h5", "hdf5"];
 
 impl MapFormat {
     pub(crate) fn of(path: &Path) -> Result<Self, Failure> {
         let ending = path.extension().unwrap_or_default().to_string_lossy().to_lowercase();
-        let found = ENDINGS.iter().find(|(_, endings)| endings.contains(&ending.as_str()));
-        found.map(|(format, _)| *format).ok_or_else(|| {
-            let all: Vec<&str> = ENDINGS.iter().flat_map(|(_, e)| *e).copied().collect();
+        ENDINGS.into_iter().find(|known| *known == ending).map(Self).ok_or_else(|| {
             let why = format!("the ending '{ending}' is no format this command writes; use .");
-            unfit(path, "unknown_format", why + &all.join(", ."))
+            unfit(path, "unknown_format", why + &ENDINGS.join(", ."))
         })
     }
 
@@ -112,13 +97,13 @@ impl MapFormat {
         map: &HeightMap,
         comment: &str,
     ) -> std::io::Result<()> {
-        match self {
-            Self::Npy => write::npy(out, map.grid().shape(), map.heights()),
-            Self::X3p => write::x3p(out, map, comment),
-            Self::Sdf => write::sdf(out, map),
-            Self::Text => write::text(out, map),
-            Self::Vti => write::vti(out, map.grid(), &[("height", map.heights())]),
-            Self::Hdf5 => write::hdf5(out, map.grid(), &[("height", "m", map.heights())], comment),
+        match self.0 {
+            "npy" => write::npy(out, map.grid().shape(), map.heights()),
+            "x3p" => write::x3p(out, map, comment),
+            "sdf" => write::sdf(out, map),
+            "txt" | "asc" => write::text(out, map),
+            "vti" => write::vti(out, map.grid(), &[("height", map.heights())]),
+            _ => write::hdf5(out, map.grid(), &[("height", "m", map.heights())], comment),
         }
     }
 }
