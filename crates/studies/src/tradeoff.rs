@@ -163,8 +163,6 @@ pub struct Way<'a> {
     pub area: AreaOf,
     /// Size of the relative error: smallest, median, largest.
     pub error: [f64; 3],
-    /// Largest error with the truth's own half width on top.
-    pub worst: f64,
     /// Median time (s).
     pub seconds: f64,
     /// Median FFT convolutions; `None` for a model.
@@ -202,18 +200,16 @@ pub fn ways<'a>(rows: impl Iterator<Item = &'a TradeoffRow>) -> Vec<Way<'a>> {
 fn way<'a>(group: &[&'a TradeoffRow], area: AreaOf) -> Option<Way<'a>> {
     let error = |r: &&TradeoffRow| {
         let value = if area == AreaOf::Corrected { r.corrected } else { r.area };
-        Some((r.error_of(value)?.abs(), r.bar? / r.truth?))
+        Some(r.error_of(value)?.abs())
     };
-    let errors: Vec<(f64, f64)> = group.iter().filter_map(error).collect();
-    let sizes = || errors.iter().map(|(e, _)| *e);
+    let sizes = || group.iter().filter_map(error);
     Some(Way {
         row: group.first()?,
         area,
         error: [sizes().reduce(f64::min)?, median(sizes())?, sizes().reduce(f64::max)?],
-        worst: errors.iter().map(|(e, bar)| e + bar).reduce(f64::max)?,
         seconds: median(group.iter().map(|r| r.seconds))?,
         pairs: median(group.iter().filter_map(|r| r.pairs)),
-        cases: errors.len(),
+        cases: sizes().count(),
     })
 }
 
@@ -284,7 +280,7 @@ mod tests {
         for (found, expected) in way.error.into_iter().zip([0.01, 0.02, 0.04]) {
             assert!((found - expected).abs() < 1e-12);
         }
-        assert!((way.worst - 0.05).abs() < 1e-12 && (way.seconds - 2.0).abs() < 1e-12);
+        assert!((way.seconds - 2.0).abs() < 1e-12);
         assert_eq!(ways[2].area, AreaOf::Model);
     }
 }
