@@ -165,7 +165,6 @@ fn compare(
         (None, false) => Aim::AsGiven,
     };
     let loads: Vec<Load> = pressures.iter().map(|&p| Load::MeanPressure(p)).collect();
-    let task = Task { map: &map, setup: whole, loads: &loads, aim };
     let found = SurfaceComparison {
         spikes,
         name,
@@ -200,13 +199,13 @@ fn compare(
     let materials = &settings.materials[..];
     let (pressures, score) = (&pressures[..], f64::INFINITY);
     let mut curve = Curve { found, pressures, materials, wanted, score, progress };
-    let plan = climb(&task, &mut curve);
+    let plan = climb(Task { map, setup: whole, loads: &loads, aim, kept: &mut None }, &mut curve);
     let Curve { mut found, progress, .. } = curve;
     let refused = |e| refused_ladder(e, &found.name);
     found.plan = Some(plan.map_err(refused)?).filter(|_| aim != Aim::AsGiven);
     if settings.hardness.is_some() {
         let elastic = setup(settings.elastic_solver().maps(Maps::Pressure));
-        let mut ladder = Ladder::new(map, elastic).map_err(|e| refused_ladder(e, &found.name))?;
+        let mut ladder = Ladder::new(found.surface.clone(), elastic).map_err(refused)?;
         found.elastic = elastic_beside(&found, &mut ladder, materials, progress)?;
     }
 

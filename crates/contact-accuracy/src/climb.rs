@@ -35,10 +35,10 @@ impl Aim {
 }
 
 /// What is to be solved.
-#[derive(Debug, Clone)]
+#[derive(Debug)]
 pub struct Task<'a> {
     /// Heights as given.
-    pub map: &'a HeightMap,
+    pub map: HeightMap,
     /// How to solve; an accuracy chooses tolerance and precision itself. On another rung the section is along the row at
     /// its place.
     pub setup: Setup,
@@ -46,6 +46,8 @@ pub struct Task<'a> {
     pub loads: &'a [Load],
     /// How well.
     pub aim: Aim,
+    /// As given, the ladder of a call with the same setup on the same grid, or none; and that of this call afterwards.
+    pub kept: &'a mut Option<Ladder>,
 }
 
 /// Where the solutions go.
@@ -141,30 +143,38 @@ impl Reached {
 ///
 /// # Errors
 /// [`LadderError`]. A load that is not solved or a request that is not met is a result.
-pub fn climb(task: &Task<'_>, sink: &mut dyn Sink) -> Result<Reached, LadderError> {
-    let start = Clock::now();
-    let grid = task.map.grid();
+pub fn climb(task: Task<'_>, sink: &mut dyn Sink) -> Result<Reached, LadderError> {
+    let Task { map, setup, loads, aim, kept } = task;
+    let (start, grid) = (Clock::now(), map.grid());
     let possible = |factor: f64| match factor {
         0.5 => RungMaps::is_possible(grid) && RungMaps::is_possible(half(grid)),
         _ => grid.len() <= MOST && grid.shape().iter().all(|n| *n >= 4),
     };
-    if task.aim != Aim::AsGiven && possible(0.5) {
-        let (low, _) = attempt(task, 0.5, sink)?;
+    let mut attempt =
+        |map, factor, kept: &mut _| attempt(map, (grid, factor), (&setup, loads, aim), kept, sink);
+    if aim == Aim::AsGiven {
+        return Ok(attempt(map, 1.0, kept)?.0.with_next(None, start));
+    }
+    if possible(0.5) {
+        let every_second = thinned(&map, [0, 0]).map_err(StatsError::from)?;
+        let (low, _) = attempt(every_second, 0.5, &mut None)?;
         if low.unmet.is_none() {
             return Ok(low.with_next(Some(1.0), start));
         }
     }
-    let (given, between_points) = attempt(task, 1.0, sink)?;
+    let (given, between_points) = attempt(map.clone(), 1.0, &mut None)?;
     let next = (possible(2.0) && !between_points).then_some(2.0);
     if given.unmet.is_none() || next.is_none() {
         return Ok(given.with_next(next, start));
     }
-    let (high, _) = attempt(task, 2.0, sink)?;
+    let repeats = repeats(&map) && setup.builder.boundary == Boundary::Periodic;
+    let twice = regrid(&map, grid.shape().map(|n| 2 * n), repeats)?;
+    let (high, _) = attempt(twice, 2.0, &mut None)?;
     let widest = |reached: &Reached| reached.half_width.unwrap_or(f64::INFINITY);
     if high.unmet.is_none() || widest(&high) < widest(&given) {
         return Ok(high.with_next(None, start));
     }
-    Ok(attempt(task, 1.0, sink)?.0.with_next(None, start))
+    Ok(attempt(map, 1.0, &mut None)?.0.with_next(None, start))
 }
 
 /// The grid of every second point.
@@ -176,29 +186,25 @@ fn half(grid: Grid) -> Grid {
 /// Every load on one rung; of every second point until one misses the request. Returns the result
 /// of this rung alone, and whether an answer depends on what lies between the points.
 fn attempt(
-    task: &Task<'_>,
-    factor: f64,
+    map: HeightMap,
+    (given, factor): (Grid, f64),
+    (setup, loads, aim): (&Setup, &[Load], Aim),
+    kept: &mut Option<Ladder>,
     sink: &mut dyn Sink,
 ) -> Result<(Reached, bool), LadderError> {
-    let begun = Clock::now();
-    let Task { map: given, setup, loads, aim } = task;
-    let map = match factor {
-        0.5 => thinned(given, [0, 0]).map_err(StatsError::from)?,
-        2.0 => {
-            let repeats = repeats(given) && setup.builder.boundary == Boundary::Periodic;
-            regrid(given, given.grid().shape().map(|n| 2 * n), repeats)?
-        }
-        _ => (*given).clone(),
-    };
-    let grid = map.grid();
+    let (begun, grid) = (Clock::now(), map.grid());
     let row = |row: usize| ((factor * row as f64) as usize).min(grid.shape()[0] - 1);
     let mut builder = setup.builder.clone().section(setup.builder.section.map(row));
     if let Aim::Within(request) = aim {
         builder = builder.tolerance(request.tolerance()).precision(request.precision());
     }
     let (precision, tolerance) = (builder.precision, builder.tolerance);
-    let finer = setup.finer && grid == given.grid();
-    let mut ladder = Ladder::new(map, Setup { builder, finer, ..setup.clone() })?;
+    let finer = setup.finer && grid == given;
+    let ladder = match kept.take().filter(|ladder| ladder.map().grid() == grid) {
+        Some(mut ladder) => ladder.take_map(map).map(|()| ladder)?,
+        None => Ladder::new(map, Setup { builder, finer, ..setup.clone() })?,
+    };
+    let ladder = kept.insert(ladder);
     sink.begin(ladder.map(), &ladder.known);
     let (mut widest, mut any_between, mut unmet) = (0.0_f64, false, None);
     for (index, &load) in loads.iter().enumerate() {
@@ -223,8 +229,8 @@ fn attempt(
         }
     }
     let reached = Reached {
-        request: if let Aim::Within(request) = aim { Some(*request) } else { None },
-        given: given.grid(),
+        request: if let Aim::Within(request) = aim { Some(request) } else { None },
+        given,
         grid,
         precision,
         tolerance,

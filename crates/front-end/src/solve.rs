@@ -7,13 +7,13 @@ use crate::shown::unusual_hardness;
 use crate::statistics::{row_warning, with_spectrum};
 use crate::study::unmet;
 use crate::work::{Point, SolvedLoads, Watch};
-use contact_accuracy::{Aim, Ladder, LadderError, Setup, Sink, Task, climb};
+use contact_accuracy::{Aim, Ladder, LadderError, Setup, Task, climb};
 use contact_compare::{
     AccuracyRequest, Adhesion, EdgesName, Finding, Hardness, Inputs, Joint, Level, PairOrigin,
     Reached, Scene, Settings, Solved, Spikes, Surface,
 };
 use contact_types::{ContactModulus, HeightMap, Named, SpectralMoments};
-use fft_bem_solver::{Boundary, Load, Maps, SolverError};
+use fft_bem_solver::{Boundary, Load, Maps};
 use serde::Deserialize;
 use serde_json::{Value, json};
 use std::iter;
@@ -153,36 +153,15 @@ impl SolveRequest {
         let mut work = SolvedLoads::new(asked, distributions, part, (grid, spikes), watch);
         let accuracy = settings.accuracy.map(AccuracyRequest::new).transpose();
         let accuracy = accuracy.map_err(|e| Failure::from(&e))?;
-        let aim = accuracy.map(Aim::Within).or(settings.fast.then_some(Aim::Fast));
-        let failed = |e: LadderError| Failure::from(&e);
-        let mut plan = None;
-        if let Some(aim) = aim {
-            let loads: Vec<Load> = work.order.iter().map(|&i| self.loads[i]).collect();
-            let task = Task { map: &surface, setup, loads: &loads, aim };
-            plan = match climb(&task, &mut work) {
-                Err(LadderError::Stopped) => None,
-                reached => Some(reached.map_err(failed)?),
-            };
-        } else {
-            let mut ladder = match kept.take().filter(|ladder| ladder.map().grid() == grid) {
-                Some(mut ladder) => {
-                    ladder.take_map(surface).map_err(failed)?;
-                    ladder
-                }
-                None => Ladder::new(surface, setup).map_err(failed)?,
-            };
-            work.known = Some(ladder.known);
-            for index in 0..self.loads.len() {
-                let load = self.loads[work.order[index]];
-                work.watch.working_on(load);
-                let result = ladder.solve(load, |now| work.iterated(index, now));
-                let is_stopped = matches!(result, Err(SolverError::Stopped(_)));
-                if is_stopped || work.take(index, result).is_break() {
-                    break;
-                }
-            }
-            *kept = Some(ladder);
-        }
+        let as_given = if settings.fast { Aim::Fast } else { Aim::AsGiven };
+        let aim = accuracy.map_or(as_given, Aim::Within);
+        let loads: Vec<Load> = work.order.iter().map(|&i| self.loads[i]).collect();
+        let task = Task { map: surface, setup, loads: &loads, aim, kept };
+        let plan = match climb(task, &mut work) {
+            Err(LadderError::Stopped) => None,
+            Err(e) => return Err(Failure::from(&e)),
+            Ok(reached) => Some(reached).filter(|_| aim != Aim::AsGiven),
+        };
         work.add_to(&mut solved);
         solved.adhesion = sticking
             .map(|(given, inputs, cutoff)| Adhesion::of(given, &inputs, cutoff, &work.contacts()));

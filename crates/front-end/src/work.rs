@@ -260,11 +260,8 @@ pub trait Watch: Send {
     /// The map that is solved, once its form is off.
     fn levelled(&mut self, _map: &HeightMap) {}
 
-    /// A grid was chosen for an accuracy: all loads begin again, on this one.
+    /// All loads begin, or begin again where a grid is chosen for an accuracy, on this one.
     fn begin(&mut self, _grid: Grid, _loads: usize) {}
-
-    /// A load begins.
-    fn working_on(&mut self, _load: Load) {}
 
     /// An iteration on a load, by its place in the list, is done. It is called on a thread of the solver.
     /// `Break` ends everything: what was solved is kept.

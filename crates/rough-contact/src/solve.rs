@@ -177,10 +177,6 @@ impl Watch for Terminal {
         self.progress.working_on(&format!("{ny} × {nx} points"));
     }
 
-    fn working_on(&mut self, load: Load) {
-        self.progress.working_on(&shown(load));
-    }
-
     fn iterated(&mut self, _: usize, load: Load, now: &Iteration<'_>) -> ControlFlow<()> {
         self.progress.iterating(|| text::iterating(&shown(load), now.number, now.residual));
         ControlFlow::Continue(())

@@ -160,9 +160,10 @@ fn asking_for_more_never_gives_less() {
     let map = map(128, &heights);
     let loads = [1.0, 3.0].map(Load::MeanPressure);
     let reach = |aim| -> Reached {
-        let task = Task { map: &map, setup: setup(Solver::builder()), loads: &loads, aim };
+        let (map, setup, kept) = (map.clone(), setup(Solver::builder()), &mut None);
+        let task = Task { map, setup, loads: &loads, aim, kept };
         let mut sink = Nowhere(0);
-        let reached = climb(&task, &mut sink).unwrap();
+        let reached = climb(task, &mut sink).unwrap();
         assert_eq!(sink.0, loads.len());
         reached
     };
