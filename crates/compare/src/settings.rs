@@ -3,8 +3,8 @@
 use crate::{
     Card, GapGas, Joint, MaterialUse, Origin, Registry, StudyError, Theory, WorkOfAdhesion,
 };
-use contact_accuracy::Axis;
-use contact_types::Named;
+use contact_accuracy::{Axis, Setup};
+use contact_types::{ContactModulus, Named};
 use fft_bem_solver::{Method, Precision, Solver, SolverBuilder};
 use serde::{Deserialize, Serialize};
 use surface_stats::Level;
@@ -129,12 +129,19 @@ impl Settings {
 
     /// The solver that is asked for, of bodies that yield if a hardness is given.
     pub fn solver(&self) -> SolverBuilder {
-        self.elastic_solver().hardness(self.hardness.unwrap_or(f64::INFINITY))
+        let builder = Solver::builder().method(self.method).precision(self.precision);
+        builder.tolerance(self.tolerance).hardness(self.hardness.unwrap_or(f64::INFINITY))
     }
 
-    /// The same of elastic bodies.
-    pub(crate) fn elastic_solver(&self) -> SolverBuilder {
-        Solver::builder().method(self.method).precision(self.precision).tolerance(self.tolerance)
+    /// How a map is solved by this solver, with all that is asked.
+    pub fn setup(&self, solver: SolverBuilder, modulus: ContactModulus) -> Setup {
+        Setup {
+            mirrored: self.edges == EdgesName::Mirrored,
+            jump: self.gas.map(|gas| gas.jump()),
+            leak: self.leak.map_or_else(Vec::new, |leak| leak.along.axes().to_vec()),
+            stiffness: self.joint().is_asked(),
+            ..Setup::new(solver, modulus)
+        }
     }
 
     /// The theories to ask, in the order of the registry.

@@ -16,14 +16,13 @@ use crate::settings::default_pressures;
 use crate::theory::{Assumes, Theory};
 use crate::verdict::{Judged, verdict};
 use crate::{
-    Adhesion, EdgesName, OfMap, Origin, Registry, Settings, Spikes, Surface, WorkOfAdhesion,
-    poisson,
+    Adhesion, OfMap, Origin, Registry, Settings, Spikes, Surface, WorkOfAdhesion, poisson,
 };
 use contact_accuracy::{
     AccuracyRequest, Aim, Ladder, LadderError, Map, Setup, Task, climb, round_to_digits,
 };
 use contact_types::{AmplitudeSpectrum, Clock, ContactModulus, ContactState, HeightMap};
-use fft_bem_solver::{Load, Maps, SolverBuilder, SolverError};
+use fft_bem_solver::{Load, Maps, SolverError};
 use grid_fft::parallel::{join, on_threads};
 use std::f64::consts::TAU;
 use std::ops::ControlFlow;
@@ -149,16 +148,9 @@ fn compare(
     let loads = pressures.len();
     tell(progress, Progress::Surface { name: &name, index, count, loads })?;
 
-    let setup = |builder: SolverBuilder| Setup {
-        mirrored: settings.edges == EdgesName::Mirrored,
-        ..Setup::new(builder, modulus)
-    };
-    let whole = Setup {
-        jump: settings.gas.map(|gas| gas.jump()),
-        leak: settings.leak.map_or_else(Vec::new, |leak| leak.along.axes().to_vec()),
-        stiffness: settings.joint().is_asked(),
-        ..setup(settings.solver().maps(Maps::PressureAndGap).section(Some(telling_row(&map))))
-    };
+    let solver = settings.solver().maps(Maps::PressureAndGap).section(Some(telling_row(&map)));
+    let setup = settings.setup(solver, modulus);
+    let mirrored = setup.mirrored;
     let aim = match (settings.accuracy, settings.fast) {
         (Some(accuracy), _) => Aim::Within(AccuracyRequest::new(accuracy)?),
         (None, true) => Aim::Fast,
@@ -199,12 +191,13 @@ fn compare(
     let materials = &settings.materials[..];
     let (pressures, score) = (&pressures[..], f64::INFINITY);
     let mut curve = Curve { found, pressures, materials, wanted, score, progress };
-    let plan = climb(Task { map, setup: whole, loads: &loads, aim, kept: &mut None }, &mut curve);
+    let plan = climb(Task { map, setup, loads: &loads, aim, kept: &mut None }, &mut curve);
     let Curve { mut found, progress, .. } = curve;
     let refused = |e| refused_ladder(e, &found.name);
     found.plan = Some(plan.map_err(refused)?).filter(|_| aim != Aim::AsGiven);
     if settings.hardness.is_some() {
-        let elastic = setup(settings.elastic_solver().maps(Maps::Pressure));
+        let elastic = settings.solver().hardness(f64::INFINITY).maps(Maps::Pressure);
+        let elastic = Setup { mirrored, ..Setup::new(elastic, modulus) };
         let mut ladder = Ladder::new(found.surface.clone(), elastic).map_err(refused)?;
         found.elastic = elastic_beside(&found, &mut ladder, materials, progress)?;
     }

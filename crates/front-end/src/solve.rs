@@ -7,7 +7,7 @@ use crate::shown::unusual_hardness;
 use crate::statistics::{row_warning, with_spectrum};
 use crate::study::unmet;
 use crate::work::{Point, SolvedLoads, Watch};
-use contact_accuracy::{Aim, Ladder, LadderError, Setup, Task, climb};
+use contact_accuracy::{Aim, Ladder, LadderError, Task, climb};
 use contact_compare::{
     AccuracyRequest, Adhesion, EdgesName, Finding, Hardness, Inputs, Joint, Level, PairOrigin,
     Reached, Scene, Settings, Solved, Spikes, Surface,
@@ -138,13 +138,8 @@ impl SolveRequest {
         let gap_too = self.keep_gap || self.distributions;
         let maps = if gap_too { Maps::PressureAndGap } else { Maps::Pressure };
         let builder = settings.solver().boundary(self.boundary).certified(self.certify);
-        let setup = Setup {
-            mirrored: settings.edges == EdgesName::Mirrored,
-            jump: settings.gas.map(|gas| gas.jump()),
-            leak: settings.leak.map_or_else(Vec::new, |leak| leak.along.axes().to_vec()),
-            stiffness: self.stiffness || settings.joint().is_asked(),
-            ..Setup::new(builder.maps(maps), modulus)
-        };
+        let mut setup = settings.setup(builder.maps(maps), modulus);
+        setup.stiffness |= self.stiffness;
         let conducts = settings.joint().is_asked();
         let part = conducts.then(|| (self.joint(grid.area()), modulus));
         let repeats = self.boundary == Boundary::Periodic && settings.edges == EdgesName::Periodic;
