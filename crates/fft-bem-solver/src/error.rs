@@ -53,7 +53,7 @@ pub enum SolverError {
     },
     /// The mean pressure is above the hardness: no contact can carry it.
     #[error(
-        "mean pressure {mean_pressure:e} Pa is above the hardness {hardness:.5e} Pa: even full contact carries \
+        "mean pressure {mean_pressure:e} Pa is above the hardness {hardness:e} Pa: even full contact carries \
          no more than that; lower the load or raise the hardness"
     )]
     AboveHardness {

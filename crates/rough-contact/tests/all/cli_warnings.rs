@@ -52,7 +52,7 @@ fn a_solve_says_what_its_map_and_load_give_cause_to() {
     let line = format!("solve {FILE} {STEEL} 1GPa");
     let first = at.answer(&line)["findings"][0].clone();
     assert_eq!(first["subject"], "material");
-    has(first["text"].as_str().unwrap(), &["for a hardness H of at least 15\u{202F}GPa"]);
+    has(first["text"].as_str().unwrap(), &["for H ≥ 15\u{202F}GPa"]);
     let said = at.run(&line).out;
     let numbers = said.find("convolutions").unwrap();
     assert!(said.find("hardness H").is_some_and(|at| at < numbers), "before them: {said}");
