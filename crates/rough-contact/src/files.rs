@@ -4,6 +4,7 @@ use crate::outcome::{Failure, tell, unfit};
 use clap::Args;
 use rough_contact::compare;
 use rough_contact::surface_io::FORMATS;
+use std::collections::BTreeSet;
 use std::fmt;
 use std::path::{Path, PathBuf};
 
@@ -38,7 +39,7 @@ impl Files {
 }
 
 /// The files that were named, and of the folders among them, with the folders in them, those whose
-/// name ends like a format or not at all, in the order of their names. What is left out is said.
+/// name ends like a format or not at all, in the order of their names, each once. What is left out is said.
 pub(crate) fn expand(paths: &[PathBuf]) -> Result<Vec<PathBuf>, Failure> {
     let (mut found, mut left_out) = (Vec::new(), Vec::new());
     for path in paths {
@@ -48,6 +49,8 @@ pub(crate) fn expand(paths: &[PathBuf]) -> Result<Vec<PathBuf>, Failure> {
             found.push(path.clone());
         }
     }
+    let mut seen = BTreeSet::new();
+    found.retain(|path| seen.insert(path.canonicalize().unwrap_or_else(|_| path.clone())));
     let names = |paths: &[PathBuf]| {
         paths.iter().map(|path| path.display().to_string()).collect::<Vec<_>>().join(", ")
     };
@@ -138,7 +141,7 @@ mod tests {
         for name in names.split(' ') {
             std::fs::write(dir.path().join(name), "").expect("a file");
         }
-        let found = expand(&[dir.path().to_owned()]).expect("files");
+        let found = expand(&[dir.path().to_owned(), dir.path().join(".")]).expect("files");
         let names: Vec<_> = found.iter().map(|p| p.strip_prefix(dir.path()).unwrap()).collect();
         let order = "E.SUR a.x3p b/a.sdf bare c.x3p d.zip part1.x3p part2.x3p part10.x3p scan.003";
         assert_eq!(names, order.split(' ').map(Path::new).collect::<Vec<_>>());

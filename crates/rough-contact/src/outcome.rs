@@ -170,7 +170,9 @@ pub(crate) fn write(
     content: impl FnOnce(&mut BufWriter<File>) -> std::io::Result<()>,
 ) -> Result<(), Failure> {
     let mut partial = path.file_name().unwrap_or_default().to_owned();
-    partial.push(format!(".{}.partial", std::process::id()));
+    // Two files of the same content have the same answer, which two threads may write at once.
+    let thread = std::thread::current().id();
+    partial.push(format!(".{}-{thread:?}.partial", std::process::id()));
     let partial = path.with_file_name(partial);
     let result = File::create(&partial).and_then(|file| {
         let mut writer = BufWriter::new(file);
