@@ -138,7 +138,7 @@ fn channels(
                  save it in rows",
                 table.rows()
             );
-            return Err(two_readings(what, &[Layout::Matrix]));
+            return Err(two_readings(what, &[]));
         }
         _ if !is_list => None,
         1 if layout.is_some() => {
