@@ -12,7 +12,7 @@
 //! | 0x66 | u32 u32 u32: points along x, along y, bits per point (16, 32) |
 //! | 0x67 | f64 f64: total size along x, along y in metres: N pixels |
 //! | 0x6C | u32, f64: range; metres per stored unit |
-//! | 0x0B | the heights, u16 or i32, in rows; 1 is a missing point |
+//! | 0x0B | the heights, u16 or i32, in rows from the bottom; 1 is a missing point |
 //!
 //! Source: the block list of several free readers, checked against files.
 
@@ -60,6 +60,6 @@ pub(crate) fn parse(b: Bytes<'_>) -> Result<Contents<'_>, ReadError> {
     let raster = b.raster(data, [ny, nx], sample)?;
     let convert =
         move |raw: f64| if raw.to_bits() == 1f64.to_bits() { f64::NAN } else { raw * step };
-    contents.channels.push(Channel::raster("Height", "m", pixel, raster, convert));
+    contents.channels.push(Channel::raster("Height", "m", pixel, raster, convert).flipped());
     Ok(contents)
 }

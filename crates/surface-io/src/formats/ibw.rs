@@ -16,7 +16,7 @@
 //! | 216–231 | 4 × 4 | units of the dimensions |
 //! | 384 | | data, then formula, note, extended units, labels (32 bytes each, the first for the dimension) |
 //!
-//! Every layer is a channel, named by its label.
+//! Every layer is a channel, named by its label. The first row is the bottom one.
 //!
 //! Waves of versions 1 to 3, whose checksum is over 118, 126 and 130 bytes, are refused.
 //!
@@ -107,7 +107,7 @@ pub(crate) fn parse(mut b: Bytes<'_>) -> Result<Contents<'_>, ReadError> {
             label.filter(|l| !l.is_empty()).unwrap_or_else(|| format!("layer {}", layer + 1));
         let raster = b.raster(DATA + layer * layer_size, [ny, nx], sample)?;
         let unit = layer_unit(&name, &unit);
-        contents.channels.push(Channel::raster(name, unit, pixel, raster, |raw| raw));
+        contents.channels.push(Channel::raster(name, unit, pixel, raster, |raw| raw).flipped());
     }
     contents.metadata.insert("wave".into(), wave);
     for (_, line) in text::lines(&note).take(1024) {
@@ -118,16 +118,15 @@ pub(crate) fn parse(mut b: Bytes<'_>) -> Result<Contents<'_>, ReadError> {
     Ok(contents)
 }
 
-/// A wave has one unit for all layers. Instruments (Asylum) put phases and voltages beside
-/// heights under the unit m; their labels tell.
+/// A wave has one unit for all layers. Asylum puts phases and voltages beside heights under the unit m; its labels, which
+/// end with the direction, tell.
 fn layer_unit<'a>(name: &str, unit: &'a str) -> &'a str {
     let name = name.to_lowercase();
-    let is_other = |other: &str| name.contains(other);
-    if is_other("phase") {
-        "deg"
-    } else if ["current", "volt", "bias", "frequency", "lateral"].into_iter().any(is_other) {
-        "V"
-    } else {
-        unit
+    let is_length =
+        ["height", "zsensor", "deflection", "amplitude"].iter().any(|l| name.starts_with(l));
+    match name.ends_with("trace") && !is_length {
+        true if name.contains("phase") => "deg",
+        true => "V",
+        false => unit,
     }
 }

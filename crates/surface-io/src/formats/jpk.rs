@@ -4,6 +4,7 @@
 //! |---|---|
 //! | 0x8003, 0x8001 | date, version of the program |
 //! | 0x8042, 0x8043 | size of the grid along x, along y in metres: N pixels |
+//! | 0x8045 | not 0: the first row is the top one |
 //! | 0x8050, 0x8052 | channel, and its name for people |
 //! | 0x8051 | 1 if it is the way back |
 //! | 0x8080, 0x8081 | number of slots, name of the default one |
@@ -13,7 +14,7 @@
 //!
 //! Every directory but the first, a thumbnail, is a channel. Value = stored number × factor +
 //! offset of the default slot, which goes back to the stored number in one step. The first row is
-//! the bottom one.
+//! the bottom one, unless it is reflected.
 //!
 //! Sources: JPK, *Image file format*, as read by SurfaceTopography and AFMReader (both open); a
 //! `.jpk` of version 6 and a `.jpk-qi-image` of version 8.
@@ -23,6 +24,7 @@ use crate::tiff::{self, Page};
 
 pub(crate) const GRID_WIDTH: u16 = 0x8042;
 const GRID_HEIGHT: u16 = 0x8043;
+const REFLECTED: u16 = 0x8045;
 const CHANNEL: u16 = 0x8050;
 const RETRACE: u16 = 0x8051;
 const TITLE: u16 = 0x8052;
@@ -74,5 +76,7 @@ fn channel<'a>(
     // Numbers without a unit are those of the converter, no heights.
     let unit = page.text(0x80A2 + first).unwrap_or_else(|| "counts".into());
     let channel = Channel::new(name, Some(&unit), image.shape, pixel, move || image.decode());
-    Ok(channel.converted(move |raw| raw * factor + offset).flipped())
+    let channel = channel.converted(move |raw| raw * factor + offset);
+    let is_reflected = page.has(REFLECTED) && page.number(REFLECTED)? != 0.0;
+    Ok(if is_reflected { channel } else { channel.flipped() })
 }

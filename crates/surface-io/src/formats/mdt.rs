@@ -63,6 +63,9 @@ fn scan(f: Bytes<'_>, number: u64) -> Result<Channel<'_>, ReadError> {
     let steps = [y.1.abs(), x.1.abs()].map(f64::from);
     let pixel = Pixel::in_units(steps, [unit(y.2), unit(x.2)]);
     let (offset, step) = (f64::from(z.0), f64::from(z.1));
+    if step == 0.0 {
+        return Err(f.fault(46, "the step of the heights is 0"));
+    }
     let raster = f.raster(mode + 8, shape, Sample::I16)?;
     let title = f.u32(raster.end).and_then(|n| f.text(raster.end + 4, n as usize));
     let title = title.ok().filter(|title| !title.is_empty());

@@ -57,7 +57,8 @@ pub(crate) fn parse(b: Bytes<'_>) -> Result<Contents<'_>, ReadError> {
         let what = format!("{} bytes of data, {needed} are needed", data.len());
         return Err(b.field("tag 50434", what));
     }
-    let factor = h.f64(220)? * h.f64(228)?;
+    let scale = h.f64(228)?;
+    let factor = h.f64(220)? * if scale == 0.0 { 1.0 } else { scale };
     let name = wide(h.slice(4, 64)?);
     let unit = wide(h.slice(244, 16)?);
     let raster = b.raster(at, shape, sample)?;

@@ -4,7 +4,7 @@
 //! |---|---|
 //! | header | lines `:KEY:` with the values in the lines below, Latin-1; starts with `:NANONIS_VERSION:`, ends at the bytes 0x1A 0x04 |
 //! | `SCANIT_TYPE` | `FLOAT MSBFIRST` (other types are refused), or `LSBFIRST` |
-//! | `SCAN_PIXELS` | points along x, along y |
+//! | `SCAN_PIXELS` | points along x, along y; in version 1 along y, along x |
 //! | `SCAN_RANGE` | total size along x, along y in metres: N pixels |
 //! | `SCAN_DIR` | `up`: the first row is the bottom one; `down` |
 //! | `DATA_INFO` | a line of titles, then a line a channel: number, name, unit, direction (`both`, `forward`, `backward`), calibration, offset |
@@ -30,7 +30,10 @@ pub(crate) fn parse(mut b: Bytes<'_>) -> Result<Contents<'_>, ReadError> {
             _ => Err(b.field(key, format!("{text:?} is not two lengths"))),
         }
     };
-    let [nx, ny] = pair("SCAN_PIXELS")?;
+    let [mut nx, mut ny] = pair("SCAN_PIXELS")?;
+    if entries.get("NANONIS_VERSION") == Some("1") {
+        (nx, ny) = (ny, nx);
+    }
     if nx > 1e9 || ny > 1e9 {
         return Err(b.field("SCAN_PIXELS", format!("{nx} x {ny}")));
     }

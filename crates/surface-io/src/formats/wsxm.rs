@@ -4,7 +4,7 @@
 //! |---|---|
 //! | line 1 | `WSxM file copyright ...` |
 //! | line 2 | `SxM Image file` |
-//! | line 3 | `Image header size: N`: where the data start |
+//! | line 3 | `Image header size: N`, which some programs miscount: the data start behind the line `[Header end]` |
 //! | `[Control]` | `X Amplitude`, `Y Amplitude`: total size with unit: N pixels |
 //! | `[General Info]` | `Number of columns`, `Number of rows`; `Image Data Type`: `short`, `integer` (i16; also if absent), `float`, `double`; `Z Amplitude` with unit: height of the whole range |
 //!
@@ -25,11 +25,9 @@ pub(crate) fn parse(b: Bytes<'_>) -> Result<Contents<'_>, ReadError> {
     if kind != "SxM Image file" {
         return Err(b.unsupported(format!("{kind:?} (images are)")));
     }
-    let at = lines
-        .next()
-        .and_then(|line| line.strip_prefix("Image header size:")?.trim().parse::<usize>().ok())
-        .filter(|&at| at <= b.data.len())
-        .ok_or_else(|| b.field("Image header size", "is missing or behind the end of the file"))?;
+    let end = find(b.data, b"[Header end]");
+    let line = |end| Some(end + 1 + find(&b.data[end..], b"\n")?);
+    let at = end.and_then(line).ok_or_else(|| b.field("[Header end]", "is missing"))?;
 
     let header = text::decode(&b.data[..at]);
     let metadata: BTreeMap<String, String> = sections(b, &header, ": ")?

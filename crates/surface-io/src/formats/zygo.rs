@@ -12,6 +12,7 @@
 //! | 76, 80 | i32, 82 | time stamp, comment |
 //! | 164, 168, 176 | f32 | interferometric scale factor S, wavelength W (m), obliquity factor O |
 //! | 184 | f32 | lateral resolution (m per point, both directions; 0 if unknown) |
+//! | 232 | i16 | sign: not 0 where heights are stored upside down |
 //! | 218 | i16 | phase resolution: R = 4096, 32768 or 131072 for 0, 1, 2 |
 //! | 246, 258 | 12, 40 | objective, part name |
 //!
@@ -74,7 +75,8 @@ pub(crate) fn parse(b: Bytes<'_>) -> Result<Contents<'_>, ReadError> {
 
     let intensity_bytes = b.u32(60)? as usize;
     let raster = b.raster(header + intensity_bytes, shape, Sample::I32)?;
-    let step = scale * wavelength * obliquity / resolution;
+    let sign = if b.i16(232)? == 0 { 1.0 } else { -1.0 };
+    let step = sign * scale * wavelength * obliquity / resolution;
     let convert = move |raw| height(raw, step);
     let mut channels = vec![Channel::raster("Height", "m", pixel, raster, convert)];
 

@@ -63,10 +63,10 @@ fn zygo() -> Vec<u8> {
     w.to(68).put((NX as u16).to_be_bytes()).put((NY as u16).to_be_bytes());
     w.to(80).put("remark").to(164).put(0.5f32.to_be_bytes());
     w.put((32768e-9f32 * 2.0).to_be_bytes()).to(176).put(1f32.to_be_bytes());
-    w.to(184).put(3e-6f32.to_be_bytes()).to(218).put(1i16.to_be_bytes()).to(834);
-    w.put([1, 2, 3, 4]);
-    for h in points(2147483640.0) {
-        w.put((h as i32).to_be_bytes());
+    w.to(184).put(3e-6f32.to_be_bytes()).to(218).put(1i16.to_be_bytes());
+    w.to(232).put(1i16.to_be_bytes()).to(834).put([1, 2, 3, 4]);
+    for h in points(-2147483640.0) {
+        w.put((-h as i32).to_be_bytes());
     }
     w.0
 }
@@ -325,7 +325,7 @@ fn ibw() -> Vec<u8> {
         w.put(n.to_le_bytes());
     }
     w.put(doubles(&[DX, DY, 1.0, 1.0])).to(212).put("m").to(216).put("m").to(220).put("m").to(384);
-    let metres: Vec<f64> = points(f64::NAN).iter().map(|h| h * 1e-9).collect();
+    let metres: Vec<f64> = upside_down(&points(f64::NAN)).iter().map(|h| h * 1e-9).collect();
     w.put(floats(&points(0.0))).put(floats(&metres)).put("Rate: 1\r");
     for label in ["", "PhaseTrace", "HeightTrace"] {
         let end = w.0.len() + 32;
@@ -346,7 +346,7 @@ fn frt() -> Vec<u8> {
     block(0x66, &[NX as u32, NY as u32, 16].map(u32::to_le_bytes).concat());
     block(0x67, &doubles(&[NX as f64 * DX, NY as f64 * DY]));
     block(0x6c, &[&5u32.to_le_bytes()[..], &0.5e-9f64.to_le_bytes()].concat());
-    let stored: Vec<f64> = points(0.5).iter().map(|h| 2.0 * h).collect(); // 1 marks the missing
+    let stored: Vec<f64> = upside_down(&points(0.5)).iter().map(|h| 2.0 * h).collect(); // 1 marks the missing
     block(0x0b, &shorts(&stored));
     w.0
 }
@@ -390,7 +390,7 @@ fn wsxm() -> Vec<u8> {
                   [General Info]\r\n\r\n    Image Data Type: double\r\n    Number of columns: 7\
                   \r\n    Number of rows: 5\r\n    Z Amplitude: 406.001 nm\r\n\r\n[Header end]\r\n";
     let mut w = Writer::default();
-    w.put(latin1(header)).to(512).put(doubles(&points(102.0)));
+    w.put(latin1(header)).put(doubles(&points(102.0)));
     w.0
 }
 
