@@ -58,7 +58,6 @@ fn a_study_of_bodies_that_yield_agrees_with_itself() {
 #[test]
 fn what_a_study_cannot_do_with_a_hardness_is_refused() {
     let at = &surface(MAP);
-    at.refuses(&format!("{STUDY} --hardness 0Pa --out report"), &["above 0 Pa"]);
     let above = at.run(&format!("{STUDY} --hardness 1MPa --out report"));
     has(&above.err, &["is above the hardness"]);
     assert!(above.status == 2 && !above.out.contains("did not converge"), "{}", above.out);

@@ -133,12 +133,8 @@ fn channels(
     let map = match table.columns {
         _ if are_traces => return traces(&table, header),
         1 if is_sized && table.rows() > 1 && layout.is_none() => {
-            let what = format!(
-                "one column of {} numbers, and the header states the size of a map: in how many rows is not said; \
-                 save it in rows",
-                table.rows()
-            );
-            return Err(two_readings(what, &[]));
+            let what = "one column, and the header states the size of a map, not its rows: save it in rows";
+            return Err(two_readings(what.into(), &[]));
         }
         _ if !is_list => None,
         1 if layout.is_some() => {

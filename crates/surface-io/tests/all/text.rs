@@ -418,7 +418,7 @@ fn rows_that_the_header_declares_are_there() {
         ("rows: 2\ncolumns: 2\n1\n2\n4\n3\n", "2 rows of 2"),
         ("nx: 8\nny: 2\n1 2 4 1\n4 5 9 2\n6 8 7 4\n1 3 2 3\n", "2 rows of 8"),
         ("nx: 2\nny: 3\n0 0 1\n1 0 3\n0 1 4\n1 1 5\n", "2 are there"),
-        ("Width: 2 um\nHeight: 2 um\n1\n2\n4\n3\n", "in how many rows is not said"),
+        ("Width: 2 um\nHeight: 2 um\n1\n2\n4\n3\n", "not its rows"),
     ] {
         let error = refusal(text, &scaled()).to_string();
         assert!(error.contains(said), "{text}: {error}");

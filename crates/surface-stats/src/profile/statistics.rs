@@ -63,7 +63,7 @@ pub struct ProfileStatistics {
     pub length: f64,
     /// What was taken off first.
     pub options: ProfileOptions,
-    /// P parameters, of the primary profile: of the whole traces as they are used.
+    /// P parameters, of the primary profile: the whole traces, short of λs.
     pub primary: Vec<ParameterMean>,
     /// R parameters, or why there are none.
     pub roughness: Result<Roughness, StatsError>,
@@ -141,13 +141,17 @@ impl ProfileStatistics {
             Some(cutoff) => Ok(Setting::asked(cutoff, options.short, first.spacing())),
             None => choose_setting(&levelled, options.short),
         };
+        // The primary profile is short of λs, whichever is taken, and of nothing else.
+        let short = setting.as_ref().map_or(options.short, |setting| setting.short);
         let roughness = setting.and_then(|setting| roughness(&levelled, setting));
         if let (Some(_), Err(refused)) = (options.cutoff, &roughness) {
             return Err(refused.clone()); // what was asked for must be possible
         }
         // The profile whose moments count is filtered if that was asked for.
-        let used = levelled.iter().map(|trace| trace.filtered(options.short, options.cutoff));
-        let used = used.collect::<Result<Vec<Trace>, _>>()?;
+        let filtered = |short, cutoff| -> Result<Vec<Trace>, StatsError> {
+            levelled.iter().map(|trace| trace.filtered(short, cutoff)).collect()
+        };
+        let used = filtered(options.short, options.cutoff)?;
         let (first, spectrum) = (&used[0], TraceSpectrum::of(&used));
         let each: Vec<SpectralMoments> = used.iter().map(moments).collect();
         let mean =
@@ -173,7 +177,7 @@ impl ProfileStatistics {
             spacing: first.spacing(),
             length: first.length(),
             options: *options,
-            primary: means(&used, 1, 'P')?,
+            primary: means(&filtered(short, None)?, 1, 'P')?,
             roughness,
             moments: mean,
             between: scatter.between,
@@ -272,6 +276,13 @@ mod tests {
         close(rq.mean.unwrap(), 2e-7 / 2f64.sqrt(), 1e-2);
         // Two values 2e-7/√2 apart: 1e-7.
         close(rq.deviation.unwrap(), 1e-7, 2e-2);
+        // λc is none of the primary profile's.
+        let primary = |cutoff| {
+            let (cutoff, short) = (Some(cutoff), Some(8e-6));
+            let options = ProfileOptions { short, cutoff, ..ProfileOptions::default() };
+            ProfileStatistics::of(&[trace(1e-7, 4000)], &options).unwrap().0.primary
+        };
+        assert_eq!(primary(0.08e-3), primary(0.8e-3));
         let different = of([trace(1e-7, 4000), trace(1e-7, 3000)]);
         assert!(matches!(different, Err(StatsError::Shape { .. })));
     }
