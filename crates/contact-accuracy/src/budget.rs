@@ -51,7 +51,7 @@ pub struct Budget {
     pub stiffness: Option<Estimate>,
     /// Conductance over conductivity of a gas in the gap (1/m), if that was asked for.
     pub gas: Option<Estimate>,
-    /// [Interpolation-sensitivity indicator](crate::indicator) (-), if it was looked at.
+    /// Interpolation-sensitivity indicator (-), if it was looked at.
     pub indicator: Option<f64>,
 }
 
