@@ -60,7 +60,7 @@ pub(crate) fn sources(
     };
     add("Half the points", &|e| part(e, |p| p.coarser), &how);
     let how = format!(
-        "a tenth of the perimeter correction [<a href=\"#r{correction}\">{correction}</a>]"
+        "a tenth of the perimeter correction [<a href=\"#r{correction}\">{correction}</a>], and counting"
     );
     add("Contact line", &|e| part(e, |p| p.contact_line.hypot(p.counting)), &how);
     if let Some(finer) = answer.finer {
@@ -71,7 +71,7 @@ pub(crate) fn sources(
     add("Iteration", &|e| part(e, |p| p.iteration), &format!("rms pressure error {left}"));
     add("Of this map ±", &|e| e.interval().ok(), "");
     if budget.area.sampling.is_some() {
-        let how = "8 × 8 blocks";
+        let how = "8 × 8 blocks, and the long waves";
         add("Sampling variability", &|e| ends(e.value, e.sampling), how);
     }
     if budget.area.materials > 0.0 {
