@@ -76,6 +76,12 @@ pub(crate) fn mark_value(mark: &str) -> Option<f64> {
     number(mark.trim(), None, false).filter(|value| !value.is_nan())
 }
 
+/// True if a number is this mark; in single precision it is that only nearly.
+pub(crate) fn is_mark(value: f64, mark: f64) -> bool {
+    let is = |mark| value.partial_cmp(&mark).is_some_and(std::cmp::Ordering::is_eq);
+    is(mark) || is(f64::from(mark as f32))
+}
+
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(crate) enum Cell<'t> {
     Number(f64),

@@ -1,7 +1,7 @@
 //! From what a reader found to a [`Measurement`]: chooses the channel, decodes it and brings it
 //! to metres.
 
-use crate::cells::mark_value;
+use crate::cells::{is_mark, mark_value};
 use crate::error::ReadError;
 use crate::meaning::{Meaning, UNUSED};
 use crate::measurement::{ChannelInfo, Contents, Measurement, Pixel};
@@ -90,9 +90,7 @@ pub(crate) fn finish(
         .map_err(|e| ReadError::at(format, "grid", e.to_string()))?;
     let mut heights = (channel.decode)()?;
     for mark in options.missing.iter().filter_map(|mark| mark_value(mark)) {
-        // A mark of a file in single precision is that number only nearly.
-        let is_mark = |z: f64| z - mark == 0.0 || z - f64::from(mark as f32) == 0.0;
-        heights.iter_mut().filter(|z| is_mark(**z)).for_each(|z| *z = f64::NAN);
+        heights.iter_mut().filter(|z| is_mark(**z, mark)).for_each(|z| *z = f64::NAN);
     }
     if heights.len() != grid.len() {
         let what = format!("{} heights for {} points", heights.len(), grid.len());

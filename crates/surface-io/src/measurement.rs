@@ -1,6 +1,7 @@
 //! What a file contains, before and after a channel is chosen.
 
 use crate::binary::Raster;
+use crate::cells::is_mark;
 use crate::cut::Cut;
 use crate::error::ReadError;
 use crate::meaning::{self, UNUSED};
@@ -135,6 +136,12 @@ impl<'a> Channel<'a> {
             Ok(heights)
         };
         Self { decode: Box::new(changed), ..self }
+    }
+
+    /// Makes the points missing that hold this mark.
+    pub(crate) fn without(self, mark: Option<f64>) -> Self {
+        let Some(mark) = mark else { return self };
+        self.converted(move |z| if is_mark(z, mark) { f64::NAN } else { z })
     }
 
     /// Brings every stored number to the unit, or to NaN if it marks a missing point.

@@ -7,6 +7,8 @@
 //! | `valid_range`, `valid_min`, `valid_max` | stored numbers beyond are missing points |
 //! | `scale_factor`, `add_offset` | value = stored × factor + offset; 1 and 0 if absent |
 
+use crate::cells::is_mark;
+
 /// How the numbers of one variable are stored.
 pub(crate) struct Packing {
     missing: Vec<f64>,
@@ -42,11 +44,6 @@ impl Packing {
             *value = if is_missing { f64::NAN } else { *value * self.factor + self.offset };
         }
     }
-}
-
-/// True if a stored number is this mark, or is it as a single number.
-pub(crate) fn is_mark(value: f64, mark: f64) -> bool {
-    value.to_bits() == mark.to_bits() || value.to_bits() == f64::from(mark as f32).to_bits()
 }
 
 #[cfg(test)]

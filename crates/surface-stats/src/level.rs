@@ -1,7 +1,7 @@
 //! Form removal before statistics.
 
 use crate::polynomial::Polynomial;
-use crate::seam::{repeats, seam_jump};
+use crate::seam::{MOST_SEAM_JUMP, seam_jump};
 use crate::{HeightStatistics, StatsError, Warning};
 use contact_types::{HeightMap, Named};
 
@@ -46,7 +46,7 @@ impl Level {
     /// ```
     pub fn on(self, map: &HeightMap) -> Result<Self, StatsError> {
         match self {
-            Self::Auto if repeats(map) && meets(map, &without_form(map, 1)?) => Ok(Self::Mean),
+            Self::Auto if meets(map, || without_form(map, 1))? => Ok(Self::Mean),
             Self::Auto => Ok(Self::Plane),
             named => Ok(named),
         }
@@ -113,13 +113,17 @@ pub fn tilted(map: &HeightMap, asked: Level) -> Result<Option<Warning>, StatsErr
     let rms = |map: &HeightMap| HeightStatistics::of(map).rms_height;
     let explained = 1.0 - (rms(&without_plane) / rms(map)).powi(2); // no number for a flat map
     // A map that repeats has no tilt, whatever a plane explains of it.
-    let is_tilted = explained > 0.05 && !(repeats(map) && meets(map, &without_plane));
+    let is_tilted = explained > 0.05 && !meets(map, || Ok(without_plane))?;
     Ok(is_tilted.then_some(Warning::Tilted { explained }))
 }
 
-/// True if its opposite edges are no further apart than they are without its plane.
-fn meets(map: &HeightMap, without_plane: &HeightMap) -> bool {
-    seam_jump(map) <= seam_jump(without_plane)
+/// True if opposite edges meet, and no better without the plane.
+fn meets(
+    map: &HeightMap,
+    without_plane: impl FnOnce() -> Result<HeightMap, StatsError>,
+) -> Result<bool, StatsError> {
+    let jump = seam_jump(map);
+    Ok(jump <= MOST_SEAM_JUMP && jump <= seam_jump(&without_plane()?))
 }
 
 #[cfg(test)]

@@ -17,6 +17,7 @@
 //! Source: Image Metrology, *BCR-STM and BCRF file formats* (SPIP reference guide).
 
 use super::prelude::*;
+use crate::cells::is_mark;
 use crate::encoding::{latin1, utf16};
 
 const START: &str = "fileformat = bcr";
@@ -72,10 +73,9 @@ pub(crate) fn parse(mut b: Bytes<'_>) -> Result<Contents<'_>, ReadError> {
     let (sample, default) =
         if is_float { (Sample::F32, f64::from(f32::MAX)) } else { (Sample::I16, 32767.0) };
     let void = entries.number_or("voidpixels", default)?;
-    let marks = [default as f32, if void.abs() < 32767.0 { default } else { void } as f32];
+    let marks = [default, if void.abs() < 32767.0 { default } else { void }];
     let convert = move |raw: f64| {
-        // Compared as stored: the mark is printed with fewer digits than it has.
-        let is_void = marks.iter().any(|mark| mark.to_bits() == (raw as f32).to_bits());
+        let is_void = marks.iter().any(|mark| is_mark(raw, *mark));
         if is_void || raw >= f64::from(f32::MAX) { f64::NAN } else { raw * step }
     };
     let unit = entries.get("zunit").unwrap_or("nm");

@@ -67,12 +67,10 @@ pub(crate) fn parse_as<'a>(
         if several && header.channel.is_none() {
             header.channel = Some(format!("table {}", number + 1));
         }
-        let mut channels = channels(table, &mut header, options)?;
-        if let (Some(mark), None) = (header.missing_value, header.value_line) {
-            let without = move |z: f64| if z - mark == 0.0 { f64::NAN } else { z };
-            channels = channels.into_iter().map(|channel| channel.converted(without)).collect();
-        }
-        contents.channels.append(&mut channels);
+        let channels = channels(table, &mut header, options)?;
+        // With a factor the mark is of the numbers before it.
+        let mark = header.missing_value.filter(|_| header.value_line.is_none());
+        contents.channels.extend(channels.into_iter().map(|channel| channel.without(mark)));
         for (key, value) in header.metadata {
             contents.metadata.entry(key).or_insert(value);
         }
@@ -332,18 +330,15 @@ fn matrix(table: &NumberTable<'_>, header: &Header, values: Vec<f64>) -> Channel
         (None, None, Some(steps)) => Pixel::Steps(steps),
         (None, None, None) => Pixel::Unknown,
     };
-    let missing = header.missing_value;
-    let [factor, offset] = header.value_line.unwrap_or([1.0, 0.0]);
     let of_cells =
         table.unit(0).filter(|_| (1..table.columns).all(|i| table.unit(i) == table.unit(0)));
     let unit = header.value_unit.clone().or(of_cells);
-    let convert = move |value: f64| {
-        let is_missing = missing.is_some_and(|mark| value - mark == 0.0);
-        if is_missing { f64::NAN } else { value * factor + offset }
-    };
     let decode = move || Ok(values);
     let mut channel = Channel::new(header.name(), unit.as_deref(), shape, pixel, decode);
-    channel = channel.converted(convert);
+    if let Some([factor, offset]) = header.value_line {
+        let convert = move |value| value * factor + offset;
+        channel = channel.without(header.missing_value).converted(convert);
+    }
     if let Some(scale) = header.value_scale.filter(|_| channel.info.unit.is_none()) {
         channel.scale = Some(scale);
         channel.info.unit = Some(format!("{scale:e} m"));

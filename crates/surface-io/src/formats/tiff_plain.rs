@@ -4,7 +4,6 @@
 //! Source: see the reader of the container.
 
 use super::prelude::*;
-use crate::packed::is_mark;
 use crate::tiff;
 
 /// The number of a missing point, as text: a tag of GDAL.
@@ -15,10 +14,9 @@ pub(crate) fn parse(b: Bytes<'_>) -> Result<Contents<'_>, ReadError> {
     for (number, page) in tiff::pages(b, usize::MAX)?.iter().enumerate() {
         let name = format!("Picture {}", number + 1);
         let missing = page.text(GDAL_NODATA).and_then(|text| text.trim().parse().ok());
-        let is_missing = move |z| missing.is_some_and(|mark| is_mark(z, mark));
         let channel = page.image().map(|image| {
             Channel::new(&*name, None, image.shape, Pixel::Unknown, move || image.decode())
-                .converted(move |z| if is_missing(z) { f64::NAN } else { z })
+                .without(missing)
         });
         contents.add(&name, channel);
         let about = page.text(tiff::IMAGE_DESCRIPTION).filter(|text| text.len() < 4096);

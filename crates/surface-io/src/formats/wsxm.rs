@@ -20,8 +20,7 @@ use crate::units::quantity;
 
 pub(crate) fn parse(b: Bytes<'_>) -> Result<Contents<'_>, ReadError> {
     let start = text::latin1(&b.data[..b.data.len().min(512)]);
-    let mut lines = text::lines(&start).skip(1).map(|(_, line)| line.trim());
-    let kind = lines.next().unwrap_or_default();
+    let kind = text::lines(&start).nth(1).map_or("", |(_, line)| line.trim());
     if kind != "SxM Image file" {
         return Err(b.unsupported(format!("{kind:?} (images are)")));
     }
