@@ -26,8 +26,11 @@ pub fn possible(name: &str, state: ContactState) -> Result<ContactState, ModelEr
     })
 }
 
-/// A model's answers at nominal pressures (Pa) and its seconds per load: the median of passes over all
-/// loads, as many as fit in 20 ms, at least three; in WebAssembly their mean.
+/// For how long a model is asked again and again. The clock of a browser ticks more slowly than a pass takes.
+const PASSES: Duration = Duration::from_millis(if cfg!(target_family = "wasm") { 20 } else { 2 });
+
+/// A model's answers at nominal pressures (Pa) and its seconds per load: the median of passes over all loads, as many as
+/// fit in [`PASSES`], at least three; in WebAssembly their mean.
 fn timed(
     name: &str,
     model: &dyn ContactModel,
@@ -41,14 +44,13 @@ fn timed(
     let begin = Clock::now();
     let mut passes: Vec<Duration> = Vec::new();
     let mut answers = Vec::new();
-    while passes.len() < 3 || (begin.elapsed() < Duration::from_millis(20) && passes.len() < 999) {
+    while passes.len() < 3 || (begin.elapsed() < PASSES && passes.len() < 999) {
         let start = Clock::now();
         answers = black_box(pass());
         passes.push(start.elapsed());
     }
     let mean = begin.elapsed().as_secs_f64() / passes.len() as f64;
     passes.sort();
-    // The clock of a browser ticks more slowly than a pass takes: many passes make it up.
     let one =
         if cfg!(target_family = "wasm") { mean } else { passes[passes.len() / 2].as_secs_f64() };
     (answers, one / loads)

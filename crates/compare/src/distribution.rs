@@ -1,10 +1,13 @@
 //! Separate contact spots of a solution, and how pressure, gap and spots are distributed over a map.
 
 use contact_types::Grid;
+use grid_fft::parallel::{join, map};
 use serde::Serialize;
 
 /// Classes of pressure and of gap.
 const CLASSES: usize = 40;
+/// Points that a thread counts at a time.
+const BLOCK: usize = 1 << 14;
 
 /// Distributions of one contact.
 #[derive(Debug, Clone, PartialEq, Serialize)]
@@ -77,11 +80,9 @@ impl Distributions {
     /// Of a pressure field (Pa), the gap field on the same points (m; empty if there is none) and the list of spots;
     /// `None` if nothing touches.
     pub fn of(pressure: &[f64], gap: &[f64], spots: &[Spot]) -> Option<Self> {
-        Some(Self {
-            pressure: PressureHistogram::of(pressure)?,
-            gap: GapDistribution::of(pressure, gap),
-            spots: SpotDistribution::of(spots)?,
-        })
+        let (histogram, gap) =
+            join(|| PressureHistogram::of(pressure), || GapDistribution::of(pressure, gap));
+        Some(Self { pressure: histogram?, gap, spots: SpotDistribution::of(spots)? })
     }
 }
 
@@ -127,10 +128,14 @@ impl GapDistribution {
         if gap.len() != pressure.len() {
             return None;
         }
-        let apart =
-            || pressure.iter().zip(gap).filter(|(p, _)| **p <= 0.0).map(|(_, g)| g.max(0.0));
-        let (count, sum) = apart().fold((0_usize, 0.0), |(n, sum), g| (n + 1, sum + g));
-        let widest = apart().fold(0.0, f64::max);
+        let blocks: Vec<_> = pressure.chunks(BLOCK).zip(gap.chunks(BLOCK)).collect();
+        let sums = map(&blocks, |block| {
+            apart(block)
+                .fold((0, 0.0, 0.0), |(n, sum, m): (usize, f64, f64), g| (n + 1, sum + g, m.max(g)))
+        });
+        let add =
+            |(n, sum, m): (usize, f64, f64), s: (usize, f64, f64)| (n + s.0, sum + s.1, m.max(s.2));
+        let (count, sum, widest) = sums.into_iter().fold((0, 0.0, 0.0), add);
         if count == 0 || widest <= 0.0 {
             return None;
         }
@@ -138,17 +143,25 @@ impl GapDistribution {
         let gaps: Vec<f64> = (1..=CLASSES)
             .map(|i| widest * 10f64.powf(4.0 * (i as f64 / CLASSES as f64 - 1.0)))
             .collect();
-        let mut counts = [0_usize; CLASSES];
-        for g in apart() {
-            counts[gaps.partition_point(|limit| *limit < g).min(CLASSES - 1)] += 1;
-        }
+        let counts = map(&blocks, |block| {
+            let mut counts = [0_usize; CLASSES];
+            for g in apart(block) {
+                counts[gaps.partition_point(|limit| *limit < g).min(CLASSES - 1)] += 1;
+            }
+            counts
+        });
         let mut closer = gap.len() - count;
-        let below = counts.iter().map(|n| {
-            closer += n;
+        let below = (0..CLASSES).map(|class| {
+            closer += counts.iter().map(|counts| counts[class]).sum::<usize>();
             closer as f64 / gap.len() as f64
         });
         Some(Self { mean: sum / count as f64, below: below.collect(), gaps })
     }
+}
+
+/// The gaps (m) of a block of pressures and gaps where it carries no pressure.
+fn apart((pressure, gap): &(&[f64], &[f64])) -> impl Iterator<Item = f64> {
+    pressure.iter().zip(*gap).filter(|(p, _)| **p <= 0.0).map(|(_, g)| g.max(0.0))
 }
 
 impl SpotDistribution {

@@ -27,7 +27,7 @@ use grid_fft::parallel::{join, on_threads};
 use std::f64::consts::TAU;
 use std::ops::ControlFlow;
 use surface_stats::spectrum::{Ring, radial};
-use surface_stats::{Edges, Spectra, StatsError, StatsOptions, SurfaceStatistics, level};
+use surface_stats::{Edges, Level, Spectra, StatsError, StatsOptions, SurfaceStatistics};
 
 impl Comparison {
     /// Runs a study: every surface solved over the loads, and the theories of `registry` that the
@@ -132,11 +132,11 @@ fn compare(
         || Spikes::left(&heights, origin.cleaned(), origin.pair()),
         || describe(&heights, &origin, settings),
     );
-    let (map, statistics, spectra) = described.map_err(refused)?;
-    drop(heights);
+    let (statistics, spectra) = described.map_err(refused)?;
     // Under a Hann window, or the jump at the edges would count as roughness.
     let windowed = statistics.edges == Edges::Open;
-    let Spectra { amplitudes, seconds, moments, resolved, rings, .. } = spectra;
+    let Spectra { surface, amplitudes, seconds, moments, resolved, rings, .. } = spectra;
+    let map = if statistics.level == Level::None { heights } else { surface };
     let spectral = Spectral { moments, resolved, windowed, psd: thinned(&rings) };
     let mut inputs = model_inputs(&map, &statistics, amplitudes, modulus, asked);
     inputs.surface = Some(name.clone());
@@ -169,7 +169,7 @@ fn compare(
         setup_seconds,
         deterministic: Vec::new(),
         elastic: Vec::new(),
-        map: Map::of(&map),
+        map: Map::default(),
         beside_seconds: [0.0; 2],
         coarser: Vec::new(),
         choices: None,
@@ -351,12 +351,11 @@ fn describe(
     heights: &HeightMap,
     origin: &Origin,
     settings: &Settings,
-) -> Result<(HeightMap, SurfaceStatistics, Spectra), StatsError> {
+) -> Result<(SurfaceStatistics, Spectra), StatsError> {
     let fractal_range = settings.fractal_range;
-    let options = StatsOptions { fractal_range, ..origin.options(heights, settings.level)? };
+    let options = StatsOptions { fractal_range, ..origin.options(settings.level) };
     // From the heights as given, so that a tilt that is removed is still reported.
-    let (statistics, spectra) = SurfaceStatistics::with_spectra(heights, &options)?;
-    Ok((level(heights, statistics.level)?, statistics, spectra))
+    SurfaceStatistics::with_spectra(heights, &options)
 }
 
 /// One set of moments for all models, by finite differences: they stay inside the map, so that a

@@ -214,17 +214,14 @@ impl Origin {
     }
 
     /// How statistics of the heights are taken with this form asked for.
-    ///
-    /// # Errors
-    /// [`StatsError::OutOfRange`] for heights beyond what can be levelled.
-    pub fn options(&self, heights: &HeightMap, asked: Level) -> Result<StatsOptions, StatsError> {
-        Ok(StatsOptions {
-            level: self.level(asked).on(heights)?,
+    pub fn options(&self, asked: Level) -> StatsOptions {
+        StatsOptions {
+            level: self.level(asked),
             edges: self.edges(),
             fractal_range: None,
             missing: self.missing(),
             height_step: self.height_step(),
-        })
+        }
     }
 
     /// Height step that is still in the heights (m). Rounding errors of two bodies are independent, so

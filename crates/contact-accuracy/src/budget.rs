@@ -8,7 +8,7 @@ use contact_types::HeightMap;
 use fft_bem_solver::{Boundary, End, Load, SetStiffness, Solution};
 
 /// What a map says of the answers on it before anything is solved. Made once per surface, in two passes.
-#[derive(Debug, Clone, Copy, PartialEq)]
+#[derive(Debug, Clone, Copy, PartialEq, Default)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize))]
 #[non_exhaustive]
 pub struct Map {
@@ -23,13 +23,8 @@ pub struct Map {
 impl Map {
     /// Of a surface as it is solved.
     pub fn of(surface: &HeightMap) -> Self {
-        let (mean, heights) = (surface.mean(), surface.heights());
-        let square = heights.iter().map(|h| (h - mean).powi(2)).sum::<f64>() / heights.len() as f64;
-        Self {
-            repeats: surface_stats::repeats(surface),
-            rms_height: square.sqrt(),
-            height_scatter: height_scatter(surface),
-        }
+        let (rms_height, height_scatter) = height_scatter(surface);
+        Self { repeats: surface_stats::repeats(surface), rms_height, height_scatter }
     }
 }
 

@@ -10,7 +10,10 @@ use contact_types::{Grid, HeightMap, SurfaceError};
 use fft_bem_solver::{
     Iteration, Load, Method, ObserverResult, SetStiffness, Solution, Solver, SolverError,
 };
+use grid_fft::parallel::join;
 use std::borrow::Cow;
+use std::ops::ControlFlow;
+use std::sync::Mutex;
 use surface_stats::clean::{mirrored, resample};
 use surface_stats::{Edges, StatsError};
 
@@ -158,21 +161,32 @@ impl RungMaps {
         &mut self,
         load: Load,
         given: &Solution,
-        mut observer: impl FnMut(&Iteration<'_>) -> A + Send,
+        observer: impl FnMut(&Iteration<'_>) -> A + Send,
     ) -> Result<Vec<Numbers>, SolverError> {
         let Setup { stiffness, jump, leak, mirrored, .. } = &self.setup;
         let is_kept = given.pressure.len() == given.grid.len();
-        let one = |((solver, shape), first): (&mut (Solver, _), _)| {
+        let observer = Mutex::new(observer);
+        let observer = |now: &Iteration<'_>| match observer.lock() {
+            Ok(mut observer) => observer(now).flow(),
+            Err(_) => ControlFlow::Break(()),
+        };
+        let one = |((solver, shape), first): (&mut (Solver, [usize; 2]), _)| {
             let (pressure, of) = (&given.pressure, given.grid.shape());
             let start = pressure_beside(pressure, of, *shape, (first, *mirrored));
             let start = is_kept.then_some(&start as &(dyn Fn(usize) -> f64 + Sync));
-            let solution = solver.solve_again(load, start, &mut observer)?;
+            let solution = solver.solve_again(load, start, observer)?;
             let touches = |i: usize| solution.pressure[i] > 0.0;
             let set = stiffness.then(|| solver.contact_stiffness(touches)).transpose()?;
             let permeability = permeability(&solution, leak);
             Ok(Numbers { permeability, ..Numbers::of(&solution, set.as_ref(), *jump) })
         };
-        self.solvers.iter_mut().zip(PHASES).map(one).collect()
+        match &mut self.solvers[..] {
+            [a, b] => {
+                let (a, b) = join(|| one((a, PHASES[0])), || one((b, PHASES[1])));
+                Ok(vec![a?, b?])
+            }
+            solvers => solvers.iter_mut().zip(PHASES).map(one).collect(),
+        }
     }
 }
 

@@ -13,6 +13,7 @@ use contact_types::{Clock, Grid, HeightMap};
 use fft_bem_solver::{
     Boundary, Iteration, Load, ObserverResult, SetStiffness, Solution, Solver, SolverError,
 };
+use grid_fft::parallel::join;
 use std::borrow::Cow;
 use surface_stats::StatsError;
 
@@ -74,17 +75,21 @@ impl Ladder {
         let known = Map::of(&map);
         let mut builder = setup.builder.clone();
         builder.maps = builder.maps.max(setup.maps());
-        let surface = with_images(Cow::Borrowed(&map), setup.mirrored)?;
-        let mut solver = builder.build(surface.grid(), setup.modulus)?;
-        solver.take_surface(&surface)?;
-        drop(surface);
-        let grid = map.grid();
-        let coarser = if RungMaps::is_possible(grid) {
-            Ok(RungMaps::of(both(&map, setup.mirrored)?, setup.clone().loose())?)
-        } else {
-            Err(NoUncertainty::TooFewPoints { shape: grid.shape() })
+        let whole = || {
+            let surface = with_images(Cow::Borrowed(&map), setup.mirrored)?;
+            let mut solver = builder.build(surface.grid(), setup.modulus)?;
+            solver.take_surface(&surface).map(|()| solver).map_err(LadderError::from)
         };
-        Ok(Self { setup, known, given: map, solver, coarser, finer: None })
+        let grid = map.grid();
+        let thinned = || -> Result<_, LadderError> {
+            Ok(if RungMaps::is_possible(grid) {
+                Ok(RungMaps::of(both(&map, setup.mirrored)?, setup.clone().loose())?)
+            } else {
+                Err(NoUncertainty::TooFewPoints { shape: grid.shape() })
+            })
+        };
+        let (solver, coarser) = join(whole, thinned);
+        Ok(Self { solver: solver?, coarser: coarser?, setup, known, given: map, finer: None })
     }
 
     /// The map as it was given.
@@ -140,29 +145,30 @@ impl Ladder {
             self.solver.contact_stiffness(|i| at(i) > 0.0)
         });
         let set = set.transpose()?;
-        let clock = Clock::now();
-        let coarser = match &mut self.coarser {
-            Ok(coarser) => match coarser.solve(load, &solution, &mut observer) {
-                Ok(numbers) => Ok(numbers),
-                Err(SolverError::Stopped(_)) => return Err(SolverError::Stopped(solution.into())),
-                Err(_) => Err(NoUncertainty::Undefined),
+        let (clock, repeats) = (Clock::now(), self.repeats());
+        let (coarser, indicator) = join(
+            || match &mut self.coarser {
+                Ok(coarser) => Ok(coarser.solve(load, &solution, &mut observer)),
+                Err(why) => Err(*why),
             },
-            Err(why) => Err(*why),
-        };
+            || indicator(&self.given, repeats, &solution.pressure, self.setup.modulus),
+        );
+        if let Ok(Err(SolverError::Stopped(_))) = coarser {
+            return Err(SolverError::Stopped(solution.into()));
+        }
+        let coarser = coarser.and_then(|numbers| numbers.map_err(|_| NoUncertainty::Undefined));
         let coarse_seconds = clock.elapsed().as_secs_f64();
         let asked = (set.as_ref(), self.setup.jump);
         let beside = Beside { coarser: coarser.as_deref().map_err(|why| *why), finer: None };
         let known = self.known;
-        let budget = |beside| Budget::of(load, &solution, asked, &known, beside);
+        let budget =
+            |beside| Budget { indicator, ..Budget::of(load, &solution, asked, &known, beside) };
         let mut found = budget(beside);
-        found.indicator =
-            indicator(&self.given, self.repeats(), &solution.pressure, self.setup.modulus);
         let clock = Clock::now();
         let mut finer = None;
         if self.needs_finer(&found) {
             finer = self.on_finer(load, &solution, observer);
-            let beside = Beside { finer: finer.as_ref(), ..beside };
-            found = Budget { indicator: found.indicator, ..budget(beside) };
+            found = budget(Beside { finer: finer.as_ref(), ..beside });
         }
         let seconds = [coarse_seconds, clock.elapsed().as_secs_f64()];
         let axes = &self.setup.leak;

@@ -59,10 +59,10 @@ fn scatter([ny, nx]: [usize; 2], field: &[f64]) -> Option<f64> {
     Some(if mean > 0.0 { (square / n).sqrt() / mean } else { 0.0 })
 }
 
-/// Relative standard error of the rms height over maps of the same surface: the variance of the mean of a field over
+/// Rms height (m), and its relative standard error over maps of the same surface: the variance of the mean of a field over
 /// a map is its power at long waves, here of `h²` at the twelve longest. Widened by Student's quantile, since they
 /// are few.
-pub(crate) fn height_scatter(surface: &HeightMap) -> f64 {
+pub(crate) fn height_scatter(surface: &HeightMap) -> (f64, f64) {
     const LONGEST: [[usize; 2]; 6] = [[0, 1], [0, 2], [1, 0], [2, 0], [1, 1], [1, 2]];
     let [ny, nx] = surface.grid().shape();
     let mean = surface.mean();
@@ -75,12 +75,12 @@ pub(crate) fn height_scatter(surface: &HeightMap) -> f64 {
     for (iy, row) in surface.heights().chunks_exact(nx).enumerate() {
         // Of this row at 0, 1 and 2 periods.
         let mut periods = [[0.0; 2]; 3];
-        for (ix, h) in row.iter().enumerate() {
+        for (h, [sin, cos]) in row.iter().zip(&along_x) {
             let square = (h - mean).powi(2);
+            let twice = [2.0 * sin * cos, cos * cos - sin * sin];
             periods[0][0] += square;
-            for k in [1, 2] {
-                let [sin, cos] = along_x[k * ix % nx];
-                periods[k] = [periods[k][0] + square * cos, periods[k][1] + square * sin];
+            for (period, [sin, cos]) in periods[1..].iter_mut().zip([[*sin, *cos], twice]) {
+                *period = [period[0] + square * cos, period[1] + square * sin];
             }
         }
         all += periods[0][0];
@@ -89,12 +89,13 @@ pub(crate) fn height_scatter(surface: &HeightMap) -> f64 {
             *sum = [sum[0] + re * cos - im * sin, sum[1] + re * sin + im * cos];
         }
     }
+    let rms_height = (all / surface.heights().len() as f64).sqrt();
     if all <= 0.0 {
-        return 0.0;
+        return (rms_height, 0.0);
     }
     let power = sums.iter().map(|[re, im]| (re * re + im * im) / (all * all)).sum::<f64>();
     let h = 0.5 * (power / LONGEST.len() as f64).sqrt(); // a root scatters by half of what is under it
-    h * students(0.5 * (0.5 / h).powi(2))
+    (rms_height, h * students(0.5 * (0.5 / h).powi(2)))
 }
 
 /// Student's quantile over the normal one at 97.5 %, in its expansion for many degrees of freedom

@@ -20,7 +20,7 @@ use std::path::Path;
 use surface_stats::clean::Record;
 use surface_stats::profile::ProfileStatistics;
 use surface_stats::spectrum::{amplitudes, radial};
-use surface_stats::{Edges, StatsError, Warning, level, moments, spectral_scales};
+use surface_stats::{Edges, StatsError, Warning, moments, spectral_scales};
 
 /// What is asked of the model.
 #[derive(Clone, Debug)]
@@ -176,11 +176,10 @@ impl ModelSubject {
         let pair = origin.pair().cloned();
         let spikes = Spikes::left(&heights, &cleaned, pair.as_ref());
         let rows = row_warning(&heights);
-        let form = origin.level(asked).on(&heights).map_err(refused)?;
+        let (form, map) = origin.level(asked).taken_off(&heights).map_err(refused)?;
         let edges = edges.unwrap_or_else(|| origin.edges());
         let mut inputs = Inputs::new(modulus);
         inputs.nominal_area = Some(heights.grid().area());
-        let map = level(&heights, form).map_err(refused)?;
         // Every model has the moments that a study gives it; only Persson's mean gap needs more.
         inputs.is_measured = true;
         inputs.moments = Some(moments(&map, edges).map_err(refused)?);

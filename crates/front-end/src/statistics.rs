@@ -15,7 +15,7 @@ use surface_stats::iso25178::{self, IsoParameter};
 use surface_stats::profile::ProfileStatistics;
 use surface_stats::spectrum::radial;
 use surface_stats::{
-    ByDistance, Edges, StatsError, StatsOptions, SurfaceStatistics, Warning, by_distance, level,
+    ByDistance, Edges, Spectra, StatsError, StatsOptions, SurfaceStatistics, Warning, by_distance,
 };
 
 /// What is asked of a map.
@@ -57,33 +57,27 @@ pub struct Statistics {
 pub fn statistics(subject: &Subject<'_>, asked: &StatisticsRequest) -> Result<Statistics, Failure> {
     let (origin, map) = (&subject.surface.origin, &subject.surface.heights);
     let refused = |e: StatsError| Failure::in_file(subject.path, &e);
-    let options = StatsOptions {
-        level: origin.level(asked.level),
-        edges: asked.boundary.unwrap_or_else(|| origin.edges()),
-        fractal_range: None,
-        missing: origin.missing(),
-        height_step: origin.height_step(),
-    };
-    let s = SurfaceStatistics::of(map, &options).map_err(refused)?;
+    let edges = asked.boundary.unwrap_or_else(|| origin.edges());
+    let options = StatsOptions { edges, ..origin.options(asked.level) };
+    let (s, Spectra { surface: levelled, .. }) =
+        SurfaceStatistics::with_spectra(map, &options).map_err(refused)?;
     let spikes = Spikes::left(map, &subject.cleaned, origin.pair());
     let mut json = contact_report::statistics_json(&s);
     json["cleaning"] = contact_report::cleaning_json(&subject.cleaned);
     json["pair"] = origin.pair().map_or(Value::Null, contact_report::pair_json);
     let (mut iso, mut scales, mut adhesion) = (None, None, None);
-    let is_used = asked.iso || asked.scales || asked.adhesion.is_some();
-    let levelled = is_used.then(|| level(map, s.level)).transpose().map_err(refused)?;
-    if let Some(map) = levelled.as_ref().filter(|_| asked.iso) {
-        let found = iso25178::parameters(map, options.edges).map_err(refused)?;
+    if asked.iso {
+        let found = iso25178::parameters(&levelled, edges).map_err(refused)?;
         json["iso25178"] = found.iter().map(|p| (p.symbol.to_owned(), json!(p.value))).collect();
         iso = Some(found);
     }
-    if let Some(map) = levelled.as_ref().filter(|_| asked.scales) {
-        let found = by_distance(map);
+    if asked.scales {
+        let found = by_distance(&levelled);
         json["scales"] = json!({ "x": found[0], "y": found[1] });
         scales = Some(found);
     }
-    if let (Some(map), Some((given, modulus))) = (&levelled, asked.adhesion) {
-        let inputs = with_spectrum(map, modulus, s.moments());
+    if let Some((given, modulus)) = asked.adhesion {
+        let inputs = with_spectrum(&levelled, modulus, s.moments());
         let found = Adhesion::of(given, &inputs, s.cutoff, &[]);
         json["adhesion"] = json!(found);
         adhesion = Some(found);

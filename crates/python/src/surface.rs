@@ -286,14 +286,13 @@ pub(crate) fn reshape<'py>(
     threads: usize,
 ) -> PyResult<MadeSurface<'py>> {
     let (surface, mut facts) = surface_of(&heights, facts)?;
-    let form = surface.origin.level(form(level)?).on(&surface.heights);
-    let form = form.map_err(|e| raise(&Failure::from(&e)))?;
+    let form = surface.origin.level(form(level)?);
     let repeats = match &surface.origin {
         Origin::Given(given) => given.repeats,
         made => (made.edges() == Edges::Periodic).then_some(true),
     };
-    let map = quietly(py, threads, move || surface_stats::level(&surface.heights, form))?;
-    let map = map.map_err(|e| raise(&Failure::in_file(facts.path(), &e)))?;
+    let made = quietly(py, threads, move || form.taken_off(&surface.heights))?;
+    let (form, map) = made.map_err(|e| raise(&Failure::in_file(facts.path(), &e)))?;
     let note = format!("{} with its {form} taken off", facts.name);
     let mut origin = GivenOrigin::of(&map, note);
     (origin.missing, origin.height_step, origin.repeats) =

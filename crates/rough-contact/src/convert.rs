@@ -9,7 +9,6 @@ use rough_contact::compare::Level;
 use rough_contact::contact_types::{HeightMap, Named};
 use rough_contact::report;
 use rough_contact::surface_io::write;
-use rough_contact::surface_stats::level;
 use serde_json::json;
 use std::io::{Seek, Write};
 use std::path::{Path, PathBuf};
@@ -40,8 +39,7 @@ impl Convert {
         };
         let (missing, cleaned) = (surface.origin.missing(), surface.origin.cleaned());
         let refused = |e| Failure::in_file(&self.file, &e);
-        let form = self.level.on(&surface.heights).map_err(refused)?;
-        let map = level(&surface.heights, form).map_err(refused)?;
+        let (form, map) = self.level.taken_off(&surface.heights).map_err(refused)?;
         let steps: Vec<String> = cleaned.iter().map(ToString::to_string).collect();
         let comment = format!(
             "rough-contact convert {shown}: {missing} points filled; level {}; cleaned: {}",

@@ -28,7 +28,7 @@ pub enum Level {
 }
 
 impl Level {
-    /// What it is for this map: itself, or what [`Auto`](Self::Auto) chooses.
+    /// What it is for this map, itself or what [`Auto`](Self::Auto) chooses, and the map without it, as by [`level`].
     ///
     /// # Errors
     /// As [`level`].
@@ -41,14 +41,21 @@ impl Level {
     /// let grid = Grid::new([64, 64], [1e-6, 1e-6])?;
     /// let wave = HeightMap::from_fn(grid, |_, x| 1e-8 * (TAU * x / 64e-6).cos())?;
     /// let tilted = HeightMap::from_fn(grid, |_, x| 1e-8 * (TAU * x / 64e-6).cos() + 0.01 * x)?;
-    /// assert_eq!([Level::Auto.on(&wave)?, Level::Auto.on(&tilted)?], [Level::Mean, Level::Plane]);
+    /// assert_eq!(Level::Auto.taken_off(&wave)?.0, Level::Mean);
+    /// assert_eq!(Level::Auto.taken_off(&tilted)?.0, Level::Plane);
     /// # Ok::<(), Box<dyn std::error::Error>>(())
     /// ```
-    pub fn on(self, map: &HeightMap) -> Result<Self, StatsError> {
-        match self {
-            Self::Auto if meets(map, || without_form(map, 1))? => Ok(Self::Mean),
-            Self::Auto => Ok(Self::Plane),
-            named => Ok(named),
+    pub fn taken_off(self, map: &HeightMap) -> Result<(Self, HeightMap), StatsError> {
+        match (self, self.degree()) {
+            (Self::Auto, _) => {
+                let without_plane = without_form(map, 1)?;
+                if meets(map, &without_plane) {
+                    return Self::Mean.taken_off(map);
+                }
+                Ok((Self::Plane, without_plane))
+            }
+            (_, Some(degree)) => Ok((self, without_form(map, degree)?)),
+            (_, None) => Ok((self, map.clone())),
         }
     }
 
@@ -87,10 +94,7 @@ impl std::fmt::Display for Level {
 /// # Errors
 /// [`StatsError::OutOfRange`] for heights or pixels beyond what can be squared.
 pub fn level(map: &HeightMap, level: Level) -> Result<HeightMap, StatsError> {
-    let Some(degree) = level.on(map)?.degree() else {
-        return Ok(map.clone());
-    };
-    without_form(map, degree)
+    level.taken_off(map).map(|(_, levelled)| levelled)
 }
 
 /// The map without its least-squares polynomial of this total degree.
@@ -113,17 +117,14 @@ pub fn tilted(map: &HeightMap, asked: Level) -> Result<Option<Warning>, StatsErr
     let rms = |map: &HeightMap| HeightStatistics::of(map).rms_height;
     let explained = 1.0 - (rms(&without_plane) / rms(map)).powi(2); // no number for a flat map
     // A map that repeats has no tilt, whatever a plane explains of it.
-    let is_tilted = explained > 0.05 && !meets(map, || Ok(without_plane))?;
+    let is_tilted = explained > 0.05 && !meets(map, &without_plane);
     Ok(is_tilted.then_some(Warning::Tilted { explained }))
 }
 
 /// True if opposite edges meet, and no better without the plane.
-fn meets(
-    map: &HeightMap,
-    without_plane: impl FnOnce() -> Result<HeightMap, StatsError>,
-) -> Result<bool, StatsError> {
+fn meets(map: &HeightMap, without_plane: &HeightMap) -> bool {
     let jump = seam_jump(map);
-    Ok(jump <= MOST_SEAM_JUMP && jump <= seam_jump(&without_plane()?))
+    jump <= MOST_SEAM_JUMP && jump <= seam_jump(without_plane)
 }
 
 #[cfg(test)]
@@ -178,11 +179,11 @@ mod tests {
         for shift in 0..64 {
             let wave = |_: f64, x: f64| (TAU * (x + f64::from(shift)) / 64.0).sin();
             let wave = HeightMap::from_fn(grid, wave).unwrap();
-            assert_eq!(Level::Auto.on(&wave), Ok(Level::Mean), "{shift}");
+            assert_eq!(Level::Auto.taken_off(&wave).unwrap().0, Level::Mean, "{shift}");
         }
         let noise = |y: f64, x: f64| (1e4 * (x + 64.0 * y).powi(2)).sin() + 0.01 * x;
         let noise = HeightMap::from_fn(grid, noise).unwrap();
-        assert_eq!(Level::Auto.on(&noise), Ok(Level::Plane));
+        assert_eq!(Level::Auto.taken_off(&noise).unwrap().0, Level::Plane);
     }
 
     #[test]

@@ -6,6 +6,7 @@
 use crate::linear::NormalEquations;
 use crate::{StatsError, scale};
 use contact_types::Grid;
+use grid_fft::parallel::{self, prelude::*};
 
 pub(crate) const MAX_DEGREE: usize = 12;
 /// Pixels of a row handled at a time.
@@ -46,9 +47,9 @@ impl Polynomial {
     pub(crate) fn remove_from(&self, heights: &mut [f64]) {
         let [ny, nx] = self.grid.shape();
         let columns = columns(nx, self.degree);
-        for (iy, row) in heights.chunks_exact_mut(nx).enumerate() {
+        heights.par_chunks_mut(nx).enumerate().for_each(|(iy, row)| {
             self.remove_from_row(row, &legendre(scaled(iy, ny)), &columns);
-        }
+        });
     }
 
     /// The same of one row, whose polynomials of y are `rows`.
@@ -73,11 +74,11 @@ impl Polynomial {
         let columns = columns(nx, self.degree);
         let complete = products(&columns, &(0..nx));
         let mut equations = NormalEquations::new(self.coefficients.len());
-        let mut row = vec![0.0; nx];
         // Along a row only the polynomials of x vary: sum over it first, then over rows.
-        for (iy, own) in heights.chunks_exact(nx).enumerate() {
+        let all: Vec<usize> = (0..ny).collect();
+        let along = parallel::map(&all, |&iy| {
             let (rows, mut sums) = (legendre(scaled(iy, ny)), [0.0; MAX_DEGREE + 1]);
-            row.copy_from_slice(own);
+            let mut row = heights[iy * nx..(iy + 1) * nx].to_vec();
             self.remove_from_row(&mut row, &rows, &columns);
             for (sum, column) in sums.iter_mut().zip(&columns) {
                 let valid = column.iter().zip(&row).filter(|(_, z)| !z.is_nan());
@@ -85,6 +86,9 @@ impl Polynomial {
             }
             let valid = (0..nx).filter(|&ix| !row[ix].is_nan());
             let own = row.iter().any(|z| z.is_nan()).then(|| products(&columns, &valid));
+            (rows, sums, own)
+        });
+        for (rows, sums, own) in &along {
             let gram = own.as_ref().unwrap_or(&complete);
             for (i, [ky, kx]) in terms(self.degree).enumerate() {
                 equations.right[i] += rows[ky] * sums[kx];

@@ -2,9 +2,9 @@
 
 use crate::clean::row_offsets;
 use crate::fractal::{SpectralScales, check_range};
-use crate::level::{tilted, without_form};
+use crate::level::tilted;
 use crate::seam::{MOST_SEAM_JUMP, seam_jump};
-use crate::spectrum::{PowerSpectrum, Ring, amplitudes, apply_window};
+use crate::spectrum::{PowerSpectrum, Ring, amplitudes};
 use crate::{
     DirectionalMoments, Edges, HeightStatistics, Level, StatsError, Summits, Warning, scale, steps,
 };
@@ -201,10 +201,12 @@ pub fn spectral_scales(
     Ok(([scales.cutoff, dimension], fractal.and_then(|(_, found)| found)))
 }
 
-/// The spectra that [`SurfaceStatistics`] are taken from, of the levelled map.
+/// The levelled map that [`SurfaceStatistics`] are taken from, and its spectra.
 #[derive(Debug)]
 #[non_exhaustive]
 pub struct Spectra {
+    /// The map, about its mean at least.
+    pub surface: HeightMap,
     /// Moments by all waves: of the map as it repeats, or, with open edges, under a Hann window.
     pub moments: SpectralMoments,
     /// These waves, averaged over directions.
@@ -213,7 +215,7 @@ pub struct Spectra {
     pub resolved: f64,
     /// Amplitudes of the rows.
     pub amplitudes: AmplitudeSpectrum,
-    /// Time of the moments, of the amplitudes and of the power spectrum of the levelled map (s).
+    /// Time of the moments, of the amplitudes and of the power spectrum (s).
     pub seconds: [f64; 3],
 }
 
@@ -225,7 +227,7 @@ fn timed<T>(compute: impl FnOnce() -> T) -> (T, f64) {
 }
 
 impl SurfaceStatistics {
-    /// Takes all statistics of a map. Needs the memory of two further copies of it.
+    /// Takes all statistics of a map. Needs the memory of three further copies of it.
     ///
     /// # Errors
     /// [`StatsError::TooSmall`] below 3 x 3 pixels, [`StatsError::OutOfRange`] for heights or
@@ -245,17 +247,16 @@ impl SurfaceStatistics {
         scale::check(map)?;
         check_range(options.fractal_range)?;
         let (grid, periodic) = (map.grid(), options.edges == Edges::Periodic);
-        let level = match options.level {
-            Level::Auto if periodic => Level::Mean,
-            level => level.on(map)?,
+        let (level, surface) = match options.level {
+            Level::None => (Level::None, Level::Mean.taken_off(map)?.1),
+            Level::Auto if periodic => Level::Mean.taken_off(map)?,
+            level => level.taken_off(map)?,
         };
-        let degree = level.degree().unwrap_or(0);
         let tilted = if periodic { None } else { tilted(map, options.level)? };
         let height_step = options.height_step.or_else(|| steps::height_step(map.heights()));
-        let surface = without_form(map, degree)?;
-
         let ((distribution, differences), of_moments) = timed(|| {
-            (HeightStatistics::of(&surface), DirectionalMoments::of(&surface, options.edges))
+            let differences = || DirectionalMoments::of(&surface, options.edges);
+            join(|| HeightStatistics::of(&surface), differences)
         });
         let differences = differences?;
         let (of_points, ((edge_jump, rows), ((spectral, power), of_power))) = join(
@@ -274,13 +275,10 @@ impl SurfaceStatistics {
         let amplitudes = amplitudes?;
         let start = Clock::now();
         let power = if periodic {
-            drop(surface);
             power
         } else {
             drop(power);
-            let mut heights = surface.into_heights();
-            apply_window(grid, &mut heights, Edges::Open);
-            PowerSpectrum::of_field(grid, &heights)
+            PowerSpectrum::windowed(&surface, Edges::Open)
         };
         let by_waves = || if periodic { spectral } else { power.moments() };
         let (resolved, (rings, by_waves)) =
@@ -342,7 +340,8 @@ impl SurfaceStatistics {
         let unresolved = Warning::of_resolution(resolved);
         statistics.warnings = statistics.judge([noisy, tilted, unresolved, uneven, jump], spacing);
         let seconds = [of_moments, of_amplitudes, of_spectrum];
-        Ok((statistics, Spectra { moments: by_waves, rings, resolved, amplitudes, seconds }))
+        let moments = by_waves;
+        Ok((statistics, Spectra { surface, moments, rings, resolved, amplitudes, seconds }))
     }
 
     /// m0, m2, m4 by finite differences.

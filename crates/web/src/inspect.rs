@@ -102,9 +102,7 @@ fn parts(measured: &Measurement, chosen: Option<Cut>) -> Vec<Value> {
 }
 
 fn statistics(surface: &Surface, level: Level) -> Result<SurfaceStatistics, Trouble> {
-    let options = surface.origin.options(&surface.heights, level);
-    options
-        .and_then(|options| SurfaceStatistics::of(&surface.heights, &options))
+    SurfaceStatistics::of(&surface.heights, &surface.origin.options(level))
         .map_err(|e| Failure::from(&e).into())
 }
 

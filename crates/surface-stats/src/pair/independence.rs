@@ -27,7 +27,7 @@ impl Independence {
     /// # Errors
     /// [`StatsError::TooSmall`] below 3 x 3 points, [`StatsError::OutOfRange`].
     pub fn of(pair: &Composite, form: Level, edges: Edges) -> Result<Self, StatsError> {
-        let form = form.on(&pair.map)?; // the same for all three: they add
+        let (form, sum) = form.taken_off(&pair.map)?; // the same for all three: they add
         let [a, b] = [level(&pair.parts[0], form)?, level(&pair.parts[1], form)?];
         let seam = if repeats(&a) && repeats(&b) { Edges::Periodic } else { Edges::Open };
         let spread = if a.is_flat() || b.is_flat() {
@@ -38,7 +38,7 @@ impl Independence {
         };
         let bodies = [moments(&a, edges)?, moments(&b, edges)?];
         drop([a, b]);
-        let composite = moments(&level(&pair.map, form)?, edges)?;
+        let composite = moments(&sum, edges)?;
         let parts = |m: SpectralMoments| [m.m0, m.m2, m.m4];
         let sums = [0, 1, 2].map(|k| parts(bodies[0])[k] + parts(bodies[1])[k]);
         let share = |k: usize, of: f64| if sums[k] > 0.0 { of / sums[k] } else { 0.0 };

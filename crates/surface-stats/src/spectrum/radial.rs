@@ -36,9 +36,14 @@ impl PowerSpectrum {
     /// [`StatsError::OutOfRange`].
     pub fn of(map: &HeightMap, edges: Edges) -> Result<Self, StatsError> {
         scale::check(map)?;
+        Ok(Self::windowed(map, edges))
+    }
+
+    /// The same of heights that may be a little out of range, as levelling may leave them.
+    pub(crate) fn windowed(map: &HeightMap, edges: Edges) -> Self {
         let mut field = map.heights().to_vec();
         apply_window(map.grid(), &mut field, edges);
-        Ok(Self::of_field(map.grid(), &field))
+        Self::of_field(map.grid(), &field)
     }
 
     /// Of heights that are already about their mean and windowed.
