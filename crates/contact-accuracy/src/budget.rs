@@ -18,13 +18,30 @@ pub struct Map {
     pub rms_height: f64,
     /// Relative standard error of the rms height over maps of the same surface.
     pub height_scatter: f64,
+    /// Rows, or columns, if they are all the same: where contact ends, all round alike. 1 otherwise.
+    pub alike: usize,
 }
 
 impl Map {
     /// Of a surface as it is solved.
     pub fn of(surface: &HeightMap) -> Self {
         let (rms_height, height_scatter) = height_scatter(surface);
-        Self { repeats: surface_stats::repeats(surface), rms_height, height_scatter }
+        let repeats = surface_stats::repeats(surface);
+        Self { repeats, rms_height, height_scatter, alike: alike(surface, 1e-6 * rms_height) }
+    }
+}
+
+/// How many rows, or columns, are all the same to `tolerance` (m); 1 if neither are.
+fn alike(surface: &HeightMap, tolerance: f64) -> usize {
+    let ([ny, nx], heights) = (surface.grid().shape(), surface.heights());
+    let same = |first: fn(usize, usize) -> usize| {
+        let at = |i: usize| (heights[i] - heights[first(i, nx)]).abs() <= tolerance;
+        (0..heights.len()).all(at)
+    };
+    match () {
+        () if same(|i, nx| i % nx) => ny,
+        () if same(|i, nx| i / nx * nx) => nx,
+        () => 1,
     }
 }
 
@@ -60,7 +77,7 @@ impl Budget {
         map: &Map,
         beside: Beside<'_>,
     ) -> Self {
-        let uncertain = &Uncertain::of(solution, map.rms_height, beside);
+        let uncertain = &Uncertain::of(solution, map, beside);
         let found = &solution.diagnostics;
         let load = solution.state.mean_pressure;
         let own = Numbers::of(solution, set, jump);

@@ -2,7 +2,7 @@
 //! answer depends on what lies between the points, what doubling them moves.
 //!
 //! ```math
-//! U_A^2 = (F D_A)^2 + (a\, c\, S_d)^2 + 4 \cdot 0.0845\, S_d / N + (F \Delta_A)^2
+//! U_A^2 = (F D_A)^2 + (a\, c\, S_d)^2 + 4 \cdot 0.0845\, S_d\, n / N + (F \Delta_A)^2
 //! ```
 //! ```math
 //! (U_K/K)^2 = (F D_K/K)^2 + \left(\frac{k\, U_A}{\min(A, 1-A)}\right)^2 + (F \Delta_K/K)^2, \qquad
@@ -11,12 +11,13 @@
 //!
 //! `D` is the rms of what each of the two [thinned](crate::thinned) maps moves, `Δ` what the map with twice the
 //! points moves, `c S_d` the perimeter correction, `0.0845 S_d N` the variance of the number of points inside
-//! contact lines at random places. To each is added what stopping the iteration leaves.
+//! contact lines at random places; `n` rows that are the same are one, 1 elsewhere. To each is added what stopping the iteration leaves.
 //!
 //! A method of first order leaves as much again as the last halving moved: `F` is that with a margin, as in
 //! the grid convergence index (Roache 1994, doi:10.1115/1.2910291). The four constants were fixed on the
 //! training half of the families of `examples/coverage` and judged on the other half.
 
+use crate::budget::Map;
 use crate::coarser::Numbers;
 use crate::estimate::{Estimate, NoUncertainty, Parts};
 use crate::setup::LOOSEST;
@@ -59,14 +60,14 @@ pub(crate) struct Uncertain<'a> {
 }
 
 impl<'a> Uncertain<'a> {
-    pub(crate) fn of(solution: &Solution, rms_height: f64, beside: Beside<'a>) -> Self {
+    pub(crate) fn of(solution: &Solution, map: &Map, beside: Beside<'a>) -> Self {
         let found = &solution.diagnostics;
         let edges = found.contact_perimeter;
         Self {
             beside,
             line: LINE * PERIMETER_CORRECTION * edges,
-            counting: 2.0 * (INSIDE * edges / solution.grid.len() as f64).sqrt(),
-            iteration: iteration(found, rms_height),
+            counting: 2.0 * (INSIDE * edges * map.alike as f64 / solution.grid.len() as f64).sqrt(),
+            iteration: iteration(found, map.rms_height),
         }
     }
 
