@@ -30,7 +30,7 @@ const USAGE: &str = "
   compare [FILE.. OPTIONS]    every model on surfaces; without arguments the built-in ones, into target/compare
   figures [--check]           the figures of README and book
   bench [--check | ARGS]      the benchmarks, their table into the book
-  study costs [--build]       what each crate brings along and allocates; --build: build times (minutes)
+  study costs                 what each crate brings along and allocates
   study coverage              how often the intervals cover the error (ten minutes)
   study extremes              models, statistics and solver at extreme inputs
   study tables                the tables of models and of file formats

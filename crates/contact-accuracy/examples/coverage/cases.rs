@@ -267,7 +267,10 @@ pub(crate) fn sampling() -> String {
             all[k].extend(here);
         }
     }
-    let mut rows = vec!["| sampling variability of | held | worst family | median half width |\n|---|---:|---|---:|".to_owned()];
+    let mut rows = vec![
+        "| sampling variability of | coverage | worst family | median ± |\n|---|---:|---|---:|"
+            .to_owned(),
+    ];
     for (k, name) in ["area", "mean gap", "stiffness"].into_iter().enumerate() {
         let held = all[k].iter().filter(|h| h[0] <= 1.0).count() as f64 / all[k].len() as f64;
         let width = median(all[k].iter().map(|h| h[1])).unwrap();

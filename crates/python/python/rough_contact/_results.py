@@ -73,7 +73,7 @@ class Point:
     converged: bool = field(default=False, metadata={"unit": "", "meaning": "whether the tolerance was reached"})
     stopped_at_rounding: bool = field(default=False, metadata={"unit": "", "meaning": "whether rounding kept it from that"})
     iterations: int | None = _n("1", "iterations of the solver")
-    transforms: float | None = _n("1", "pairs of FFTs")
+    transforms: float | None = _n("1", "FFT convolutions")
     solver_seconds: float | None = _n("s", "time of the solver on all grids; that of the call is ``LoadCurve.seconds``")
     residuals: dict[str, float] | None = _n("", "what is left: of the pressure, of complementarity, of penetration")
     duality_gap: float | None = _n("J/m2", "upper bound of the energy error per nominal area")
