@@ -246,7 +246,7 @@ pub struct Inputs {
     pub moments: Option<SpectralMoments>,
     /// m2 alone, where the other moments are not known \[-\].
     pub mean_square_slope: Option<f64>,
-    /// Mean absolute profile slope of both surfaces together \[-\], if it was given rather than derived from the moments.
+    /// Mean absolute profile slope of both surfaces together \[-\], if it was given or measured rather than derived from the moments.
     pub mean_slope: Option<f64>,
     /// Rms height of both surfaces together (m), if it was given likewise.
     pub rms_height: Option<f64>,

@@ -20,7 +20,7 @@ use std::path::Path;
 use surface_stats::clean::Record;
 use surface_stats::profile::ProfileStatistics;
 use surface_stats::spectrum::{amplitudes, radial};
-use surface_stats::{Edges, StatsError, Warning, moments, spectral_scales};
+use surface_stats::{Edges, StatsError, Warning, mean_slope, moments, spectral_scales};
 
 /// What is asked of the model.
 #[derive(Clone, Debug)]
@@ -183,6 +183,9 @@ impl ModelSubject {
         // Every model has the moments that a study gives it; only Persson's mean gap needs more.
         inputs.is_measured = true;
         inputs.moments = Some(moments(&map, edges).map_err(refused)?);
+        if card.inputs.iter().any(|set| set.takes(Input::MeanSlope)) {
+            inputs.mean_slope = Some(mean_slope(&map));
+        }
         // Spectra take several times the memory of the map: what was not levelled goes before.
         drop(heights);
         match card.of_map {

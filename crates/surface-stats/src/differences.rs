@@ -63,6 +63,20 @@ pub fn moments(map: &HeightMap, edges: Edges) -> Result<SpectralMoments, StatsEr
     Ok(DirectionalMoments::of(map, edges)?.isotropic(rms * rms))
 }
 
+/// Mean absolute slope of a map along both axes \[-\], by differences of neighbours; of an isotropic Gaussian surface
+/// √(2 m2/π).
+pub fn mean_slope(map: &HeightMap) -> f64 {
+    let ([_, nx], [dy, dx]) = (map.grid().shape(), map.grid().pixel());
+    let heights = map.heights();
+    let steps = |next: usize, inside: &dyn Fn(usize) -> bool| {
+        let pairs = heights.iter().zip(heights.get(next..).unwrap_or(&[]));
+        let rises = pairs.enumerate().filter(|(i, _)| inside(*i)).map(|(_, (a, b))| (b - a).abs());
+        let (sum, count) = rises.fold((0.0, 0_usize), |(sum, n), rise| (sum + rise, n + 1));
+        sum / count.max(1) as f64
+    };
+    f64::midpoint(steps(1, &|i| (i + 1) % nx > 0) / dx, steps(nx, &|_| true) / dy)
+}
+
 impl DirectionalMoments {
     /// By all stencils the edges allow.
     pub(crate) fn of(map: &HeightMap, edges: Edges) -> Result<Self, StatsError> {
@@ -152,6 +166,15 @@ mod tests {
     use crate::close;
     use contact_types::Grid;
     use std::f64::consts::TAU;
+
+    /// Ridges that rise 1 and fall 1 along x, and 0.3 a point along y, of pixels 2 by 0.5.
+    #[test]
+    fn mean_slope_of_ridges() {
+        let grid = Grid::new([5, 6], [2.0, 0.5]).unwrap();
+        let height = |y: f64, x: f64| 0.15 * y + (x * 2.0) % 2.0;
+        let found = mean_slope(&HeightMap::from_fn(grid, height).unwrap());
+        assert!((found - 0.5 * (2.0 + 0.15)).abs() < 1e-12, "{found}");
+    }
 
     /// One oblique wave: the central slopes are the exact ones times sin(q d) / d q, and it has no slope along its
     /// crests. A checkerboard, the shortest wave there is, they do not see.

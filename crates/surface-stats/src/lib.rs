@@ -34,7 +34,7 @@ pub use contact_types::{
 
 pub use by_distance::{ByDistance, by_distance};
 use differences::DirectionalMoments;
-pub use differences::{Edges, moments};
+pub use differences::{Edges, mean_slope, moments};
 pub use error::StatsError;
 pub use heights::HeightStatistics;
 pub use level::{Level, level, tilted};
