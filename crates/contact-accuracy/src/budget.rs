@@ -18,8 +18,8 @@ pub struct Map {
     pub rms_height: f64,
     /// Relative standard error of the rms height over maps of the same surface.
     pub height_scatter: f64,
-    /// Rows, or columns, if they are all the same: where contact ends, all round alike. 1 otherwise.
-    pub alike: usize,
+    /// How many times it shows the same cell: where contact ends, all round alike.
+    pub copies: usize,
 }
 
 impl Map {
@@ -27,22 +27,20 @@ impl Map {
     pub fn of(surface: &HeightMap) -> Self {
         let (rms_height, height_scatter) = height_scatter(surface);
         let repeats = surface_stats::repeats(surface);
-        Self { repeats, rms_height, height_scatter, alike: alike(surface, 1e-6 * rms_height) }
+        Self { repeats, rms_height, height_scatter, copies: copies(surface, 1e-6 * rms_height) }
     }
 }
 
-/// How many rows, or columns, are all the same to `tolerance` (m); 1 if neither are.
-fn alike(surface: &HeightMap, tolerance: f64) -> usize {
+/// How many times a map shows the same cell, to `tolerance` (m); of ridges along the points each row or column is one.
+fn copies(surface: &HeightMap, tolerance: f64) -> usize {
     let ([ny, nx], heights) = (surface.grid().shape(), surface.heights());
-    let same = |first: fn(usize, usize) -> usize| {
-        let at = |i: usize| (heights[i] - heights[first(i, nx)]).abs() <= tolerance;
-        (0..heights.len()).all(at)
+    let along = |n: usize, moved: &dyn Fn(usize, usize) -> usize| {
+        let same = |p: usize, i: usize| (heights[i] - heights[moved(i, p)]).abs() <= tolerance;
+        let is_period = |p: &usize| n % p == 0 && (0..heights.len()).all(|i| same(*p, i));
+        (1..n).find(is_period).map_or(1, |period| n / period)
     };
-    match () {
-        () if same(|i, nx| i % nx) => ny,
-        () if same(|i, nx| i / nx * nx) => nx,
-        () => 1,
-    }
+    let rows = along(ny, &|i, p| (i + p * nx) % heights.len());
+    rows * along(nx, &|i, p| i / nx * nx + (i + p) % nx)
 }
 
 /// The numbers of one solution with their uncertainties.

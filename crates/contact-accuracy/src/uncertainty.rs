@@ -11,7 +11,7 @@
 //!
 //! `D` is the rms of what each of the two [thinned](crate::thinned) maps moves, `Δ` what the map with twice the
 //! points moves, `c S_d` the perimeter correction, `0.0845 S_d N` the variance of the number of points inside
-//! contact lines at random places; `n` rows that are the same are one, 1 elsewhere. To each is added what stopping the iteration leaves.
+//! contact lines at random places; `n` copies of one cell count as one. To each is added what stopping the iteration leaves.
 //!
 //! A method of first order leaves as much again as the last halving moved: `F` is that with a margin, as in
 //! the grid convergence index (Roache 1994, doi:10.1115/1.2910291). The four constants were fixed on the
@@ -66,7 +66,8 @@ impl<'a> Uncertain<'a> {
         Self {
             beside,
             line: LINE * PERIMETER_CORRECTION * edges,
-            counting: 2.0 * (INSIDE * edges * map.alike as f64 / solution.grid.len() as f64).sqrt(),
+            counting: 2.0
+                * (INSIDE * edges * map.copies as f64 / solution.grid.len() as f64).sqrt(),
             iteration: iteration(found, map.rms_height),
         }
     }
