@@ -7,6 +7,9 @@ use crate::text::{NumberTable, Title};
 use crate::units::{metres_per, quantity};
 use std::collections::BTreeMap;
 
+/// Titles that begin those of heights.
+pub(crate) const HEIGHTS: [&str; 5] = ["z", "height", "trace", "profile", "höhe"];
+
 /// What the lines before the numbers say.
 #[derive(Debug, Default)]
 pub(crate) struct Header {
@@ -51,9 +54,9 @@ enum Key {
 const KEYS: &[(Key, &str)] = &[
     (Key::Channel, "channel|title|kanál|kanal|canal|canale|チャネル|채널|канал"),
     (Key::Width, "width|šířka|breite|anchura|largeur|larghezza|largura|幅|폭|ширина"),
-    (Key::Width, "x-length|x length|xlength|x size"),
+    (Key::Width, "x-length|x length|xlength|x size|x amplitude"),
     (Key::Height, "height|výška|höhe|altura|hauteur|altezza|高さ|높이|высота"),
-    (Key::Height, "y-length|y length|ylength|y size"),
+    (Key::Height, "y-length|y length|ylength|y size|y amplitude"),
     (Key::Pixel, "pixel size|pixel_size|pixel|spacing"),
     (Key::Dx, "dx|x step|x spacing|x pixel size|pixel size x|scale x"),
     (Key::Dy, "dy|y step|y spacing|y pixel size|pixel size y|scale y"),
@@ -65,7 +68,7 @@ const KEYS: &[(Key, &str)] = &[
     (Key::UnitValue, "value units|value unit|z unit|z units|z-unit|zunit|height unit"),
     (Key::UnitValue, "height units|unit z|unit data|jednotky hodnot|einheiten|werteinheiten"),
     (Key::UnitValue, "werteeinheiten|unités|unités de valeur|unità valore|unidades de valor"),
-    (Key::UnitValue, "値の単位|값 단위|единицы измерения"),
+    (Key::UnitValue, "値の単位|값 단위|единицы измерения|\\exported image units"),
 ];
 
 impl Header {
@@ -121,7 +124,9 @@ impl Header {
             let known = own.or_else(|| {
                 let is_one = |names: &str| names.split('|').any(|one| one == name);
                 let listed = KEYS.iter().find(|(_, names)| is_one(names)).map(|(key, _)| *key);
-                listed.or(is_missing_key(&name, value).then_some(Key::Missing))
+                let own =
+                    (table.columns == 1 && is_one("unit|data unit")).then_some(Key::UnitValue);
+                listed.or(own).or(is_missing_key(&name, value).then_some(Key::Missing))
             });
             match (known, &name[..]) {
                 (Some(Key::Channel), _) => header.channel = Some(value.clone()),
@@ -212,13 +217,13 @@ impl Header {
                     cells
                 })
                 .find(|cells| cells.len() == table.columns || cells.len() == table.columns.min(2));
-            // Words, of which none is a value or the key of one.
-            let is_no_title = |cell: &&str| {
-                let quantity = quantity(cell).map(|(_, unit)| unit);
-                let is_value = |unit: &str| unit.is_empty() || metres_per(unit).is_some();
-                cell.ends_with([':', '=']) || quantity.is_some_and(is_value)
+            // Words, of which none is a value or the key of one; a single unit may be that of the spacing.
+            let is_title = |cell: &&str| {
+                let is_heights = || HEIGHTS.iter().any(|z| cell.to_lowercase().starts_with(z));
+                !is_value(cell.trim_matches('"'))
+                    && (table.columns > 1 || !cell.contains([':', '=']) || is_heights())
             };
-            let Some(cells) = cells.filter(|cells| !cells.iter().any(is_no_title)) else {
+            let Some(cells) = cells.filter(|cells| cells.iter().all(is_title)) else {
                 continue;
             };
             for (i, cell) in cells.into_iter().enumerate() {
@@ -232,6 +237,19 @@ impl Header {
             }
         }
     }
+}
+
+/// True if a cell is a key, a number, or ends in one and its unit: "Cutoff 0.8 mm", not "z1 nm" or "trace 2 [nm]".
+fn is_value(cell: &str) -> bool {
+    let digits = cell.rfind(|c: char| c.is_ascii_digit()).map_or(0, |at| at + 1);
+    let (before, unit) = cell.split_at(digits);
+    let (key, number) = before.rsplit_once([' ', ':', '=']).unwrap_or(("", before));
+    let is_counted = !key.is_empty() && unit.starts_with(['[', '(']) && !cell.contains([':', '=']);
+    let is_name =
+        number.starts_with(char::is_alphabetic) || is_counted && !number.contains(['.', ',']);
+    let is_number =
+        !number.is_empty() && (cell.len() == number.len() || metres_per(unit).is_some());
+    cell.ends_with([':', '=']) || is_number && !is_name
 }
 
 /// True if a key in lower case says which number stands for a missing point; without "value" it may say how many are.

@@ -28,11 +28,11 @@
 
 mod columns;
 
-use self::columns::{HEIGHTS, INDEX, two_readings};
+use self::columns::{INDEX, two_readings};
 use super::scattered::{self, GriddedMap, Line};
 use crate::binary::Bytes;
 use crate::error::TEXT;
-use crate::header::Header;
+use crate::header::{HEIGHTS, Header};
 use crate::meaning::Meaning;
 use crate::measurement::{Channel, Contents, Pixel};
 use crate::text::{self, NumberTable, NumberedLines, Title, is_monotone};

@@ -111,3 +111,35 @@ fn what_is_not_used_is_named() {
         assert_eq!(unused.map(String::as_str), said);
     }
 }
+
+/// A line with a value gives columns neither names nor units, and does not take those of the titles.
+#[test]
+fn values_are_no_titles() {
+    let (profile, pair) = ("1\n4\n2\n", "0,1\n1,4\n2,2\n");
+    for (head, rows, right) in [
+        ("Spacing: 0.5 µm\n", profile, None),
+        ("Spacing: 0.5 µm\nCutoff: 0.8 mm\n", profile, None),
+        ("Pixel size: 0.5 um\nLateral unit: mm\n", profile, None),
+        ("Height [nm]\nSpacing: 0.5 um\n", profile, Some([500_000, 2_000])),
+        ("Spacing: 0.5 um\nHeight: nm\nTip radius = 2 um\n", profile, Some([500_000, 2_000])),
+        ("Data unit: nm\nSpacing: 0.5 um\n", profile, Some([500_000, 2_000])),
+        (
+            "Unit: nm\nSpacing: 0.5 um\nFilter 2,5 um\nCutoff 8 mm\n",
+            profile,
+            Some([500_000, 2_000]),
+        ),
+        ("x um,z nm\nCutoff 0.8 mm, Length 4.8 mm\n", pair, Some([1_000_000, 2_000])),
+        ("Position (um),Height (nm)\nfrom 1 mm,to 2 [mm]\n", pair, Some([1_000_000, 2_000])),
+        ("x: um,z1 nm\n", pair, Some([1_000_000, 2_000])),
+        ("x um,trace 1 (nm)\n", pair, Some([1_000_000, 2_000])),
+        ("Start: 1 mm, Stop: 2 mm\n", pair, None),
+        ("Filter 2.5 um,Cutoff 0.8 (mm)\n", pair, None),
+        ("Lens 50x,WD 3 mm,FOV 0.28 mm\n", "0,0,1\n1,0,2\n0,1,3\n1,1,4\n", None),
+    ] {
+        let text = format!("{head}{rows}");
+        match right {
+            Some(right) => assert_eq!(picometres(&text)[1..], right, "{head}"),
+            None => assert_refused(unaided(&text), &["no height unit"]),
+        }
+    }
+}

@@ -2,7 +2,7 @@
 
 use super::super::scattered::{self, Line};
 use crate::cells::Digits;
-use crate::header::Header;
+use crate::header::{HEIGHTS, Header};
 use crate::meaning::Meaning;
 use crate::text::{NumberTable, Title, is_monotone};
 use crate::{Layout, Limits, Need, ReadError};
@@ -12,9 +12,6 @@ pub(super) const INDEX: [&str; 17] = [
     "index", "idx", "no", "no.", "nr", "nr.", "n", "i", "#", "id", "point", "pt", "number",
     "nummer", "count", "counter", "sample",
 ];
-
-/// Titles that begin those of heights.
-pub(super) const HEIGHTS: [&str; 5] = ["z", "height", "trace", "profile", "höhe"];
 
 impl NumberTable<'_> {
     /// Names the columns; units of the cells are those of the titles.
