@@ -10,19 +10,22 @@
 //! | counts and lengths | u32, u64 in version 5; offsets u32 in version 1, else u64 |
 //! | types | 1 i8, 2 text, 3 i16, 4 i32, 5 f32, 6 f64, 7 u8, 8 u16, 9 u32, 10 i64, 11 u64 |
 //!
-//! Every variable of two dimensions is a channel. A dimension named `x` stored first is the
+//! Every variable of two dimensions, and of others of length 1 before them, is a channel. A dimension named `x` stored first is the
 //! slow one: the map is transposed so that rows run along x. Spacing: the values of the
 //! coordinate variable, (last − first) / (N − 1); for a single point its attribute `length`.
 //! Units: attribute `unit`, `units` or `length_unit`; `heights` without one have that of their
 //! coordinates, as SurfaceTopography and contact.engineering write them. Missing points: NaN, the
 //! marks of [`Packing`], and points where a variable `mask` on the same dimensions is not 0.
 //!
+//! GXSM: the channels are those along `dimy` and `dimx`, in steps of the number `dz`; it and the spacings `dy` and `dx`
+//! are in ångström whatever unit they are shown in.
+//!
 //! In a file without them the variables of one dimension are profiles; positions are the variable
 //! called like the dimension, or `x`.
 //!
 //! Sources: Unidata, *NetCDF classic format specification*,
 //! <https://docs.unidata.ucar.edu/netcdf-c/current/file_format_specifications.html>; the files of
-//! SurfaceTopography (an open reader and writer). NetCDF-4 files are HDF5.
+//! SurfaceTopography (an open reader and writer), files of GXSM. NetCDF-4 files are HDF5.
 
 use super::npy::transpose;
 use super::prelude::*;
@@ -105,29 +108,47 @@ pub(crate) fn parse(b: Bytes<'_>) -> Result<Contents<'_>, ReadError> {
 
     let metadata = attributes.into_iter().map(|(key, attribute)| (key, attribute.text)).collect();
     let mut contents = Contents { metadata, ..Contents::default() };
+    let angstrom = |name: &str| {
+        let is_it = |v: &&Variable| {
+            let unit = v.attributes.get("var_unit").map(|unit| &unit.text[..]);
+            v.name == name && v.dimensions.is_empty() && unit == Some("Ang")
+        };
+        let number = variables.iter().find(is_it).and_then(|v| Some((v.at, v.sample?)));
+        number.map(|(at, sample)| Ok::<_, ReadError>(b.samples(at, 1, sample)?[0])).transpose()
+    };
+    let gxsm = angstrom("dz")?.zip(angstrom("dy")?.zip(angstrom("dx")?));
     let mask = variables.iter().find(|v| v.name == "mask" && v.sample == Some(Sample::I8));
     for variable in &variables {
         if mask.is_some_and(|mask| std::ptr::eq(mask, variable)) {
             continue;
         }
-        let (&[slow, fast], Some(sample)) = (&variable.dimensions[..], variable.sample) else {
+        let Some(((before, &[slow, fast]), sample)) =
+            variable.dimensions.split_last_chunk().zip(variable.sample)
+        else {
             continue;
         };
         let axes = [&dimensions[slow], &dimensions[fast]];
         let stored = axes.map(|axis| axis.1);
-        if stored[0] == 0 {
-            continue; // records are interleaved with those of other variables
+        let is_other = gxsm.is_some() && axes.map(|axis| &axis.0[..]) != ["dimy", "dimx"];
+        // Records are interleaved with those of other variables.
+        if stored[0] == 0 || before.iter().any(|&d| dimensions[d].1 != 1) || is_other {
+            continue;
         }
         b.raster(variable.at, stored, sample)?;
         let is_x_slow = axes[0].0 == "x";
         let [y, x] = if is_x_slow { [axes[1], axes[0]] } else { axes };
         let spacing = |axis: &(String, usize)| spacing(b, &variables, &axis.0, axis.1);
-        let pixel = match (spacing(y)?, spacing(x)?) {
-            (Some((dy, y)), Some((dx, x))) => Pixel::scaled([dy, dx], [y, x]),
-            _ => Pixel::Unknown,
+        let pixel = if let Some((_, (dy, dx))) = gxsm {
+            Pixel::scaled([dy, dx], [Some(1e-10); 2])
+        } else if let (Some((dy, y)), Some((dx, x))) = (spacing(y)?, spacing(x)?) {
+            Pixel::scaled([dy, dx], [y, x])
+        } else {
+            Pixel::Unknown
         };
         let along = variables.iter().find(|v| axes.iter().any(|(name, _)| v.name == *name));
         let unit = unit_of(variable, along);
+        let is_length = |unit: &&str| *unit == "AA" || metres_per(unit).is_some();
+        let unit = gxsm.and(unit.filter(is_length)).and(Some("\u{c5}")).or(unit);
         let shape = [y.1, x.1];
         let count = stored[0] * stored[1];
         let in_rows = move |v: Vec<f64>| if is_x_slow { transpose(&v, stored) } else { v };
@@ -137,6 +158,9 @@ pub(crate) fn parse(b: Bytes<'_>) -> Result<Contents<'_>, ReadError> {
         if let Some(mask) = mask.filter(|mask| mask.dimensions == variable.dimensions) {
             let at = mask.at;
             channel = channel.masked(move || b.samples(at, count, Sample::U8).map(in_rows));
+        }
+        if let Some((dz, _)) = gxsm {
+            channel = channel.converted(move |z| z * dz);
         }
         contents.channels.push(channel);
     }

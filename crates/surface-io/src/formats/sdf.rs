@@ -12,15 +12,16 @@
 //! | 81 | | data, profile by profile, then a trailer |
 //!
 //! Text: `aISO-1.0`, `aISO-2.0` or `aBCR-1.0`, lines `Field = value`, a line `*`, the numbers, a line `*`,
-//! a trailer. `BAD` is a missing point.
+//! a trailer. `BAD` is a missing point; what follows `;` is a comment.
 //!
-//! DataType: 0 u8, 1 u16, 2 u32, 3 f32, 4 i8, 5 i16, 6 i32, 7 f64. A missing point is the smallest
-//! value of a signed type, the largest of an unsigned one (16 and 32 bits), and NaN or a number at
-//! the end of the range of a floating type. Height = value × Zscale.
+//! DataType: 0 u8, 1 u16, 2 u32, 3 f32, 4 i8, 5 i16 (in text also `INTEGER`), 6 i32, 7 f64. A missing point is the
+//! smallest value of a signed type in ISO, the largest of an unsigned one (in ISO of 16 and 32 bits) and of any whole
+//! one in BCR, and NaN or a number at the end of the range of a floating type. Height = value × Zscale.
 //!
-//! Source: ISO 25178-71:2017.
+//! Sources: ISO 25178-71:2017; EUR 15178 for BCR.
 
 use super::prelude::*;
+use crate::cells::is_mark;
 
 /// Behind the points a trailer of text may follow; more bytes than this or than the points that are no text may not,
 /// for then the header lies about the size.
@@ -36,24 +37,26 @@ fn encoding(
     data_type: u8,
     scale: f64,
 ) -> Result<(Sample, impl Fn(f64) -> f64 + Copy + use<>), ReadError> {
-    let (sample, missing) = match data_type {
-        0 => (Sample::U8, None),
-        1 => (Sample::U16, Some(f64::from(u16::MAX))),
-        2 => (Sample::U32, Some(f64::from(u32::MAX))),
-        3 => (Sample::F32, None),
-        4 => (Sample::I8, Some(f64::from(i8::MIN))),
-        5 => (Sample::I16, Some(f64::from(i16::MIN))),
-        6 => (Sample::I32, Some(f64::from(i32::MIN))),
-        7 => (Sample::F64, None),
+    // The marks of ISO and of BCR.
+    let (sample, marks) = match data_type {
+        0 => (Sample::U8, [f64::NAN, f64::from(u8::MAX)]),
+        1 => (Sample::U16, [f64::from(u16::MAX); 2]),
+        2 => (Sample::U32, [f64::from(u32::MAX); 2]),
+        3 => (Sample::F32, [f64::NAN; 2]),
+        4 => (Sample::I8, [i8::MIN, i8::MAX].map(f64::from)),
+        5 => (Sample::I16, [i16::MIN, i16::MAX].map(f64::from)),
+        6 => (Sample::I32, [i32::MIN, i32::MAX].map(f64::from)),
+        7 => (Sample::F64, [f64::NAN; 2]),
         _ => return Err(b.field("DataType", data_type.to_string())),
     };
     if !(scale.is_finite() && scale > 0.0) {
         return Err(b.field("Zscale", format!("{scale} must be finite and greater than 0")));
     }
     let end = if sample == Sample::F32 { f64::from(f32::MAX) } else { f64::MAX };
+    let mark = marks[usize::from(b.data.get(1..4) == Some(b"BCR"))];
     let height = move |raw: f64| {
-        let is_mark = Some(raw.to_bits()) == missing.map(f64::to_bits);
-        if is_mark || raw.is_nan() || raw.abs() >= end { f64::NAN } else { raw * scale }
+        let is_missing = raw.is_nan() || raw.abs() >= end || is_mark(raw, mark);
+        if is_missing { f64::NAN } else { raw * scale }
     };
     Ok((sample, height))
 }
@@ -97,7 +100,9 @@ fn refuse_compression(b: Bytes<'_>, compression: u64) -> Result<(), ReadError> {
 
 fn ascii(b: Bytes<'_>) -> Result<Contents<'_>, ReadError> {
     let text = text::decode(b.data);
-    let mut lines = text::lines(&text).skip(1);
+    let mut lines = text::lines(&text)
+        .skip(1)
+        .map(|(number, line)| (number, line.split(';').next().unwrap_or_default()));
     let mut metadata = BTreeMap::new();
     for (_, line) in lines.by_ref() {
         if line.trim_start().starts_with('*') {
@@ -111,7 +116,10 @@ fn ascii(b: Bytes<'_>) -> Result<Contents<'_>, ReadError> {
     let entries = Entries::new(b, &metadata);
     let whole = |key: &str| entries.parsed::<usize>(key, "whole number");
     refuse_compression(b, whole("Compression").unwrap_or(0) as u64)?;
-    let data_type = u8::try_from(whole("DataType")?).unwrap_or(u8::MAX);
+    let data_type = match entries.get("DataType") {
+        Some("INTEGER") => 5,
+        _ => u8::try_from(whole("DataType")?).unwrap_or(u8::MAX),
+    };
     let shape = [whole("NumProfiles")?, whole("NumPoints")?];
     let pixel = Pixel::Metres([entries.number("Yscale")?, entries.number("Xscale")?]);
     b.check_points(shape)?;

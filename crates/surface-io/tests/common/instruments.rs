@@ -317,6 +317,18 @@ fn netcdf_map(version: u8, is_x_slow: bool) -> Vec<u8> {
     netcdf(version, &[(slow.0, slow.1), (fast.0, fast.1)], &variables)
 }
 
+/// In steps of 0.5 Å and beside a log, as GXSM writes it.
+fn netcdf_gxsm() -> Vec<u8> {
+    let angstrom = [("var_unit", Ok("Ang")), ("unit", Ok("nm"))];
+    let number = |name, value| (name, &[][..], &angstrom[..], vec![value]);
+    let log = ("Event_User", &[2, 1][..], &[][..], vec![0.0; NY]);
+    let heights = points(f64::NAN).iter().map(|h| 20.0 * h).collect();
+    let heights = ("FloatField", &[0, 1, 2, 3][..], &[("unit", Ok("nm"))][..], heights);
+    let scales = [number("dz", 0.5), number("dy", 1e10 * DY), number("dx", 1e10 * DX)];
+    let sides = [("time", 1), ("value", 1), ("dimy", NY), ("dimx", NX)];
+    netcdf(1, &sides, &[&[log, heights][..], &scales].concat())
+}
+
 fn ibw() -> Vec<u8> {
     let mut w = Writer::default();
     w.put(5i16.to_le_bytes()).to(12).put(8i32.to_le_bytes()).to(44).put(96i32.to_le_bytes());
@@ -463,6 +475,7 @@ pub fn samples() -> Vec<SampleFile> {
         SampleFile::new("netcdf 1", netcdf_map(1, false)),
         SampleFile::new("netcdf 2, x slow", netcdf_map(2, true)),
         SampleFile::new("netcdf 5", netcdf_map(5, false)),
+        SampleFile::new("netcdf, GXSM", netcdf_gxsm()),
         SampleFile::new("ibw", ibw()),
         SampleFile::new("opdx", opdx()),
         SampleFile::new("frt", frt()),
