@@ -18,7 +18,7 @@
 //!
 //! Every layer is a channel, named by its label. The first row is the bottom one.
 //!
-//! Waves of versions 1 to 3, whose checksum is over 118, 126 and 130 bytes, are refused.
+//! Waves of versions 1 to 3, whose checksum is over 134, 142 and 146 bytes, are refused.
 //!
 //! Source: WaveMetrics, *Technical note 003, Igor binary format* (PTN003).
 
@@ -36,7 +36,7 @@ fn version(bytes: &[u8]) -> Option<(u8, ByteOrder)> {
 
 pub(crate) fn sniff(bytes: &[u8]) -> bool {
     let Some((version, order)) = version(bytes) else { return false };
-    let size = [118, 126, 130, 0, DATA][usize::from(version) - 1];
+    let size = [134, 142, 146, 0, DATA][usize::from(version) - 1];
     bytes.get(..size).is_some_and(|header| {
         let sum = Sample::I16.decode(header, order).iter().sum::<f64>() as i64;
         sum % 65536 == 0

@@ -34,7 +34,11 @@ pub(crate) fn sniff(bytes: &[u8]) -> bool {
     let Some(rest) = bytes.strip_prefix(b"\\*").or_else(|| bytes.strip_prefix(b"?*")) else {
         return false;
     };
+    // Behind the header of an export as text comes neither 0x1A nor padding.
+    let end = find(rest, b"File list end").map_or(rest.len(), |at| at + 13);
+    let is_export = rest[end..].trim_ascii_start().first().is_some_and(|byte| *byte >= b' ');
     [&b"File list"[..], b"EC File list", b"Force file list"].iter().any(|s| rest.starts_with(s))
+        && (bytes[0] == b'?' || !is_export)
 }
 
 type HeaderSection = BTreeMap<String, String>;

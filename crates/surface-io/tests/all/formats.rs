@@ -160,8 +160,37 @@ fn nanoscope_with_other_beginnings() {
     replace(&mut other, b"2048", b"2051");
     assert_eq!(unaided(&other).unwrap().heights(), unaided(&plain).unwrap().heights());
     assert_refused(unaided([b"?", &plain[1..]].concat()), &["as text"]);
+    let end = plain.iter().position(|byte| *byte == 0x1a).unwrap();
+    let export = [&plain[..end], b"\r\nHeight(nm)\r\n1.5\r\n2\r\n1\r\n"].concat();
+    assert_refused(unaided(&export), &["text: the file gives no pixel size ("]);
     let curve = nanoscope("\\Operating mode: Force\r\n", image, 64);
     assert_refused(unaided(&curve), &["force curve"]);
+}
+
+/// What marks a missing point in ISO is a height in BCR, and the other way round.
+#[test]
+fn sdf_of_both_standards() {
+    let bcr = "aBCR-1.0 ; first\nNumPoints = 3\nNumProfiles = 2 ; of 3\nXscale = 2e-6\n; or not\n\
+               Yscale = 3e-6\nZscale = 1e-9\nCompression = NULL\nDataType = INTEGER ; or 5\n* ; end\n\
+               ; six points\n1 2 32767\n-32768 5 6 ; last\n*\nShift = 1\n*\n";
+    let iso = bcr.replace("BCR", "ISO");
+    for (file, height) in [(bcr, (3, -32_768e-9)), (&iso, (2, 32_767e-9))] {
+        let found = unaided(file).unwrap();
+        assert_read(&found, [2, 3], [3e-6, 2e-6], &[height, (5, 6e-9)]);
+        assert_eq!(found.missing(), 1);
+    }
+}
+
+#[test]
+fn wsxm_as_text() {
+    let head = "WSxM file copyright UAM\r\nWSxM ASCII";
+    let list =
+        format!("{head} XYZ file\nX[nm]\tY[nm]\tZ[nm]\n\n0\t0\t1\n2\t0\t2\n0\t3\t4\n2\t3\t5\n");
+    assert_read(&unaided(list).unwrap(), [2, 2], [3e-9, 2e-9], &[(3, 5e-9)]);
+    let map = format!(
+        "{head} Matrix file\nX Amplitude: 8 nm\nY Amplitude: 6 nm\n\n1\t2\t4\t3\n5\t7\t6\t8\n"
+    );
+    assert_refused(unaided(map), &["gives no height unit"]);
 }
 
 #[test]

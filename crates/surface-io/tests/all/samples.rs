@@ -304,6 +304,10 @@ fn profiles_of_formats_for_maps() {
     assert_eq!((found.channel.as_str(), found.grid().shape()), ("z", [1, 5]));
     assert!((found.grid().pixel()[1] / 0.5e-6 - 1.0).abs() < 1e-12 && found.is_profile());
 
+    let mut jpk = common::microscopes::hdf5(include_bytes!("../data/packed.h5.gz"));
+    replace(&mut jpk, b"scale_factor", b"jpkspm_versi");
+    assert_refused(unaided(jpk), &["JPK", "export"]);
+
     // A line scan as contact.engineering writes it, packed; the last height is missing.
     let packing =
         [("scale_factor", Err(0.5)), ("add_offset", Err(100.0)), ("_FillValue", Err(-1.0))];
@@ -341,10 +345,10 @@ fn coordinates_of_text_have_a_length() {
 
 #[test]
 fn old_igor_waves_are_called_so() {
-    for (version, size) in [(1i16, 118), (2, 126), (3, 130)] {
+    for (version, size) in [(1i16, 134), (2, 142), (3, 146)] {
         let mut wave = vec![0; size + 32];
         wave[..2].copy_from_slice(&version.to_be_bytes());
-        wave[9] = 7;
+        (wave[9], wave[size - 1]) = (7, 5);
         let sum = wave[..size].chunks(2).map(|pair| i16::from_be_bytes([pair[0], pair[1]]));
         let sum = sum.fold(0i16, i16::wrapping_add);
         wave[2..4].copy_from_slice(&sum.wrapping_neg().to_be_bytes());
