@@ -48,6 +48,21 @@ impl Sample {
         })
     }
 
+    /// As NumPy calls them: `u1`, `i4`, `f8`.
+    pub(crate) fn called(name: &str) -> Option<Self> {
+        match name.split_at_checked(1)? {
+            ("f", "4") => Some(Self::F32),
+            ("f", "8") => Some(Self::F64),
+            (kind @ ("i" | "u"), bytes) => Self::whole(bytes.parse().ok()?, kind == "i"),
+            _ => None,
+        }
+    }
+
+    /// The one of a number, which counts these names from 0.
+    pub(crate) fn of_number(number: usize, names: &str) -> Option<Self> {
+        Self::called(names.split(' ').nth(number)?)
+    }
+
     /// Whole numbers of 8, 16 or 32 bits.
     pub(crate) fn of_bits(bits: usize, is_signed: bool) -> Option<Self> {
         Self::whole(bits / 8, is_signed).filter(|_| matches!(bits, 8 | 16 | 32))

@@ -33,7 +33,7 @@ pub const FORMATS: &[FormatSpec] = &[
     row("FRT MicroProf", |b| b.starts_with(b"FRTM_GLIDERV"), formats::frt::parse, &["frt"], "height with missing points"),
     row("Molecular Imaging MI", |b| b.starts_with(b"fileType      "), formats::mi::parse, &["mi"], "all channels of images"),
     row("Nanosurf NID", |b| b.starts_with(b"[DataSet]"), formats::nid::parse, &["nid", "ezd"], "all channels of images; spectra are left out"),
-    row("WSxM", formats::wsxm::sniff, formats::wsxm::parse, &["stp", "top"], "images"),
+    row("WSxM", |b| b.starts_with(b"WSxM file copyright") && find(&b[..b.len().min(128)], b"WSxM ASCII").is_none(), formats::wsxm::parse, &["stp", "top"], "images"),
     row("Sensofar PLU", formats::plu::sniff, formats::plu::parse, &["plu"], "topographies, all layers"),
     row("Keyence VK", |b| matches!(b, [b'V', b'K', b'3' | b'4', b'_', ..]) || formats::vk::is_packed(b), formats::vk::parse, &["vk4", "vk6", "vk7"], "height images of laser microscopes; VK3, VK4, VK6, VK7"),
     #[cfg(feature = "zip")]

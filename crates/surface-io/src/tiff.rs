@@ -71,17 +71,7 @@ pub(crate) fn pages(mut b: Bytes<'_>, most: usize) -> Result<Vec<Page<'_>>, Read
 
 /// How a type stores numbers, unless it stores texts or fractions.
 fn sample(kind: u16) -> Option<Sample> {
-    Some(match kind {
-        1 | 7 => Sample::U8,
-        3 => Sample::U16,
-        4 | 13 => Sample::U32,
-        6 => Sample::I8,
-        8 => Sample::I16,
-        9 => Sample::I32,
-        11 => Sample::F32,
-        12 => Sample::F64,
-        _ => return None,
-    })
+    Sample::of_number(kind.into(), "- u1 - u2 u4 - i1 u1 i2 i4 - f4 f8 u4")
 }
 
 fn size(kind: u16) -> usize {

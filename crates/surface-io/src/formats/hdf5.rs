@@ -35,10 +35,9 @@ pub(crate) fn parse(b: Bytes<'_>) -> Result<Contents<'_>, ReadError> {
     for (path, at) in paths {
         match Dataset::at(&file, at) {
             // Its stored numbers are counts, whatever unit they claim.
-            Ok(Some(dataset))
-                if dataset.attributes.iter().any(|(name, _)| name.starts_with("jpkspm")) =>
-            {
-                return Err(b.unsupported("a scan of JPK in HDF5 (export the image in JPK's program as JPK or TIFF, or as text)"));
+            Ok(Some(set)) if set.attributes.iter().any(|(name, _)| name.starts_with("jpkspm")) => {
+                let way_out = "export the image in JPK's program as JPK or TIFF, or as text";
+                return Err(b.unsupported(format!("a scan of JPK in HDF5 ({way_out})")));
             }
             Ok(Some(dataset)) => match sides(&dataset)[..] {
                 [_, _] => {

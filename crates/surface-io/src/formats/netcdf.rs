@@ -10,9 +10,9 @@
 //! | counts and lengths | u32, u64 in version 5; offsets u32 in version 1, else u64 |
 //! | types | 1 i8, 2 text, 3 i16, 4 i32, 5 f32, 6 f64, 7 u8, 8 u16, 9 u32, 10 i64, 11 u64 |
 //!
-//! Every variable of two dimensions, and of others of length 1 before them, is a channel. A dimension named `x` stored first is the
-//! slow one: the map is transposed so that rows run along x. Spacing: the values of the
-//! coordinate variable, (last − first) / (N − 1); for a single point its attribute `length`.
+//! Every variable of two dimensions, and of others of length 1 before them, is a channel. A dimension
+//! named `x` stored first is the slow one: the map is transposed so that rows run along x. Spacing: the
+//! values of the coordinate variable, (last − first) / (N − 1); for a single point its attribute `length`.
 //! Units: attribute `unit`, `units` or `length_unit`; `heights` without one have that of their
 //! coordinates, as SurfaceTopography and contact.engineering write them. Missing points: NaN, the
 //! marks of [`Packing`], and points where a variable `mask` on the same dimensions is not 0.
@@ -109,24 +109,21 @@ pub(crate) fn parse(b: Bytes<'_>) -> Result<Contents<'_>, ReadError> {
     let metadata = attributes.into_iter().map(|(key, attribute)| (key, attribute.text)).collect();
     let mut contents = Contents { metadata, ..Contents::default() };
     let angstrom = |name: &str| {
-        let is_it = |v: &&Variable| {
-            let unit = v.attributes.get("var_unit").map(|unit| &unit.text[..]);
-            v.name == name && v.dimensions.is_empty() && unit == Some("Ang")
-        };
-        let number = variables.iter().find(is_it).and_then(|v| Some((v.at, v.sample?)));
+        let is_in = |v: &Variable| v.attributes.get("var_unit").is_some_and(|a| a.text == "Ang");
+        let one = variables.iter().find(|v| v.name == name && v.dimensions.is_empty() && is_in(v));
+        let number = one.and_then(|v| Some((v.at, v.sample?)));
         number.map(|(at, sample)| Ok::<_, ReadError>(b.samples(at, 1, sample)?[0])).transpose()
     };
-    let gxsm = angstrom("dz")?.zip(angstrom("dy")?.zip(angstrom("dx")?));
+    let [dz, dy, dx] = [angstrom("dz")?, angstrom("dy")?, angstrom("dx")?];
+    let in_metres = |number: Option<f64>| Some((number?, Some(1e-10)));
+    let gxsm = dz.zip(in_metres(dy).zip(in_metres(dx)));
     let mask = variables.iter().find(|v| v.name == "mask" && v.sample == Some(Sample::I8));
     for variable in &variables {
         if mask.is_some_and(|mask| std::ptr::eq(mask, variable)) {
             continue;
         }
-        let Some(((before, &[slow, fast]), sample)) =
-            variable.dimensions.split_last_chunk().zip(variable.sample)
-        else {
-            continue;
-        };
+        let parts = variable.dimensions.split_last_chunk().zip(variable.sample);
+        let Some(((before, &[slow, fast]), sample)) = parts else { continue };
         let axes = [&dimensions[slow], &dimensions[fast]];
         let stored = axes.map(|axis| axis.1);
         let is_other = gxsm.is_some() && axes.map(|axis| &axis.0[..]) != ["dimy", "dimx"];
@@ -138,13 +135,12 @@ pub(crate) fn parse(b: Bytes<'_>) -> Result<Contents<'_>, ReadError> {
         let is_x_slow = axes[0].0 == "x";
         let [y, x] = if is_x_slow { [axes[1], axes[0]] } else { axes };
         let spacing = |axis: &(String, usize)| spacing(b, &variables, &axis.0, axis.1);
-        let pixel = if let Some((_, (dy, dx))) = gxsm {
-            Pixel::scaled([dy, dx], [Some(1e-10); 2])
-        } else if let (Some((dy, y)), Some((dx, x))) = (spacing(y)?, spacing(x)?) {
-            Pixel::scaled([dy, dx], [y, x])
-        } else {
-            Pixel::Unknown
+        let spacings = match gxsm {
+            Some((_, spacings)) => Some(spacings),
+            None => spacing(y)?.zip(spacing(x)?),
         };
+        let pixel =
+            spacings.map_or(Pixel::Unknown, |((dy, y), (dx, x))| Pixel::scaled([dy, dx], [y, x]));
         let along = variables.iter().find(|v| axes.iter().any(|(name, _)| v.name == *name));
         let unit = unit_of(variable, along);
         let is_length = |unit: &&str| *unit == "AA" || metres_per(unit).is_some();
@@ -226,19 +222,7 @@ fn spacing(
 }
 
 fn sample(code: usize) -> Option<Sample> {
-    Some(match code {
-        1 => Sample::I8,
-        3 => Sample::I16,
-        4 => Sample::I32,
-        5 => Sample::F32,
-        6 => Sample::F64,
-        7 => Sample::U8,
-        8 => Sample::U16,
-        9 => Sample::U32,
-        10 => Sample::I64,
-        11 => Sample::U64,
-        _ => return None,
-    })
+    Sample::of_number(code, "- i1 - i2 i4 f4 f8 u1 u2 u4 i8 u8")
 }
 
 struct HeaderCursor<'a> {

@@ -125,12 +125,5 @@ fn sample(descr: &str) -> Option<(Sample, ByteOrder)> {
         b'<' | b'|' | b'=' => (ByteOrder::Little, &code[1..]),
         _ => (ByteOrder::Little, code),
     };
-    let (kind, bytes) = kind.split_at_checked(1)?;
-    let sample = match (kind, bytes) {
-        ("f", "4") => Sample::F32,
-        ("f", "8") => Sample::F64,
-        ("i" | "u", _) => Sample::whole(bytes.parse().ok()?, kind == "i")?,
-        _ => return None,
-    };
-    Some((sample, order))
+    Some((Sample::called(kind)?, order))
 }

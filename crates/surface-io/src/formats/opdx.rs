@@ -32,17 +32,8 @@ use super::prelude::*;
 pub(crate) const MAGIC: &[u8] = b"VCA DATA\x01\0\0\x55";
 const ARRAY_HEAD: usize = 5;
 
-const NUMBERS: [(u8, Sample); 9] = [
-    (1, Sample::U8),
-    (4, Sample::I16),
-    (5, Sample::U16),
-    (6, Sample::I32),
-    (7, Sample::U32),
-    (10, Sample::I64),
-    (11, Sample::U64),
-    (12, Sample::F32),
-    (13, Sample::F64),
-];
+/// Types of numbers.
+const NUMBERS: &str = "- u1 - - i2 u2 i4 u4 - - i8 u8 f4 f8";
 
 enum ItemValue {
     Number(f64),
@@ -155,8 +146,8 @@ impl ItemReader<'_> {
         let path = format!("{folder}/{}", self.file.text()?);
         let at = self.file.at;
         let kind = self.file.take(1)?[0];
-        if let Some((_, sample)) = NUMBERS.iter().find(|(number, _)| *number == kind) {
-            let value = ItemValue::Number(self.file.number(*sample)?);
+        if let Some(sample) = Sample::of_number(kind.into(), NUMBERS) {
+            let value = ItemValue::Number(self.file.number(sample)?);
             self.items.insert(path, value);
             return Ok(true);
         }

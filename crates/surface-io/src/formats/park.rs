@@ -43,12 +43,8 @@ pub(crate) fn parse(b: Bytes<'_>) -> Result<Contents<'_>, ReadError> {
     let shape = [h.u32(104)? as usize, h.u32(100)? as usize];
     b.check_points(shape)?;
     let code = if page.number(VERSION)? > f64::from(0x0100_0001) { h.u32(348)? } else { 0 };
-    let sample = match code {
-        0 => Sample::I16,
-        1 => Sample::I32,
-        2 => Sample::F32,
-        _ => return Err(h.fault(348, format!("numbers of type {code}, not 0, 1 or 2"))),
-    };
+    let sample = Sample::of_number(code as usize, "i2 i4 f4")
+        .ok_or_else(|| h.fault(348, format!("numbers of type {code}, not 0, 1 or 2")))?;
     let size = [h.f64(148)?, h.f64(140)?].map(|um| um * 1e-6);
     let pixel = Pixel::Metres([size[0] / shape[0] as f64, size[1] / shape[1] as f64]);
     let (at, data) = page.raw(DATA)?;

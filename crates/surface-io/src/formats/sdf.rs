@@ -100,9 +100,8 @@ fn refuse_compression(b: Bytes<'_>, compression: u64) -> Result<(), ReadError> {
 
 fn ascii(b: Bytes<'_>) -> Result<Contents<'_>, ReadError> {
     let text = text::decode(b.data);
-    let mut lines = text::lines(&text)
-        .skip(1)
-        .map(|(number, line)| (number, line.split(';').next().unwrap_or_default()));
+    let lines = text::lines(&text).skip(1);
+    let mut lines = lines.map(|(n, line)| (n, line.split(';').next().unwrap_or_default()));
     let mut metadata = BTreeMap::new();
     for (_, line) in lines.by_ref() {
         if line.trim_start().starts_with('*') {
@@ -116,10 +115,8 @@ fn ascii(b: Bytes<'_>) -> Result<Contents<'_>, ReadError> {
     let entries = Entries::new(b, &metadata);
     let whole = |key: &str| entries.parsed::<usize>(key, "whole number");
     refuse_compression(b, whole("Compression").unwrap_or(0) as u64)?;
-    let data_type = match entries.get("DataType") {
-        Some("INTEGER") => 5,
-        _ => u8::try_from(whole("DataType")?).unwrap_or(u8::MAX),
-    };
+    let integer = entries.get("DataType").filter(|kind| *kind == "INTEGER").map(|_| Ok(5));
+    let data_type = u8::try_from(integer.unwrap_or_else(|| whole("DataType"))?).unwrap_or(u8::MAX);
     let shape = [whole("NumProfiles")?, whole("NumPoints")?];
     let pixel = Pixel::Metres([entries.number("Yscale")?, entries.number("Xscale")?]);
     b.check_points(shape)?;

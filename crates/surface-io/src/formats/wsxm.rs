@@ -18,12 +18,6 @@ use super::prelude::*;
 use crate::entries::sections;
 use crate::units::quantity;
 
-/// Its exports as text are text.
-pub(crate) fn sniff(bytes: &[u8]) -> bool {
-    let is_text = || find(&bytes[..bytes.len().min(128)], b"\nWSxM ASCII").is_some();
-    bytes.starts_with(b"WSxM file copyright") && !is_text()
-}
-
 pub(crate) fn parse(b: Bytes<'_>) -> Result<Contents<'_>, ReadError> {
     let start = text::latin1(&b.data[..b.data.len().min(512)]);
     let kind = text::lines(&start).nth(1).map_or("", |(_, line)| line.trim());

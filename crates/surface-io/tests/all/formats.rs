@@ -163,6 +163,10 @@ fn nanoscope_with_other_beginnings() {
     let end = plain.iter().position(|byte| *byte == 0x1a).unwrap();
     let export = [&plain[..end], b"\r\nHeight(nm)\r\n1.5\r\n2\r\n1\r\n"].concat();
     assert_refused(unaided(&export), &["text: the file gives no pixel size ("]);
+    // WSxM's are texts as well.
+    let wsxm = "WSxM file copyright UAM\nWSxM ASCII XYZ file\nX[nm]\tY[nm]\tZ[nm]\n\n";
+    let wsxm = format!("{wsxm}0\t0\t1\n2\t0\t2\n0\t3\t4\n2\t3\t5\n");
+    assert_read(&unaided(wsxm).unwrap(), [2, 2], [3e-9, 2e-9], &[(3, 5e-9)]);
     let curve = nanoscope("\\Operating mode: Force\r\n", image, 64);
     assert_refused(unaided(&curve), &["force curve"]);
 }
@@ -179,18 +183,6 @@ fn sdf_of_both_standards() {
         assert_read(&found, [2, 3], [3e-6, 2e-6], &[height, (5, 6e-9)]);
         assert_eq!(found.missing(), 1);
     }
-}
-
-#[test]
-fn wsxm_as_text() {
-    let head = "WSxM file copyright UAM\r\nWSxM ASCII";
-    let list =
-        format!("{head} XYZ file\nX[nm]\tY[nm]\tZ[nm]\n\n0\t0\t1\n2\t0\t2\n0\t3\t4\n2\t3\t5\n");
-    assert_read(&unaided(list).unwrap(), [2, 2], [3e-9, 2e-9], &[(3, 5e-9)]);
-    let map = format!(
-        "{head} Matrix file\nX Amplitude: 8 nm\nY Amplitude: 6 nm\n\n1\t2\t4\t3\n5\t7\t6\t8\n"
-    );
-    assert_refused(unaided(map), &["gives no height unit"]);
 }
 
 #[test]

@@ -115,31 +115,26 @@ fn what_is_not_used_is_named() {
 /// A line with a value gives columns neither names nor units, and does not take those of the titles.
 #[test]
 fn values_are_no_titles() {
-    let (profile, pair) = ("1\n4\n2\n", "0,1\n1,4\n2,2\n");
-    for (head, rows, right) in [
-        ("Spacing: 0.5 µm\n", profile, None),
-        ("Spacing: 0.5 µm\nCutoff: 0.8 mm\n", profile, None),
-        ("Pixel size: 0.5 um\nLateral unit: mm\n", profile, None),
-        ("Height [nm]\nSpacing: 0.5 um\n", profile, Some([500_000, 2_000])),
-        ("Spacing: 0.5 um\nHeight: nm\nTip radius = 2 um\n", profile, Some([500_000, 2_000])),
-        ("Data unit: nm\nSpacing: 0.5 um\n", profile, Some([500_000, 2_000])),
+    let [profile, pair, list] = ["1\n4\n2", "0,1\n1,4\n2,2", "0,0,1\n1,0,2\n0,1,3\n1,1,4"];
+    for (rows, dx, heads) in [
+        (profile, None, "@|@Cutoff: 0.8 mm\n|@Lateral unit: mm\n"),
+        (profile, Some(500_000), "Height [nm]\n@|Height: nm\n@|Data unit: nm\n@"),
+        (profile, Some(500_000), "@Unit: nm\nFilter 2,5 um\nCutoff 8 mm\n"),
         (
-            "Unit: nm\nSpacing: 0.5 um\nFilter 2,5 um\nCutoff 8 mm\n",
-            profile,
-            Some([500_000, 2_000]),
+            pair,
+            Some(1_000_000),
+            "x um,z nm\nLc 0.8 mm, Lt 4.8 mm\n|x: um,z1 nm\n|x um,trace 1 (nm)\n",
         ),
-        ("x um,z nm\nCutoff 0.8 mm, Length 4.8 mm\n", pair, Some([1_000_000, 2_000])),
-        ("Position (um),Height (nm)\nfrom 1 mm,to 2 [mm]\n", pair, Some([1_000_000, 2_000])),
-        ("x: um,z1 nm\n", pair, Some([1_000_000, 2_000])),
-        ("x um,trace 1 (nm)\n", pair, Some([1_000_000, 2_000])),
-        ("Start: 1 mm, Stop: 2 mm\n", pair, None),
-        ("Filter 2.5 um,Cutoff 0.8 (mm)\n", pair, None),
-        ("Lens 50x,WD 3 mm,FOV 0.28 mm\n", "0,0,1\n1,0,2\n0,1,3\n1,1,4\n", None),
+        (pair, Some(1_000_000), "Position (um),Height (nm)\nfrom 1 mm,to 2 [mm]\n"),
+        (pair, None, "Start: 1 mm, Stop: 2 mm\n|Filter 2.5 um,Cutoff 0.8 (mm)\n"),
+        (list, None, "Lens 50x,WD 3 mm,FOV 0.28 mm\n"),
     ] {
-        let text = format!("{head}{rows}");
-        match right {
-            Some(right) => assert_eq!(picometres(&text)[1..], right, "{head}"),
-            None => assert_refused(unaided(&text), &["no height unit"]),
+        for head in heads.replace('@', "Spacing: 0.5 µm\n").split('|') {
+            let text = format!("{head}{rows}\n");
+            match dx {
+                Some(dx) => assert_eq!(picometres(&text)[1..], [dx, 2_000], "{text}"),
+                None => assert_refused(unaided(&text), &["no height unit"]),
+            }
         }
     }
 }
