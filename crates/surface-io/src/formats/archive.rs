@@ -30,12 +30,8 @@ impl<'a> Archive<'a> {
         let zip =
             ZipArchive::new(Cursor::new(b.data)).map_err(|e| b.field("archive", e.to_string()))?;
         b.check_items(zip.len() as u64)?;
-        let names = zip
-            .file_names()
-            .filter_map(Result::ok)
-            .filter(|n| !n.ends_with('/') && !is_by_the_way(n))
-            .map(Cow::into_owned)
-            .collect();
+        let names = zip.file_names().filter_map(Result::ok).map(Cow::into_owned);
+        let names = names.filter(|n| !n.ends_with('/') && !is_by_the_way(n)).collect();
         Ok(Self { b, zip, total: 0, names })
     }
 

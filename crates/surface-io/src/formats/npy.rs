@@ -65,21 +65,15 @@ impl Array {
             s if s.starts_with("False") => false,
             _ => return Err(b.field("fortran_order", "neither True nor False")),
         };
-        let sides = entry("shape")?
-            .strip_prefix('(')
-            .and_then(|s| s.split_once(')'))
-            .ok_or_else(|| b.field("shape", "not a tuple"))?
-            .0
-            .split(',')
-            .map(str::trim)
-            .filter(|s| !s.is_empty())
+        let tuple = entry("shape")?.strip_prefix('(').and_then(|s| s.split_once(')'));
+        let (tuple, _) = tuple.ok_or_else(|| b.field("shape", "not a tuple"))?;
+        let size = |side: &str| {
             // Python 2 wrote long integers as "3L".
-            .map(|s| {
-                s.trim_end_matches('L')
-                    .parse::<usize>()
-                    .map_err(|_| b.field("shape", format!("{s:?} is no size")))
-            })
-            .collect::<Result<Vec<_>, _>>()?;
+            let size = side.trim_end_matches('L').parse::<usize>();
+            size.map_err(|_| b.field("shape", format!("{side:?} is no size")))
+        };
+        let sides = tuple.split(',').map(str::trim).filter(|side| !side.is_empty()).map(size);
+        let sides = sides.collect::<Result<Vec<_>, _>>()?;
         let shape = match sides[..] {
             [] => [1, 1],
             [nx] => [1, nx],

@@ -131,12 +131,10 @@ fn parse_text(b: Bytes<'_>) -> Result<Contents<'_>, ReadError> {
     }
     let number = |key: &'static str, default: Option<f64>| match fields.get(key) {
         None => default.ok_or_else(|| b.field(key, "the block is missing")),
-        Some(text) => text
-            .replace(',', ".")
-            .parse::<f64>()
-            .ok()
-            .filter(|value| value.is_finite() && *value > 0.0)
-            .ok_or_else(|| b.field(key, format!("{text:?} is no number above 0"))),
+        Some(text) => match text.replace(',', ".").parse::<f64>() {
+            Ok(value) if value.is_finite() && value > 0.0 => Ok(value),
+            _ => Err(b.field(key, format!("{text:?} is no number above 0"))),
+        },
     };
     let step =
         if is_in_nm { 1.0 } else { number("Wavelength", None)? / number("Mult", Some(1.0))? };

@@ -25,15 +25,12 @@ pub(crate) fn parse(b: Bytes<'_>) -> Result<Contents<'_>, ReadError> {
         return Err(b.unsupported(format!("a softgauge of type {kind} (profiles 2D are)")));
     }
     let unit = entries.text("DATAFILE/UNITS")?;
-    let heights: Vec<f64> = entries
-        .text("DATAFILE/DATA_POINT_VALUES")?
-        .split_whitespace()
-        .enumerate()
-        .map(|(i, cell)| {
-            let what = || format!("{cell:?} is no number");
-            cell.parse().map_err(|_| b.field(format!("point {}", i + 1), what()))
-        })
-        .collect::<Result<_, _>>()?;
+    let height = |(i, cell): (usize, &str)| {
+        let fault = |_| b.field(format!("point {}", i + 1), format!("{cell:?} is no number"));
+        cell.parse::<f64>().map_err(fault)
+    };
+    let cells = entries.text("DATAFILE/DATA_POINT_VALUES")?.split_whitespace();
+    let heights = cells.enumerate().map(height).collect::<Result<Vec<_>, _>>()?;
     let count = entries.number("DATAFILE/NUMPOINTS")?;
     if (heights.len() as f64 - count).abs() > 0.0 {
         return Err(b.field("NUMPOINTS", format!("{count}, but {} heights", heights.len())));

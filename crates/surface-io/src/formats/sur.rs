@@ -71,10 +71,8 @@ fn object(b: Bytes<'_>, at: usize) -> Result<(Channel<'_>, usize), ReadError> {
     }
     let side = |place: usize| {
         let n = o.i32(place)?;
-        usize::try_from(n)
-            .ok()
-            .filter(|&n| n > 0)
-            .ok_or_else(|| b.fault(at + place, format!("{n} points; at least 1 is needed")))
+        let side = usize::try_from(n).ok().filter(|&n| n > 0);
+        side.ok_or_else(|| b.fault(at + place, format!("{n} points; at least 1 is needed")))
     };
     let shape = [side(112)?, side(108)?];
     b.check_points(shape)?;

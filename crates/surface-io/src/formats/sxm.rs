@@ -34,9 +34,6 @@ pub(crate) fn parse(mut b: Bytes<'_>) -> Result<Contents<'_>, ReadError> {
     if entries.get("NANONIS_VERSION") == Some("1") {
         (nx, ny) = (ny, nx);
     }
-    if nx > 1e9 || ny > 1e9 {
-        return Err(b.field("SCAN_PIXELS", format!("{nx} x {ny}")));
-    }
     let shape = [ny as usize, nx as usize];
     let [width, height] = pair("SCAN_RANGE")?;
     let pixel = Pixel::Metres([height / ny, width / nx]);

@@ -26,13 +26,9 @@ use crate::meaning::UNUSED;
 
 pub(crate) fn parse(b: Bytes<'_>) -> Result<Contents<'_>, ReadError> {
     let mut archive = Archive::open(b)?;
-    let main = archive
-        .names
-        .iter()
-        .filter(|n| is_main_xml(n))
-        .min_by_key(|n| n.matches('/').count())
-        .cloned()
-        .ok_or_else(|| b.field("archive", "there is no main.xml"))?;
+    let mains = archive.names.iter().filter(|name| is_main_xml(name));
+    let main = mains.min_by_key(|name| name.matches('/').count()).cloned();
+    let main = main.ok_or_else(|| b.field("archive", "there is no main.xml"))?;
     let folder = &main[..main.len() - "main.xml".len()];
     let xml = archive.unpack(&main)?;
     let (fields, list, bad) = main_xml(b.with(&xml))?;
