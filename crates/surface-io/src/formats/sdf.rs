@@ -18,7 +18,7 @@
 //! smallest value of a signed type in ISO, the largest of an unsigned one (in ISO of 16 and 32 bits) and of any whole
 //! one in BCR, and NaN or a number at the end of the range of a floating type. Height = value × Zscale.
 //!
-//! Sources: ISO 25178-71:2017; EUR 15178 for BCR.
+//! Sources: ISO 25178-71:2017; EUR 15178 for BCR, at second hand.
 
 use super::prelude::*;
 use crate::cells::is_mark;
