@@ -156,11 +156,11 @@ impl RungMaps {
     }
 
     /// The numbers of each at a load, from the pressure of the given map at it if that was kept, else from where its last load
-    /// ended.
+    /// ended; the given map repeats or does not.
     pub(crate) fn solve<A: ObserverResult>(
         &mut self,
         load: Load,
-        given: &Solution,
+        (given, repeats): (&Solution, bool),
         observer: impl FnMut(&Iteration<'_>) -> A + Send,
     ) -> Result<Vec<Numbers>, SolverError> {
         let Setup { stiffness, jump, leak, mirrored, .. } = &self.setup;
@@ -177,7 +177,7 @@ impl RungMaps {
             let solution = solver.solve_again(load, start, observer)?;
             let touches = |i: usize| solution.pressure[i] > 0.0;
             let set = stiffness.then(|| solver.contact_stiffness(touches)).transpose()?;
-            let permeability = permeability(&solution, leak);
+            let permeability = permeability(&solution, leak, repeats || *mirrored);
             Ok(Numbers { permeability, ..Numbers::of(&solution, set.as_ref(), *jump) })
         };
         match &mut self.solvers[..] {

@@ -148,7 +148,7 @@ impl Ladder {
         let (clock, repeats) = (Clock::now(), self.repeats());
         let (coarser, indicator) = join(
             || match &mut self.coarser {
-                Ok(coarser) => Ok(coarser.solve(load, &solution, &mut observer)),
+                Ok(coarser) => Ok(coarser.solve(load, (&solution, repeats), &mut observer)),
                 Err(why) => Err(*why),
             },
             || indicator(&self.given, repeats, &solution.pressure, self.setup.modulus),
@@ -173,7 +173,9 @@ impl Ladder {
         let seconds = [coarse_seconds, clock.elapsed().as_secs_f64()];
         let axes = &self.setup.leak;
         let thinned: Vec<_> = coarser.iter().flatten().map(|n| n.permeability).collect();
-        let leak = Leaks::of(&solution, axes, &thinned, is_mirrored);
+        // At the mirror planes of images inlet, outlet and walls change nothing.
+        let edges = [repeats && !is_mirrored, !is_mirrored];
+        let leak = Leaks::of(&solution, axes, &thinned, edges);
         solution.diagnostics.seconds += seconds[0] + seconds[1];
         let coarser = coarser.unwrap_or_default();
         Ok(Answered { solution, set, budget: found, coarser, finer, leak, seconds })
@@ -206,7 +208,8 @@ impl Ladder {
             let setup = Setup { leak: Vec::new(), ..self.setup.clone() };
             self.finer = Some(RungMaps::of(vec![map], setup).ok()?);
         }
-        self.finer.as_mut()?.solve(load, given, observer).ok()?.pop()
+        let repeats = self.repeats();
+        self.finer.as_mut()?.solve(load, (given, repeats), observer).ok()?.pop()
     }
 }
 

@@ -93,13 +93,13 @@ fn open(solution: &Solution) -> Vec<f64> {
     points.map(|(gap, pressure)| if *pressure > 0.0 { 0.0 } else { gap.max(0.0) }).collect()
 }
 
-/// Permeability of a solution on a thinned map along x and y.
-pub(crate) fn permeability(solution: &Solution, axes: &[Axis]) -> [Option<f64>; 2] {
+/// Permeability of a solution on a thinned map, that repeats along the flow or does not, along x and y.
+pub(crate) fn permeability(solution: &Solution, axes: &[Axis], repeats: bool) -> [Option<f64>; 2] {
     if axes.is_empty() {
         return [None; 2];
     }
     let open = open(solution);
-    let gap = Gap::new(solution.grid, &open);
+    let gap = Gap::new(solution.grid, &open).repeating([repeats, true]);
     [Axis::X, Axis::Y]
         .map(|axis| axes.contains(&axis).then(|| gap.permeability(axis).ok()).flatten())
 }
@@ -121,19 +121,18 @@ impl Leaks {
             .for_each(|leak| leak.flow.flux = Vec::new());
     }
 
-    /// Of a solution with its maps and K on the thinned maps along x and y; between walls where the map is continued by its mirror images.
+    /// Of a solution with its maps and K on the thinned maps along x and y; whether it repeats along the flow, and across it.
     pub(crate) fn of(
         solution: &Solution,
         axes: &[Axis],
         coarser: &[[Option<f64>; 2]],
-        mirrored: bool,
+        repeats: [bool; 2],
     ) -> Option<Self> {
         if axes.is_empty() {
             return None;
         }
         let open = open(solution);
-        let gap = Gap::new(solution.grid, &open);
-        let gap = if mirrored { gap.between_walls() } else { gap };
+        let gap = Gap::new(solution.grid, &open).repeating(repeats);
         let clock = Clock::now();
         let leak = |axis: Axis| {
             let coarser = coarser.iter().filter_map(|k| k[axis as usize]).collect();

@@ -12,122 +12,122 @@ pub struct Bottleneck {
     pub place: [usize; 2],
     /// Gap there (m): the lowest along the channel.
     pub height: f64,
-    /// Open points in a row through it, along rows, columns and diagonals: the fewest.
+    /// Open points in a row through it from wall to wall, along rows, columns and diagonals: the fewest.
     pub width: usize,
 }
 
-/// Clusters of points; each knows which ends it touches.
+/// Clusters of points, and on which copy of the map along the flow each point lies.
 struct Clusters {
     parent: Vec<usize>,
-    ends: Vec<[bool; 2]>,
+    /// Copies of the map from the parent.
+    apart: Vec<isize>,
+    /// Whether a cluster meets itself on another copy.
+    carries: Vec<bool>,
 }
 
 impl Clusters {
-    fn root(&mut self, mut i: usize) -> usize {
+    /// The root of a point, and how many copies the point is from it.
+    fn root(&mut self, mut i: usize) -> (usize, isize) {
+        let mut apart = 0;
         while self.parent[i] != i {
-            self.parent[i] = self.parent[self.parent[i]];
+            let up = self.parent[i];
+            self.apart[i] += self.apart[up];
+            self.parent[i] = self.parent[up];
+            apart += self.apart[i];
             i = self.parent[i];
         }
-        i
+        (i, apart)
     }
 
-    fn join(&mut self, a: usize, b: usize) {
-        let (a, b) = (self.root(a), self.root(b));
+    /// Joins neighbours, the second so many copies from the first.
+    fn join(&mut self, first: usize, second: usize, copies: isize) {
+        let ((a, from), (b, to)) = (self.root(first), self.root(second));
+        let apart = from + copies - to;
         // Towards the lower number: with halved paths that is fast enough on a grid.
         let (low, high) = (a.min(b), a.max(b));
+        self.carries[low] |= self.carries[high] || (a == b && apart != 0);
         self.parent[high] = low;
-        let [one, two] = self.ends[high];
-        self.ends[low][0] |= one;
-        self.ends[low][1] |= two;
+        self.apart[high] = apart * b.cmp(&a) as isize;
     }
 }
 
 impl Gap<'_> {
-    /// The channels along an axis: true for each point of a cluster of open points (four
-    /// neighbours) that reaches both ends; and the bottleneck. `None` where there is none.
-    pub(crate) fn channel(&self, axis: Axis) -> Option<(Vec<bool>, Bottleneck)> {
-        let nx = self.grid.shape()[1];
-        let mut order: Vec<usize> =
-            (0..self.heights.len()).filter(|&i| self.heights[i] > 0.0).collect();
+    /// The channels along an axis: clusters of open points (four neighbours) that meet themselves on the next copy of the map. Inlet
+    /// and outlet of a map with ends are one point more, the last. For each point of a channel its deepest; and the bottleneck.
+    /// `None` where there is none.
+    pub(crate) fn channel(&self, axis: Axis) -> Option<(Vec<Option<usize>>, Bottleneck)> {
+        let (nx, beyond) = (self.grid.shape()[1], self.heights.len());
+        let mut order: Vec<usize> = (0..beyond).filter(|&i| self.heights[i] > 0.0).collect();
         order.sort_unstable_by(|a, b| self.heights[*b].total_cmp(&self.heights[*a]).then(a.cmp(b)));
-        let mut clusters = Clusters {
-            parent: (0..self.heights.len()).collect(),
-            ends: (0..self.heights.len()).map(|i| self.at_ends(i, axis)).collect(),
-        };
-        // The deepest points first: the one that closes a way between the ends is the bottleneck.
-        let mut filled = vec![false; self.heights.len()];
+        order.insert(0, beyond);
+        let mut rank = vec![usize::MAX; beyond + 1];
+        order.iter().enumerate().for_each(|(k, &i)| rank[i] = k);
+        let n = order.len();
+        let mut clusters =
+            Clusters { parent: (0..n).collect(), apart: vec![0; n], carries: vec![false; n] };
+        // The deepest points first: the one that closes a way to the next copy is the bottleneck.
         let mut last = None;
-        for &i in &order {
-            filled[i] = true;
-            for next in self.neighbours(i, axis).into_iter().flatten() {
-                if filled[next] {
-                    clusters.join(i, next);
+        for (k, &i) in order.iter().enumerate().skip(1) {
+            for (next, copies) in self.neighbours(i, axis).into_iter().flatten() {
+                if rank[next] < k {
+                    clusters.join(k, rank[next], copies);
                 }
             }
-            if last.is_none() {
-                let root = clusters.root(i);
-                last = (clusters.ends[root] == [true; 2]).then_some(i);
-            }
+            let (root, _) = clusters.root(k);
+            last = last.or_else(|| clusters.carries[root].then_some(i));
         }
         let last = last?;
-        for &i in &order {
-            let root = clusters.root(i);
-            filled[i] = clusters.ends[root] == [true; 2];
+        let mut deepest = vec![None; beyond + 1];
+        for (k, &i) in order.iter().enumerate() {
+            let (root, _) = clusters.root(k);
+            deepest[i] = clusters.carries[root].then_some(order[root]);
         }
-        let (place, height) = ([last / nx, last % nx], self.heights[last]);
-        let bottleneck = Bottleneck { place, height, width: self.width(place, axis) };
-        Some((filled, bottleneck))
+        let place = [last / nx, last % nx];
+        let width = self.width(last, axis);
+        Some((deepest, Bottleneck { place, height: self.heights[last], width }))
     }
 
-    /// Whether a point lies at the inlet, and at the outlet.
-    pub(crate) fn at_ends(&self, i: usize, axis: Axis) -> [bool; 2] {
-        let [ny, nx] = self.grid.shape();
-        let (place, last) = match axis {
-            Axis::X => (i % nx, nx - 1),
-            Axis::Y => (i / nx, ny - 1),
-        };
-        [place == 0, place == last]
+    /// The neighbours along x and y before and after a point, each as [`step`](Self::step) has it.
+    pub(crate) fn neighbours(&self, i: usize, axis: Axis) -> [Option<(usize, isize)>; 4] {
+        [[0, -1], [0, 1], [-1, 0], [1, 0]].map(|step| self.step(i, step, axis))
     }
 
-    /// The neighbours along x and y before and after a point; the map goes on at its other edge across the flow.
-    pub(crate) fn neighbours(&self, i: usize, axis: Axis) -> [Option<usize>; 4] {
-        let nx = self.grid.shape()[1];
-        [[0, -1], [0, 1], [-1, 0], [1, 0]]
-            .map(|step| self.step([i / nx, i % nx], step, axis).map(|[y, x]| y * nx + x))
-    }
-
-    /// One step on the map, `None` over an edge that is an end or a wall.
-    fn step(&self, from: [usize; 2], step: [isize; 2], axis: Axis) -> Option<[usize; 2]> {
-        let shape = self.grid.shape();
-        let along = |k: usize| {
-            let (n, ends) = (shape[k], (k == 1) == (axis == Axis::X));
-            match from[k].checked_add_signed(step[k]).filter(|to| *to < n) {
-                None if ends || !self.repeats || n < 3 => None,
-                None => Some(if step[k] < 0 { n - 1 } else { 0 }),
-                inside => inside,
+    /// One step from a point, and to which copy of the map along the flow; over an end to the point beyond, whose copies lie
+    /// before each inlet. `None` over a wall.
+    fn step(&self, i: usize, step: [isize; 2], axis: Axis) -> Option<(usize, isize)> {
+        let (shape, along) = (self.grid.shape(), 1 - axis as usize);
+        let (mut to, mut copies) = ([i / shape[1], i % shape[1]], 0);
+        for k in [along, 1 - along] {
+            let inside = to[k].checked_add_signed(step[k]).filter(|to| *to < shape[k]);
+            to[k] = inside.unwrap_or(if step[k] < 0 { shape[k] - 1 } else { 0 });
+            match (inside, k == along) {
+                (None, false) if !self.repeats[1] => return None,
+                // With one point along the flow ends beside it change nothing.
+                (None, true) if !self.repeats[0] || shape[k] < 2 => {
+                    return Some((self.heights.len(), step[k].max(0)));
+                }
+                (None, true) => copies = step[k],
+                _ => {}
             }
-        };
-        Some([along(0)?, along(1)?])
+        }
+        Some((to[0] * shape[1] + to[1], copies))
     }
 
-    fn width(&self, place: [usize; 2], axis: Axis) -> usize {
+    /// The shortest row of open points through one that contact or walls bound on both sides.
+    fn width(&self, through: usize, axis: Axis) -> usize {
         let [ny, nx] = self.grid.shape();
-        let run = |step: [isize; 2]| {
-            let one_way = |step: [isize; 2]| {
-                let mut here = place;
-                (0..ny.max(nx))
-                    .take_while(|_| match self.step(here, step, axis) {
-                        Some(next) if self.heights[next[0] * nx + next[1]] > 0.0 => {
-                            here = next;
-                            true
-                        }
-                        _ => false,
-                    })
-                    .count()
-            };
-            1 + one_way(step) + one_way(step.map(|s| -s))
+        let beside = |step: [isize; 2]| {
+            let mut here = through;
+            for count in 0..ny.max(nx) {
+                match self.step(here, step, axis) {
+                    Some((next, _)) if self.heights.get(next)? > &0.0 => here = next,
+                    _ => return Some(count),
+                }
+            }
+            None
         };
-        let fewest = [[0, 1], [1, 0], [1, 1], [1, -1]].map(run).into_iter().min();
-        fewest.unwrap_or(1).min(ny.min(nx))
+        let run = |step: [isize; 2]| Some(1 + beside(step)? + beside(step.map(|s| -s))?);
+        let shortest = [[0, 1], [1, 0], [1, 1], [1, -1]].into_iter().filter_map(run).min();
+        shortest.unwrap_or(usize::MAX).min(ny.min(nx))
     }
 }

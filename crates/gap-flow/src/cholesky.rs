@@ -15,7 +15,8 @@ pub(crate) type Symbolic = Option<SymbolicLlt<usize>>;
 pub(crate) struct Cholesky(Llt<usize, f64>, Vec<f64>);
 
 impl Cholesky {
-    /// From links and their conductances, and the diagonal of the matrix; `None` where it is too large.
+    /// From links and their conductances, and the diagonal of the matrix, infinite where a node is held; `None` where it is too
+    /// large.
     pub(crate) fn of(
         (links, conductances): (&[[usize; 2]], &[f64]),
         diagonal: &[f64],
@@ -48,7 +49,7 @@ fn shifted(
 ) -> Option<Llt<usize, f64>> {
     let n = scale.len();
     let on_diagonal = (0..n).map(|i| Triplet::new(i, i, 1.0 + shift));
-    let links = links.iter().zip(conductances);
+    let links = links.iter().zip(conductances).filter(|&(&[a, b], _)| scale[a] * scale[b] > 0.0);
     let below = links.map(|(&[a, b], c)| Triplet::new(b, a, -c * scale[a] * scale[b]));
     let entries: Vec<_> = on_diagonal.chain(below).collect();
     let matrix = SparseColMat::try_new_from_triplets(n, n, &entries).ok()?;

@@ -24,13 +24,15 @@ pub struct NotSolved {
     pub iterations: usize,
 }
 
-/// Nodes between an inlet of potential 1 and an outlet of potential 0. In equilibrium what flows to a node flows away.
+/// Nodes and links with drops of potential in them. In equilibrium what flows to a node flows away, but where it is held.
 pub(crate) struct Network<'a> {
     /// Pairs of nodes, the lower first, in rising order of it.
     pub(crate) links: &'a [[usize; 2]],
     pub(crate) conductances: Vec<f64>,
-    /// Conductance of each node to inlet and outlet.
-    pub(crate) ends: &'a [[f64; 2]],
+    /// What each link adds to the fall of potential from its first node to its second.
+    pub(crate) drops: &'a [f64],
+    /// Whether each node is held at potential 0.
+    pub(crate) held: &'a [bool],
 }
 
 /// What approximates the inverse of the matrix.
@@ -43,11 +45,15 @@ enum Factor {
 }
 
 impl Network<'_> {
-    /// The matrix times potentials: what flows away from each node, inlet and outlet at 0.
+    /// Conductance of each link and the fall of potential over it.
+    pub(crate) fn falls<'b>(&'b self, potentials: &'b [f64]) -> impl Iterator<Item = [f64; 2]> {
+        let links = self.links.iter().zip(&self.conductances).zip(self.drops);
+        links.map(|((&[a, b], c), drop)| [*c, potentials[a] - potentials[b] + drop])
+    }
+
+    /// The matrix times potentials: what flows away from each node without the drops.
     fn outflow(&self, potentials: &[f64], out: &mut [f64]) {
-        for ((out, p), [inlet, outlet]) in out.iter_mut().zip(potentials).zip(self.ends) {
-            *out = (inlet + outlet) * p;
-        }
+        out.fill(0.0);
         for (&[a, b], c) in self.links.iter().zip(&self.conductances) {
             let flow = c * (potentials[a] - potentials[b]);
             out[a] += flow;
@@ -55,22 +61,22 @@ impl Network<'_> {
         }
     }
 
-    /// What is dissipated: the flow from inlet to outlet, with an error of second order in the potentials.
+    /// What is dissipated: the flow if the drop is 1, with an error of second order in the potentials.
     pub(crate) fn dissipation(&self, potentials: &[f64]) -> f64 {
-        let links = self.links.iter().zip(&self.conductances);
-        let inner = links.map(|(&[a, b], c)| c * (potentials[a] - potentials[b]).powi(2));
-        let ends = self.ends.iter().zip(potentials);
-        let outer = ends.map(|([inlet, outlet], p)| inlet * (1.0 - p).powi(2) + outlet * p.powi(2));
-        inner.sum::<f64>() + outer.sum::<f64>()
+        self.falls(potentials).map(|[c, fall]| c * fall.powi(2)).sum()
     }
 
     /// The potentials. `symbolic` is kept for another network of the
     /// same links.
     pub(crate) fn solve(&self, symbolic: &mut Symbolic) -> Result<Vec<f64>, NotSolved> {
-        let n = self.ends.len();
+        let n = self.held.len();
         let factor = self.factor(symbolic);
         let mut x = vec![0.0; n];
-        let mut residual: Vec<f64> = self.ends.iter().map(|[inlet, _]| *inlet).collect();
+        let mut residual = vec![0.0; n];
+        for ((&[a, b], c), drop) in self.links.iter().zip(&self.conductances).zip(self.drops) {
+            residual[a] -= c * drop;
+            residual[b] += c * drop;
+        }
         let mut step = self.precondition(&factor, &residual);
         let mut product = vec![0.0; n];
         let first = dot(&residual, &step);
@@ -96,7 +102,9 @@ impl Network<'_> {
     }
 
     fn factor(&self, symbolic: &mut Symbolic) -> Factor {
-        let mut pivots: Vec<f64> = self.ends.iter().map(|[inlet, outlet]| inlet + outlet).collect();
+        // The potential of a node held is any flow over an infinite pivot.
+        let mut pivots: Vec<f64> =
+            self.held.iter().map(|held| if *held { f64::INFINITY } else { 0.0 }).collect();
         for (&[a, b], c) in self.links.iter().zip(&self.conductances) {
             pivots[a] += c;
             pivots[b] += c;

@@ -2,28 +2,29 @@
 
 use contact_types::Grid;
 
-/// A map of the gap. It repeats across the flow.
+/// A map of the gap.
 #[derive(Debug, Clone, Copy)]
 pub struct Gap<'a> {
     pub(crate) grid: Grid,
     pub(crate) heights: &'a [f64],
-    pub(crate) repeats: bool,
+    /// Along the flow, and across it.
+    pub(crate) repeats: [bool; 2],
 }
 
 impl<'a> Gap<'a> {
-    /// Gap in metres, row-major `[ny, nx]`; 0 and less is contact.
+    /// Gap in metres, row-major `[ny, nx]`; 0 and less is contact. The map repeats along both axes.
     ///
     /// # Panics
     /// If there is not one number for each point.
     pub fn new(grid: Grid, heights: &'a [f64]) -> Self {
         assert_eq!(grid.len(), heights.len(), "one gap for each point");
-        Self { grid, heights, repeats: true }
+        Self { grid, heights, repeats: [true; 2] }
     }
 
-    /// The same between walls: nothing flows through the sides.
+    /// The same that repeats along the flow, and across it, or does not: then it lies between inlet and outlet, and between walls.
     #[must_use]
-    pub fn between_walls(self) -> Self {
-        Self { repeats: false, ..self }
+    pub fn repeating(self, repeats: [bool; 2]) -> Self {
+        Self { repeats, ..self }
     }
 
     fn open(&self) -> impl Iterator<Item = f64> {

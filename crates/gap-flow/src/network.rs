@@ -16,7 +16,7 @@ pub struct Flow {
     /// The same with the arithmetic mean of g³ between neighbouring points instead of the harmonic: the two differ by
     /// what the grid leaves open.
     pub arithmetic: f64,
-    /// What flows in less what flows out, over either.
+    /// Flow through the row or column of points across the axis with the most less that with the least, over the mean.
     pub imbalance: f64,
     /// The narrowest place of the best channel; `None` where no channel is open.
     pub bottleneck: Option<Bottleneck>,
@@ -30,16 +30,19 @@ const ARITHMETIC: fn(f64, f64) -> f64 = |a, b| 0.5 * (a + b);
 
 /// The points that carry a flow along an axis, and their links.
 struct Mesh {
-    /// Place on the map of each point.
+    /// Place on the map of each point; with ends the one beyond them is the last.
     points: Vec<usize>,
     links: Vec<[usize; 2]>,
     /// Of each link: whether it goes along y, and the way from its first point to its second, 1 or −1 over the edge of the map.
     ways: Vec<(usize, f64)>,
+    /// Of each link: the drop of pressure from the map to the copy that its second point is on.
+    drops: Vec<f64>,
+    /// Whether the pressure of a point is 0: at the deepest of each cluster, and beyond the ends.
+    held: Vec<bool>,
     /// Width of a face over distance of the points, along x and along y.
     shape: [f64; 2],
     /// g³ of each point, in units of the highest, so that none underflows.
     cubes: Vec<f64>,
-    ends: Vec<[f64; 2]>,
     /// Permeability over conductance (m³).
     scale: f64,
 }
@@ -47,67 +50,69 @@ struct Mesh {
 impl Mesh {
     fn network(&self, face: fn(f64, f64) -> f64) -> Network<'_> {
         let of = |(&[a, b], &(k, _)): (&[usize; 2], &(usize, f64))| {
-            self.shape[k] * face(self.cubes[a], self.cubes[b])
+            let [a, b] = [self.cubes[a], self.cubes[b]];
+            self.shape[k] * if b.is_finite() { face(a, b) } else { 2.0 * a }
         };
         let conductances = self.links.iter().zip(&self.ways).map(of).collect();
-        Network { links: &self.links, conductances, ends: &self.ends }
+        Network { links: &self.links, conductances, drops: &self.drops, held: &self.held }
     }
 }
 
 impl Gap<'_> {
-    fn mesh(&self, axis: Axis, open: &[bool]) -> Mesh {
+    fn mesh(&self, axis: Axis, deepest: &[Option<usize>]) -> Mesh {
         let [dy, dx] = self.grid.pixel();
         let [height, length] = self.grid.size();
         let shape = [dy / dx, dx / dy];
-        let (along, squares) = match axis {
-            Axis::X => (shape[0], length / height),
-            Axis::Y => (shape[1], height / length),
-        };
-        let points: Vec<usize> = (0..open.len()).filter(|&i| open[i]).collect();
-        let mut unknown = vec![usize::MAX; open.len()];
+        let squares = [length / height, height / length][axis as usize];
+        let points: Vec<usize> = (0..deepest.len()).filter(|&i| deepest[i].is_some()).collect();
+        let mut unknown = vec![0; deepest.len()];
         points.iter().enumerate().for_each(|(k, &i)| unknown[i] = k);
-        let highest = points.iter().map(|&i| self.heights[i]).fold(0.0, f64::max);
-        let cubes: Vec<f64> = points.iter().map(|&i| (self.heights[i] / highest).powi(3)).collect();
-        let (mut links, mut ways) = (Vec::new(), Vec::new());
-        for (k, &i) in points.iter().enumerate() {
+        let heights = points.iter().map(|&i| self.heights.get(i).copied());
+        let highest = heights.clone().flatten().fold(0.0, f64::max);
+        let cubes = heights.map(|h| h.map_or(f64::INFINITY, |h| (h / highest).powi(3))).collect();
+        let (mut links, mut ways, mut drops) = (Vec::new(), Vec::new(), Vec::new());
+        for (k, &i) in points.iter().enumerate().filter(|(_, i)| **i < self.heights.len()) {
             // Before and after along x, then along y.
-            let next = self.neighbours(i, axis).map(|n| n.map_or(usize::MAX, |n| unknown[n]));
-            for (step, b) in next.into_iter().enumerate() {
-                if b != usize::MAX && b > k {
-                    links.push([k, b]);
+            for (step, next) in self.neighbours(i, axis).into_iter().enumerate() {
+                if let Some((next, copies)) = next.filter(|(next, _)| unknown[*next] > k) {
+                    links.push([k, unknown[next]]);
                     ways.push((step / 2, if step % 2 == 0 { -1.0 } else { 1.0 }));
+                    drops.push(copies as f64);
                 }
             }
         }
-        let to_ends = |(&i, cube): (&usize, &f64)| {
-            self.at_ends(i, axis).map(|at| if at { 2.0 * along * cube } else { 0.0 })
-        };
-        let ends = points.iter().zip(&cubes).map(to_ends).collect();
-        Mesh { points, links, ways, shape, cubes, ends, scale: squares * highest.powi(3) }
+        let held = points.iter().map(|&i| deepest[i] == Some(i)).collect();
+        Mesh { points, links, ways, drops, held, shape, cubes, scale: squares * highest.powi(3) }
     }
 
-    /// Size of the flux at each point over the mean along the axis, from the flows through its faces.
-    fn flux(&self, axis: Axis, mesh: &Mesh, network: &Network<'_>, pressures: &[f64]) -> Vec<f64> {
+    /// Size of the flux at each point over the mean along the axis, from the flows through its faces; and the imbalance.
+    fn flux(
+        &self,
+        axis: Axis,
+        mesh: &Mesh,
+        network: &Network<'_>,
+        pressures: &[f64],
+    ) -> (Vec<f64>, f64) {
         let mut through = vec![[0.0; 2]; pressures.len()];
-        for ((&[a, b], c), &(k, way)) in
-            network.links.iter().zip(&network.conductances).zip(&mesh.ways)
+        for ((&[a, b], [c, fall]), &(k, way)) in
+            network.links.iter().zip(network.falls(pressures)).zip(&mesh.ways)
         {
-            let half = 0.5 * way * c * (pressures[a] - pressures[b]);
+            let half = 0.5 * way * c * fall;
             through[a][k] += half;
             through[b][k] += half;
         }
-        let total = network.dissipation(pressures);
-        let along = axis as usize;
-        for ((through, [inlet, outlet]), p) in through.iter_mut().zip(network.ends).zip(pressures) {
-            through[along] += 0.5 * (inlet * (1.0 - p) + outlet * p);
-        }
+        let (along, total) = (axis as usize, network.dissipation(pressures));
         let ([dy, dx], [height, length]) = (self.grid.pixel(), self.grid.size());
         let mean = total / [height, length][along];
-        let mut flux = vec![0.0; self.heights.len()];
-        for (&i, [x, y]) in mesh.points.iter().zip(&through) {
-            flux[i] = (x / dy).hypot(y / dx) / mean;
+        let [ny, nx] = self.grid.shape();
+        let (mut flux, mut sections) = (vec![0.0; ny * nx], vec![0.0; [nx, ny][along]]);
+        for (&i, through) in mesh.points.iter().zip(&through).filter(|(i, _)| **i < ny * nx) {
+            flux[i] = (through[0] / dy).hypot(through[1] / dx) / mean;
+            sections[[i % nx, i / nx][along]] += through[along];
         }
-        flux
+        let most = sections.iter().copied().fold(f64::MIN, f64::max);
+        let least = sections.iter().copied().fold(f64::MAX, f64::min);
+        (flux, (most - least) / total)
     }
 
     /// [`Flow::permeability`] alone, for half of the work.
@@ -127,8 +132,9 @@ impl Gap<'_> {
     /// \nabla\cdot(g^3\,\nabla p) = 0
     /// ```
     ///
-    /// Finite volumes: one pressure for each point, g³ between two the harmonic mean of theirs, half a point to inlet
-    /// and outlet. Clusters of open points that do not reach from one to the other carry nothing and are left out.
+    /// Finite volumes: one pressure for each point, g³ between two the harmonic mean of theirs. From a map that repeats along
+    /// the flow to its next copy the pressure falls by the drop; else it is half a point to inlet and outlet. Clusters of
+    /// open points that reach neither themselves on the next copy nor an end carry nothing and are left out.
     ///
     /// # Errors
     /// [`NotSolved`].
@@ -143,16 +149,13 @@ impl Gap<'_> {
         let harmonic = mesh.network(HARMONIC);
         let pressures = harmonic.solve(&mut symbolic)?;
         let permeability = harmonic.dissipation(&pressures);
-        let through = |end: usize, at: f64| -> f64 {
-            mesh.ends.iter().zip(&pressures).map(|(ends, p)| ends[end] * (p - at).abs()).sum()
-        };
-        let (inflow, outflow) = (through(0, 1.0), through(1, 0.0));
+        let (flux, imbalance) = self.flux(axis, &mesh, &harmonic, &pressures);
         Ok(Flow {
             permeability: permeability * mesh.scale,
             arithmetic: arithmetic * mesh.scale,
-            imbalance: (inflow - outflow).abs() / permeability,
+            imbalance,
             bottleneck: Some(bottleneck),
-            flux: self.flux(axis, &mesh, &harmonic, &pressures),
+            flux,
         })
     }
 }

@@ -58,7 +58,8 @@ fn checkerboard() {
         };
         let map: Vec<f64> = (0..n * n).map(|i| gap(i / n, i % n)).collect();
         let grid = Grid::new([n, n], [1.0, 1.0]).unwrap();
-        Gap::new(grid, &map).between_walls().flow(Axis::X).unwrap().permeability / contrast.sqrt()
+        Gap::new(grid, &map).repeating([false; 2]).flow(Axis::X).unwrap().permeability
+            / contrast.sqrt()
     };
     let errors = [16, 32, 64].map(|cells| (of(cells) - 1.0).abs());
     assert!(errors[2] < 1e-3 && errors.windows(2).all(|e| e[1] < 0.5 * e[0]), "{errors:?}");
@@ -134,7 +135,7 @@ fn a_wall_seals_and_its_hole_is_the_bottleneck() {
     let corner = (0..16).map(|i| if (i % 4 < 2) == (i / 4 < 2) { 1e-6 } else { 0.0 });
     let (grid, corner) = (Grid::new([4, 4], pixel).unwrap(), corner.collect::<Vec<f64>>());
     let gap = Gap::new(grid, &corner);
-    for gap in [gap, gap.between_walls()] {
+    for gap in [gap, gap.repeating([false; 2])] {
         assert!(gap.flow(Axis::X).unwrap().bottleneck.is_none());
     }
     assert!(flow([4, 4], pixel, Axis::X, |_, _| 0.0).permeability <= 0.0);
@@ -152,4 +153,65 @@ fn pools_behind_almost_closed_gaps() {
     let found = flow([n, n], [1e-6, 1e-6], Axis::X, gap);
     assert!(found.permeability > 0.0 && found.arithmetic >= found.permeability);
     assert!(found.imbalance < 1e-6, "{}", found.imbalance);
+}
+
+/// A map that repeats leaks the same wherever it is cut; with its mirror images as much as alone between ends and walls.
+#[test]
+fn a_map_that_repeats_has_no_ends() {
+    let n = 48;
+    let map = rough(n, -2.0);
+    let of = |m: usize, axis: Axis, repeats: bool, from: &dyn Fn(usize) -> [usize; 2]| {
+        let at = |i: usize| map[from(i / m)[0] * n + from(i % m)[1]];
+        let (grid, map) =
+            (Grid::new([m, m], [1e-6, 2e-6]).unwrap(), (0..m * m).map(at).collect::<Vec<_>>());
+        Gap::new(grid, &map).repeating([repeats; 2]).flow(axis).unwrap()
+    };
+    for axis in [Axis::X, Axis::Y] {
+        let plain = of(n, axis, true, &|i| [i; 2]);
+        let rolled = of(n, axis, true, &|i| [(i + 31) % n, (i + 17) % n]);
+        let mirrored = of(n, axis, false, &|i| [i; 2]);
+        let images = of(2 * n, axis, true, &|i| [i.min(2 * n - 1 - i); 2]);
+        for [one, other] in [[&plain, &rolled], [&mirrored, &images]] {
+            close(one.permeability, other.permeability, 1e-10);
+            close(one.arithmetic, other.arithmetic, 1e-10);
+            let [one, other] = [one, other].map(|flow| flow.bottleneck.unwrap());
+            close(one.height, other.height, 1e-15);
+        }
+        assert_eq!(plain.bottleneck.unwrap().width, rolled.bottleneck.unwrap().width);
+        close(plain.flux[33 * n + 20], rolled.flux[2 * n + 3], 1e-9);
+    }
+}
+
+/// A stair that closes after two turns along x and one along y. Cut into one that ends beside its start it is no channel.
+#[test]
+fn a_channel_meets_itself() {
+    let stair = |turn: usize| {
+        let gap = move |y: usize, x: usize| (x / 2..=x.div_ceil(2)).any(|at| at % turn == y % turn);
+        (0..64).map(|i| if gap(i / 8, i % 8) { 1.0 } else { 0.0 }).collect::<Vec<_>>()
+    };
+    let (grid, helix, open) = (Grid::new([8, 8], [1.0; 2]).unwrap(), stair(4), stair(8));
+    let of = |map: &[f64], axis| Gap::new(grid, map).flow(axis).unwrap().permeability;
+    close(of(&helix, Axis::X), 1.0 / 6.0, 1e-12);
+    close(of(&helix, Axis::Y), 1.0 / 24.0, 1e-12);
+    assert!(of(&open, Axis::X) <= 0.0);
+    let ends = Gap::new(grid, &open).repeating([false, true]);
+    assert!(ends.flow(Axis::X).unwrap().permeability > 0.0);
+}
+
+/// Layers on the fewest points; a row that goes on over an end, or round the map, is no width.
+#[test]
+fn small_maps_and_grooves() {
+    for shape in [[1, 2], [2, 2], [3, 2]] {
+        let gap = |_, x: usize| [1.0, 2.0][x];
+        close(flow(shape, [1.0; 2], Axis::X, gap).permeability, 16.0 / 9.0, 1e-14);
+        close(flow(shape, [1.0; 2], Axis::Y, gap).permeability, 4.5, 1e-14);
+    }
+    close(flow([1, 1], [1.0; 2], Axis::X, |_, _| 2.0).permeability, 8.0, 1e-14);
+    let groove: Vec<f64> = (0..256).map(|i| if i / 16 < 6 { 1.0 } else { 0.0 }).collect();
+    let gap = Gap::new(Grid::new([16, 16], [1.0; 2]).unwrap(), &groove);
+    for repeats in [[true; 2], [false, true], [false; 2]] {
+        let found = gap.repeating(repeats).flow(Axis::X).unwrap();
+        assert_eq!(found.bottleneck.unwrap().width, 6);
+        close(found.permeability, 6.0 / 16.0, 1e-12);
+    }
 }

@@ -181,7 +181,7 @@ pub(crate) fn solved(heights: &Heights, case: Case) -> Coverage {
             found.held[3].take(gas, true_gas, true_gas);
             let [_, _, _, _, rates, bounds] = &mut found.held;
             let stated = leak.along[0].1.as_ref().unwrap();
-            rates.take_leak(bounds, stated, permeability(&truth));
+            rates.take_leak(bounds, stated, permeability(&truth, ladder.known.repeats));
         }
         let [coarser, finer] = answered.seconds;
         found.seconds[0] += answered.solution.diagnostics.seconds - coarser - finer;
@@ -195,11 +195,11 @@ pub(crate) fn solved(heights: &Heights, case: Case) -> Coverage {
     found
 }
 
-/// Permeability along x of a gap that touches where it carries pressure.
-fn permeability(solution: &Solution) -> f64 {
+/// Permeability along x of a gap that touches where it carries pressure and repeats along the flow or does not.
+fn permeability(solution: &Solution, repeats: bool) -> f64 {
     let points = solution.gap.iter().zip(&solution.pressure);
     let open: Vec<f64> = points.map(|(g, p)| if *p > 0.0 { 0.0 } else { g.max(0.0) }).collect();
-    Gap::new(solution.grid, &open).permeability(Axis::X).unwrap()
+    Gap::new(solution.grid, &open).repeating([repeats, true]).permeability(Axis::X).unwrap()
 }
 
 /// Pressure at which the area on the map of `solver` is `area`, about.
