@@ -86,22 +86,14 @@ impl Gap<'_> {
     }
 
     /// Size of the flux at each point over the mean along the axis, from the flows through its faces; and the imbalance.
-    fn flux(
-        &self,
-        axis: Axis,
-        mesh: &Mesh,
-        network: &Network<'_>,
-        pressures: &[f64],
-    ) -> (Vec<f64>, f64) {
-        let mut through = vec![[0.0; 2]; pressures.len()];
-        for ((&[a, b], [c, fall]), &(k, way)) in
-            network.links.iter().zip(network.falls(pressures)).zip(&mesh.ways)
-        {
+    fn flux(&self, axis: Axis, mesh: &Mesh, of: &Network<'_>, p: &[f64]) -> (Vec<f64>, f64) {
+        let mut through = vec![[0.0; 2]; p.len()];
+        for ((&[a, b], [c, fall]), &(k, way)) in of.links.iter().zip(of.falls(p)).zip(&mesh.ways) {
             let half = 0.5 * way * c * fall;
             through[a][k] += half;
             through[b][k] += half;
         }
-        let (along, total) = (axis as usize, network.dissipation(pressures));
+        let (along, total) = (axis as usize, of.dissipation(p));
         let ([dy, dx], [height, length]) = (self.grid.pixel(), self.grid.size());
         let mean = total / [height, length][along];
         let [ny, nx] = self.grid.shape();

@@ -2,17 +2,22 @@
 
 use crate::families::{family, map};
 use contact_accuracy::{
-    Answered, Axis, ContactModulus, Grid, Ladder, Leak, Load, Map, Maps, Setup, Solver,
+    Answered, Axis, ContactModulus, Grid, HeightMap, Ladder, Leak, Load, Map, Maps, Setup, Solver,
+    with_images,
 };
 use gap_flow::Gap;
+use std::borrow::Cow;
 use surface_stats::synthesis::{Scale, SelfAffine};
 
 fn answered(points: usize, name: &str, seed: u64, pressure: f64) -> Answered {
-    let heights = family(name, seed).unwrap();
-    let given = map(points, &heights);
+    solved(map(points, &family(name, seed).unwrap()), pressure, false)
+}
+
+fn solved(given: HeightMap, pressure: f64, mirrored: bool) -> Answered {
     let rms = Map::of(&given).rms_height;
     let setup = Setup {
         finer: false,
+        mirrored,
         leak: vec![Axis::X],
         ..Setup::new(Solver::builder(), ContactModulus::from_pascals(1.0).unwrap())
     };
@@ -57,6 +62,18 @@ fn intervals_hold_the_leak_of_a_finer_grid() {
         }
     }
     assert!(all >= 10 && missed.len() * 20 <= all, "{} of {all}: {missed:?}", missed.len());
+}
+
+/// A map continued by its mirror images leaks as the whole of them given as a map that repeats.
+#[test]
+fn mirror_images_are_a_map_that_repeats() {
+    let given = map(48, &family("waves, 8 points", 41).unwrap());
+    let whole = with_images(Cow::Borrowed(&given), true).unwrap().into_owned();
+    let [own, whole] = [(given, true), (whole, false)].map(|(map, mirrored)| {
+        let leaks = solved(map, 0.3, mirrored).leak.unwrap();
+        leaks.along[0].1.as_ref().unwrap().flow.permeability
+    });
+    assert!((own / whole - 1.0).abs() < 1e-10 && own > 0.0, "{own} and {whole}");
 }
 
 /// Ten self-affine maps are sealed from 38 to 46 % of real area on (0.42 for elastic contact: Dapp et al. 2012). Thirty-two of the
