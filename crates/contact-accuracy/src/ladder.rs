@@ -208,8 +208,7 @@ impl Ladder {
             let setup = Setup { leak: Vec::new(), ..self.setup.clone() };
             self.finer = Some(RungMaps::of(vec![map], setup).ok()?);
         }
-        let repeats = self.repeats();
-        self.finer.as_mut()?.solve(load, (given, repeats), observer).ok()?.pop()
+        self.finer.as_mut()?.solve(load, (given, self.known.repeats), observer).ok()?.pop()
     }
 }
 

@@ -15,7 +15,7 @@ pub(crate) type Symbolic = Option<SymbolicLlt<usize>>;
 pub(crate) struct Cholesky(Llt<usize, f64>, Vec<f64>);
 
 impl Cholesky {
-    /// From links and their conductances, and the diagonal of the matrix, infinite where a node is held; `None` where it is too
+    /// From links and their conductances, and the diagonal of the matrix, infinite where the potential is 0; `None` where it is too
     /// large.
     pub(crate) fn of(
         (links, conductances): (&[[usize; 2]], &[f64]),

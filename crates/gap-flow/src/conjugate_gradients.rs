@@ -24,15 +24,15 @@ pub struct NotSolved {
     pub iterations: usize,
 }
 
-/// Nodes and links with drops of potential in them. In equilibrium what flows to a node flows away, but where it is held.
+/// Nodes and links with drops of potential in them. In equilibrium what flows to a node flows away.
 pub(crate) struct Network<'a> {
     /// Pairs of nodes, the lower first, in rising order of it.
     pub(crate) links: &'a [[usize; 2]],
     pub(crate) conductances: Vec<f64>,
     /// What each link adds to the fall of potential from its first node to its second.
     pub(crate) drops: &'a [f64],
-    /// Whether each node is held at potential 0.
-    pub(crate) held: &'a [bool],
+    /// Conductance of each node to potential 0: none, or infinite.
+    pub(crate) ground: &'a [f64],
 }
 
 /// What approximates the inverse of the matrix.
@@ -69,7 +69,7 @@ impl Network<'_> {
     /// The potentials. `symbolic` is kept for another network of the
     /// same links.
     pub(crate) fn solve(&self, symbolic: &mut Symbolic) -> Result<Vec<f64>, NotSolved> {
-        let n = self.held.len();
+        let n = self.ground.len();
         let factor = self.factor(symbolic);
         let mut x = vec![0.0; n];
         let mut residual = vec![0.0; n];
@@ -102,9 +102,7 @@ impl Network<'_> {
     }
 
     fn factor(&self, symbolic: &mut Symbolic) -> Factor {
-        // The potential of a node held is any flow over an infinite pivot.
-        let mut pivots: Vec<f64> =
-            self.held.iter().map(|held| if *held { f64::INFINITY } else { 0.0 }).collect();
+        let mut pivots = self.ground.to_vec();
         for (&[a, b], c) in self.links.iter().zip(&self.conductances) {
             pivots[a] += c;
             pivots[b] += c;

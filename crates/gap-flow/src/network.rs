@@ -37,8 +37,8 @@ struct Mesh {
     ways: Vec<(usize, f64)>,
     /// Of each link: the drop of pressure from the map to the copy that its second point is on.
     drops: Vec<f64>,
-    /// Whether the pressure of a point is 0: at the deepest of each cluster, and beyond the ends.
-    held: Vec<bool>,
+    /// Infinite where the pressure is held at 0, the deepest point of each cluster or that beyond the ends; 0 elsewhere.
+    ground: Vec<f64>,
     /// Width of a face over distance of the points, along x and along y.
     shape: [f64; 2],
     /// g³ of each point, in units of the highest, so that none underflows.
@@ -54,7 +54,7 @@ impl Mesh {
             self.shape[k] * if b.is_finite() { face(a, b) } else { 2.0 * a }
         };
         let conductances = self.links.iter().zip(&self.ways).map(of).collect();
-        Network { links: &self.links, conductances, drops: &self.drops, held: &self.held }
+        Network { links: &self.links, conductances, drops: &self.drops, ground: &self.ground }
     }
 }
 
@@ -81,8 +81,12 @@ impl Gap<'_> {
                 }
             }
         }
-        let held = points.iter().map(|&i| deepest[i] == Some(i)).collect();
-        Mesh { points, links, ways, drops, held, shape, cubes, scale: squares * highest.powi(3) }
+        let ground = points
+            .iter()
+            .map(|&i| if deepest[i] == Some(i) { f64::INFINITY } else { 0.0 })
+            .collect();
+        let scale = squares * highest.powi(3);
+        Mesh { points, links, ways, drops, ground, shape, cubes, scale }
     }
 
     /// Size of the flux at each point over the mean along the axis, from the flows through its faces; and the imbalance.
