@@ -190,7 +190,7 @@ impl SpotDistribution {
     }
 }
 
-/// One contact spot.
+/// One contact spot; of a grid of one row, the cross-section of ridges, area and load are those of 1 m of their length.
 #[derive(Debug, Clone, Copy, PartialEq, Serialize)]
 #[non_exhaustive]
 pub struct Spot {
@@ -220,6 +220,7 @@ pub fn contact_spots(pressure: &[f64], grid: Grid, repeats: bool) -> (Vec<Spot>,
         return (Vec::new(), Vec::new());
     }
     let [dy, dx] = grid.pixel();
+    let ly = if ny == 1 { 1.0 } else { dy };
     let mut labels = vec![0; pressure.len()];
     let (mut spots, mut label): (Vec<Spot>, _) = (Vec::new(), 0);
     // Points with the way to them from the first one, which does not jump at the seam.
@@ -258,8 +259,8 @@ pub fn contact_spots(pressure: &[f64], grid: Grid, repeats: bool) -> (Vec<Spot>,
             (first as f64 + way / points as f64).rem_euclid(n as f64) * pixel
         };
         spots.push(Spot {
-            area: points as f64 * dy * dx,
-            load: sum * dy * dx,
+            area: points as f64 * ly * dx,
+            load: sum * ly * dx,
             centroid: [place(start / nx, way[0], ny, dy), place(start % nx, way[1], nx, dx)],
             mean_pressure: sum / points as f64,
             max_pressure: highest,

@@ -87,18 +87,12 @@ pub struct Leaks {
     pub seconds: [f64; 3],
 }
 
-/// The gap where nothing touches, 0 elsewhere.
-fn open(solution: &Solution) -> Vec<f64> {
-    let points = solution.gap.iter().zip(&solution.pressure);
-    points.map(|(gap, pressure)| if *pressure > 0.0 { 0.0 } else { gap.max(0.0) }).collect()
-}
-
 /// Permeability of a solution on a thinned map, that repeats along the flow or does not, along x and y.
 pub(crate) fn permeability(solution: &Solution, axes: &[Axis], repeats: bool) -> [Option<f64>; 2] {
     if axes.is_empty() {
         return [None; 2];
     }
-    let open = open(solution);
+    let open = solution.open_gap();
     let gap = Gap::new(solution.grid, &open).repeating([repeats, true]);
     [Axis::X, Axis::Y]
         .map(|axis| axes.contains(&axis).then(|| gap.permeability(axis).ok()).flatten())
@@ -131,7 +125,7 @@ impl Leaks {
         if axes.is_empty() {
             return None;
         }
-        let open = open(solution);
+        let open = solution.open_gap();
         let gap = Gap::new(solution.grid, &open).repeating(repeats);
         let clock = Clock::now();
         let leak = |axis: Axis| {

@@ -49,6 +49,12 @@ impl Solution {
     pub fn touching_fraction(&self) -> f64 {
         self.diagnostics.contact_pixels as f64 / self.grid.len() as f64
     }
+
+    /// The gap (m) where nothing touches, 0 elsewhere: its mean is the mean gap. Empty without both maps.
+    pub fn open_gap(&self) -> Vec<f64> {
+        let points = self.gap.iter().zip(&self.pressure);
+        points.map(|(gap, pressure)| if *pressure > 0.0 { 0.0 } else { gap.max(0.0) }).collect()
+    }
 }
 
 impl std::fmt::Debug for Solution {

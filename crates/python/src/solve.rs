@@ -78,8 +78,8 @@ impl Watch for KeptMaps<'_> {
     fn keep(&mut self, index: usize, grid: Grid, solution: &mut Solution) -> Result<(), Failure> {
         self.last = Some((solution.state.mean_pressure, solution.state.area_fraction));
         if self.maps {
+            let gap = if self.keep_gap { solution.open_gap() } else { Vec::new() };
             let pressure = std::mem::take(&mut solution.pressure);
-            let gap = if self.keep_gap { std::mem::take(&mut solution.gap) } else { Vec::new() };
             self.found.insert(index, (grid, pressure, gap));
         }
         Ok(())

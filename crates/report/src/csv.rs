@@ -134,17 +134,6 @@ pub(crate) fn of_profiles(studies: &[ProfileComparison]) -> String {
     out
 }
 
-/// Contact spots as a table (CSV), one row each.
-pub fn spots_csv(spots: &[contact_compare::Spot]) -> String {
-    let head = "area (m^2),load (N),x (m),y (m),mean_pressure (Pa),max_pressure (Pa),points\n";
-    let row = |spot: &contact_compare::Spot| {
-        let [y, x] = spot.centroid;
-        let row = [spot.area, spot.load, x, y, spot.mean_pressure, spot.max_pressure];
-        format!("{},{}\n", row.map(|v| cell(Some(v))).join(","), spot.points)
-    };
-    head.to_owned() + &spots.iter().map(row).collect::<String>()
-}
-
 /// The shortest decimal that reads back as the same number.
 pub(crate) fn cell(value: Option<f64>) -> String {
     value.filter(|v| v.is_finite()).map_or(String::new(), |v| {

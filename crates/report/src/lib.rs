@@ -22,7 +22,6 @@ mod table_csv;
 
 pub use contact_compare as compare; // whose results are written here
 
-pub use csv::spots_csv;
 pub use digest::digest;
 pub use documents::{documents, profile_documents};
 pub use figures::cost::{CostFigure, CostSeries};

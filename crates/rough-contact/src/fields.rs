@@ -2,13 +2,12 @@
 
 use crate::outcome::{Failure, Folder};
 use clap::{Args, ValueEnum};
-use rough_contact::compare::contact_spots;
+use rough_contact::compare::{Spot, contact_spots};
 use rough_contact::contact_types::{Grid, HeightMap};
 use rough_contact::fft_bem_solver::Solution;
-use rough_contact::report;
 use rough_contact::surface_io::write;
 use std::borrow::Cow;
-use std::io::Write as _;
+use std::io::{self, Write};
 use std::path::PathBuf;
 
 /// What can be written of a solution.
@@ -16,7 +15,7 @@ use std::path::PathBuf;
 pub(crate) enum Field {
     /// Pressure (Pa)
     Pressure,
-    /// Gap (m); its zero is the pressure-weighted mean in contact
+    /// Gap (m), 0 where it touches
     Gap,
     /// Displacement of the surface into the body (m); its mean over a periodic map is zero
     Displacement,
@@ -104,6 +103,19 @@ impl Field {
     }
 }
 
+/// Contact spots as a table (CSV), one row each; of ridges per length.
+fn table(spots: &[Spot], grid: Grid, out: &mut impl Write) -> io::Result<()> {
+    let is_line = grid.shape()[0] == 1;
+    let sizes =
+        if is_line { "length (m),load (N/m),x (m)" } else { "area (m^2),load (N),x (m),y (m)" };
+    writeln!(out, "{sizes},mean_pressure (Pa),max_pressure (Pa),points")?;
+    for Spot { area, load, centroid: [y, x], mean_pressure, max_pressure, points, .. } in spots {
+        let y = if is_line { String::new() } else { format!(",{y:e}") };
+        writeln!(out, "{area:e},{load:e},{x:e}{y},{mean_pressure:e},{max_pressure:e},{points}")?;
+    }
+    Ok(())
+}
+
 pub(crate) struct FieldFolder {
     folder: Folder,
     fields: FieldOptions,
@@ -136,8 +148,7 @@ impl FieldFolder {
         for (name, fields) in self.fields.files(load) {
             if fields == [Field::Spots] {
                 let (spots, _) = contact_spots(&solution.pressure, grid, self.repeats);
-                let table = report::spots_csv(&spots);
-                self.folder.write(&name, |out| out.write_all(table.as_bytes()))?;
+                self.folder.write(&name, |out| table(&spots, grid, out))?;
                 continue;
             }
             let values: Vec<_> = fields.iter().map(|&f| self.values(f, solution)).collect();
@@ -160,7 +171,7 @@ impl FieldFolder {
         let heights = self.surface.as_ref().map_or(&[][..], HeightMap::heights);
         match field {
             Field::Pressure | Field::Spots => Cow::Borrowed(&solution.pressure),
-            Field::Gap => Cow::Borrowed(&solution.gap),
+            Field::Gap => Cow::Owned(solution.open_gap()),
             Field::Heights => Cow::Borrowed(heights),
             Field::Displacement => {
                 // The flat stands where it first touched, less the approach; a point lies under it by its gap.

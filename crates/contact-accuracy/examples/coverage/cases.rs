@@ -197,8 +197,7 @@ pub(crate) fn solved(heights: &Heights, case: Case) -> Coverage {
 
 /// Permeability along x of a gap that touches where it carries pressure and repeats along the flow or does not.
 fn permeability(solution: &Solution, repeats: bool) -> f64 {
-    let points = solution.gap.iter().zip(&solution.pressure);
-    let open: Vec<f64> = points.map(|(g, p)| if *p > 0.0 { 0.0 } else { g.max(0.0) }).collect();
+    let open = solution.open_gap();
     Gap::new(solution.grid, &open).repeating([repeats, true]).permeability(Axis::X).unwrap()
 }
 

@@ -86,7 +86,7 @@ class Point:
     distributions: dict[str, Any] | None = _n("", "of pressure, gap and spots, if asked for")
     error: dict[str, str] | None = _n("", "why there is no answer: kind and message")
     pressure: NDArray[np.float64] | None = _n("Pa", "of every point, shape (ny, nx), if maps were kept")
-    gap: NDArray[np.float64] | None = _n("m", "of every point, if maps were kept; 0 is its pressure-weighted mean in contact")
+    gap: NDArray[np.float64] | None = _n("m", "of every point, if maps were kept; 0 where it touches")
 
     @classmethod
     def _of(

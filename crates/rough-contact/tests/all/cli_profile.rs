@@ -138,6 +138,13 @@ fn a_sinusoid_in_plane_strain_is_westergaards() {
         close(number(&said["points"][0]["mean_gap"]), gap, 1e-3);
         assert_eq!(said["plane_strain"], true);
     }
+    let spots = "--maps maps --fields spots --distributions";
+    let said = at.answer(&format!("{line} --plane-strain --pressure 1kPa {spots}"));
+    // The one spot of ridges: its length, and load per length.
+    let [length] = at.column("maps/spots-000.csv", "length (m)")[..] else { panic!("one spot") };
+    close(at.column("maps/spots-000.csv", "load (N/m)")[0], 1e3 * wavelength, 1e-9);
+    close(length, number(&said["points"][0]["touching_fraction"]) * wavelength, 1e-9);
+    close(number(&said["points"][0]["distributions"]["spots"]["areas"][0]), spacing, 1e-9);
     let said = at.run(&format!("{line} --plane-strain --pressure 1kPa")).out;
     has(&said, &["infinitely long"]);
     at.refuses_each(
