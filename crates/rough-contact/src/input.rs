@@ -170,6 +170,9 @@ fn measurements(
         let kept = "which is kept; --override-height-unit U would overrule it";
         tell_of(path, &format!("the file gives its heights in {unit}, {kept}"));
     }
+    if let Some(pixel) = measurement.metadata.get("overridden pixel") {
+        tell_of(path, &format!("the file gives a pixel of {pixel}, which --pixel overrules"));
+    }
     if let Some(what) = measurement.metadata.get("left out") {
         tell_of(path, &format!("{what} are left out"));
     }

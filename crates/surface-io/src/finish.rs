@@ -44,8 +44,8 @@ pub(crate) fn finish(
             Pixel::Steps(steps @ [y, x]) if is_map && ((dy / dx) / (y / x) - 1.0).abs() > 1e-3 => {
                 return Err(ReadError::PixelContradicts { given, steps });
             }
-            Pixel::Metres([dy, dx]) => {
-                metadata.insert("overridden pixel".into(), format!("{dx:e} m, {dy:e} m"));
+            Pixel::Metres([y, x]) if [dy / y, dx / x].iter().any(|r| (r - 1.0).abs() > 1e-9) => {
+                metadata.insert("overridden pixel".into(), format!("{x:e} m, {y:e} m"));
             }
             _ => {}
         }
