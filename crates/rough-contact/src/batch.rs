@@ -66,7 +66,7 @@ pub(crate) fn run<C: PerFile>(
         return command.answer(file, common);
     }
     let names = ["table.csv", "results.json"];
-    let open = |out: &PathBuf| Store::at(out, &names, files.resume, common.force);
+    let open = |out: &PathBuf| Store::at(command, out, &names, [files.resume, common.force]);
     let store = files.out.as_ref().map(open).transpose()?;
     let outcomes = outcomes(command, &files.paths, store.as_ref(), common)?;
     let mut reply = Reply::new(table(&outcomes, C::SHOWN), json!({ "files": objects(&outcomes) }));
@@ -114,13 +114,6 @@ pub(crate) fn outcomes<C: PerFile>(
 ) -> Result<Vec<FileOutcome>, Failure> {
     let files = expand(paths)?;
     let threads = common.threads();
-    let settings = format!(
-        "{} {} {} {}",
-        env!("CARGO_PKG_VERSION"),
-        C::NAME,
-        command.settings(),
-        command.beside()
-    );
     let done: Vec<Mutex<Option<FileOutcome>>> = files.iter().map(|_| Mutex::new(None)).collect();
     let progress = Mutex::new(ProgressDisplay::new(common.quiet, files.len()));
     let answer = |index: usize, threads: usize| {
@@ -131,7 +124,7 @@ pub(crate) fn outcomes<C: PerFile>(
             force: common.force || store.is_some_and(|s| s.resume),
             ..*common
         };
-        let outcome = one(command, &files[index], &settings, store, &common);
+        let outcome = one(command, &files[index], store, &common);
         let said = said(&outcome);
         *done[index].lock().unwrap_or_else(PoisonError::into_inner) = Some(outcome);
         progress.lock().unwrap_or_else(PoisonError::into_inner).step(&said);
@@ -181,7 +174,6 @@ fn said(outcome: &FileOutcome) -> String {
 fn one<C: PerFile>(
     command: &C,
     file: &Path,
-    settings: &str,
     store: Option<&Store>,
     common: &CommonOptions,
 ) -> FileOutcome {
@@ -195,7 +187,7 @@ fn one<C: PerFile>(
         Ok(content) => sha256_hex(&content),
         Err(e) => return outcome(Err(unfit(file, "io", e)), None),
     };
-    let name = Store::name(file, &content, settings);
+    let name = store.name(file, &content);
     if let Some((answer, trouble)) = store.kept(&name)
         && command.is_complete(file)
     {
@@ -214,20 +206,31 @@ pub(crate) struct Store {
     pub(crate) folder: Folder,
     answers: Folder,
     resume: bool,
+    /// How the names of answers to these options end.
+    ending: String,
+    /// See [`PerFile::beside`].
+    beside: String,
 }
 
 impl Store {
-    /// Prepares the folder. Results that are there are replaced by a run that goes on with them.
-    pub(crate) fn at(
+    /// Prepares the folder. Results that are there are replaced by a run that goes on with answers to the same options.
+    pub(crate) fn at<C: PerFile>(
+        command: &C,
         out: &Path,
         names: &[&str],
-        resume: bool,
-        force: bool,
+        [resume, force]: [bool; 2],
     ) -> Result<Self, Failure> {
         let names: Vec<String> = names.iter().map(|&name| name.to_owned()).collect();
-        let folder = Folder::prepare(out, &names, force || resume)?;
-        let answers = Folder::prepare(&out.join("answers"), &[], true)?;
-        Ok(Self { folder, answers, resume })
+        let asked = format!("{} {} {}", env!("CARGO_PKG_VERSION"), C::NAME, command.settings());
+        let ending = format!("-{}.json", &sha256_hex(asked.as_bytes())[..12]);
+        let answers = out.join("answers");
+        let mut there = answers.read_dir().into_iter().flatten().flatten();
+        let is_known = there.any(|one| one.file_name().to_string_lossy().ends_with(&ending));
+        let folder = Folder::prepare(out, &names, force || (resume && is_known));
+        let why = "--resume goes on with answers to the same options, and here are none: give another --out";
+        let folder = folder.map_err(|e| e.adding(if resume { why } else { "" }))?;
+        let (answers, beside) = (Folder::prepare(&answers, &[], true)?, command.beside());
+        Ok(Self { folder, answers, resume, ending, beside })
     }
 
     pub(crate) fn whole(&self, outcome: &FileOutcome) -> std::io::Result<Value> {
@@ -239,14 +242,14 @@ impl Store {
         serde_json::from_str(&text).map_err(std::io::Error::other)
     }
 
-    /// The name of an answer: that of the file, and a hash of its path, its content and everything that was asked.
-    fn name(file: &Path, content: &str, settings: &str) -> String {
-        let shown = file.display().to_string();
-        let key = sha256_hex(format!("{shown}\n{content}\n{settings}").as_bytes());
+    /// The name of an answer: that of the file, a hash of its path and of all content, and one of everything that was asked.
+    fn name(&self, file: &Path, content: &str) -> String {
+        let key = format!("{}\n{content}\n{}", file.display(), self.beside);
+        let key = sha256_hex(key.as_bytes());
         let stem = file.file_name().unwrap_or_default().to_string_lossy();
         let plain = |c: char| if c.is_ascii_alphanumeric() || "._-".contains(c) { c } else { '_' };
         let stem: String = stem.chars().map(plain).take(60).collect();
-        format!("{stem}-{}.json", &key[..24])
+        format!("{stem}-{}{}", &key[..12], self.ending)
     }
 
     /// The answer of this name, if it is to be kept, is there and whole.
@@ -315,6 +318,8 @@ pub(crate) enum How {
     Pressure,
     Force,
     Percent,
+    /// A number in this unit.
+    In(&'static str),
     Seconds,
     /// How many findings are to be checked.
     Checks,
@@ -335,6 +340,9 @@ impl How {
             Self::Pressure => number(text::pressure),
             Self::Force => number(text::force),
             Self::Percent => number(text::percent),
+            Self::In(unit) => {
+                value.as_f64().map(|x| if x > 0.0 { format!("{x:.3e} {unit}") } else { "0".into() })
+            }
             Self::Seconds => number(text::seconds),
             Self::Checks => {
                 let open = |f: &&Value| f.get("weight").is_some_and(|w| w == "check");

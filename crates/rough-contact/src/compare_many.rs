@@ -76,7 +76,7 @@ pub(crate) fn run(command: &Compare, common: &CommonOptions) -> Result<Reply, Fa
     }
     let start = Instant::now();
     let settings = Settings { threads: common.threads(), ..command.settings()? };
-    let store = Store::at(&command.out, &OUTPUTS, command.resume, common.force)?;
+    let store = Store::at(command, &command.out, &OUTPUTS, [command.resume, common.force])?;
     let outcomes = batch::outcomes(command, &command.files, Some(&store), common)?;
     let mut reply = Reply::new(
         batch::table(&outcomes, Compare::SHOWN),

@@ -38,8 +38,6 @@ pub(crate) struct Solve {
     /// What lies beyond the edges: the same map again, or nothing
     #[arg(long, value_parser = args::one_of::<Boundary>(), default_value = "periodic")]
     boundary: Boundary,
-    #[arg(long, hide = true, num_args = 0, default_missing_value = "", value_parser = args::refine_is_gone)]
-    refine: Option<bool>,
     /// Prove how wrong each answer may be, for one more FFT convolution: energy_bound in the JSON
     #[arg(long)]
     certify: bool,
@@ -89,10 +87,19 @@ impl PerFile for Solve {
         Shown { head: "points", at: &["/shape"], how: How::Shape },
         Shown { head: "against", at: &["/pair/second/name"], how: How::Word },
         Shown { head: "load", at: &["/points/*/load"], how: How::Force },
+        Shown { head: "resistance", at: &["/points/*/electrical_resistance"], how: How::In("Ω") },
+        Shown {
+            head: "thermal resistance",
+            at: &["/points/*/thermal_resistance"],
+            how: How::In("K/W"),
+        },
         Shown { head: "mean pressure", at: &["/points/*/mean_pressure"], how: How::Pressure },
         Shown { head: "area", at: &["/points/*/area_fraction"], how: How::Percent },
         Shown { head: "mean gap", at: &["/points/*/mean_gap"], how: How::Length },
         Shown { head: "real pressure", at: &["/points/*/real_pressure"], how: How::Pressure },
+        Shown { head: "stiffness", at: &["/points/*/stiffness"], how: How::In("Pa/m") },
+        Shown { head: "leak x", at: &["/points/*/leak/x/permeability"], how: How::In("m³") },
+        Shown { head: "leak y", at: &["/points/*/leak/y/permeability"], how: How::In("m³") },
         Shown { head: "time", at: &["/points/*/seconds"], how: How::Seconds },
         Shown { head: "to check", at: &["/findings"], how: How::Checks },
     ];
@@ -359,11 +366,13 @@ fn notes(points: &[Point]) -> String {
         let point = &points[index];
         let Some(answer) = point.answer.as_ref().filter(|a| a.converged) else { continue };
         let shown = shown(point.load);
+        let uncertainty = answer.budget.area.half_width();
         if let Some(finer) = &answer.finer {
             let area = text::percent(finer.area);
-            let _ = writeln!(notes, "{shown}: twice the points read {area}; the ± covers both");
+            let both = if uncertainty.is_ok() { "; the ± covers both" } else { "" };
+            let _ = writeln!(notes, "{shown}: twice the points read {area}{both}");
         }
-        let Err(why) = answer.budget.area.half_width() else { continue };
+        let Err(why) = uncertainty else { continue };
         let why = match (why, answer.mean_gap) {
             // The flat hangs above: by as much as it has approached less than nothing.
             (NoUncertainty::NoContact, Some(gap)) => {

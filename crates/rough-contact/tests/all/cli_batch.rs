@@ -34,10 +34,14 @@ fn a_folder_is_one_table_with_the_numbers_of_each_file_alone() {
         ("info", "format"),
         ("stats", "rms gradient"),
         ("solve --modulus 110GPa --pressure 50MPa,200MPa", "real pressure"),
+        (
+            "solve --modulus 1GPa --pressure 1MPa --resistivity 1nohm.m --leak y",
+            "resistance, leak y",
+        ),
     ] {
         let said = at.run(&format!("{command} in --threads 3"));
         assert_eq!(said.status, 1, "{command}: {}", said.err);
-        has(&said.out, &[heading]);
+        has(&said.out, &heading.split(", ").collect::<Vec<_>>());
         for name in ["a/map.x3p", "b/map.x3p", "no answer: b/broken.x3p: "] {
             assert_eq!(said.out.matches(&format!("\n{name}")).count(), 1, "{name}: {}", said.out);
         }
@@ -95,8 +99,11 @@ fn a_run_goes_on_with_what_is_whole_and_of_the_same_content_and_options() {
     has(&resumed("").out, &["1 of 3 answers"]);
     assert_eq!(answer(), kept);
     std::fs::remove_dir_all(at.join("maps")).unwrap();
-    // Other options and another content of the same name are other answers.
-    for more in ["", "--level quadratic"] {
+    // Other options and another content of the same name are other answers; their results are kept.
+    let table = at.read("out/table.csv");
+    at.refuses(&format!("{line} --resume --level quadratic"), &["same options", "--force"]);
+    assert_eq!(at.read("out/table.csv"), table);
+    for more in ["", "--level quadratic --force"] {
         let said = resumed(more).out;
         assert!(!said.contains("were there already"), "{said}");
     }
