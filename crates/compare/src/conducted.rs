@@ -40,7 +40,7 @@ impl Joint {
     }
 
     /// Conductance over conductance by harmonic mean conductivity: `2/(ρ₁ + ρ₂)` and `2/(1/k₁ + 1/k₂)`; 0 with an
-    /// insulator, infinite between superconductors.
+    /// insulator.
     pub(crate) fn factors(&self) -> [Option<f64>; 2] {
         self.sums().map(|sum| sum.map(|sum| 2.0 / sum))
     }
@@ -48,16 +48,19 @@ impl Joint {
     /// Refuses what conducts nothing that is known.
     ///
     /// # Errors
-    /// [`ModelError`] of a negative number, of an area that is none, of the gas.
+    /// [`ModelError`] of a conductivity or an area that is not positive, of resistivities that are negative or both 0, of
+    /// the gas.
     pub fn check(&self) -> Result<(), ModelError> {
         const MODEL: &str = "conduction";
-        let both = [("resistivity", self.resistivities), ("conductivity", self.conductivities)];
-        for (quantity, values) in both {
-            // No end of either is a limit that is allowed.
-            for value in values.into_iter().flatten().filter(|v| *v != f64::INFINITY) {
-                require::not_negative(MODEL, quantity, value)?;
-            }
+        for value in self.conductivities.into_iter().flatten() {
+            require::positive(MODEL, "conductivity", value)?;
         }
+        // A superconductor or an insulator on one side is a limit that is allowed.
+        for value in self.resistivities.into_iter().flatten().filter(|v| *v != f64::INFINITY) {
+            require::not_negative(MODEL, "resistivity", value)?;
+        }
+        let sum = self.sums()[0].filter(|sum| sum.is_finite());
+        sum.map_or(Ok(0.0), |sum| require::positive(MODEL, "resistivity of both bodies", sum))?;
         self.area.map_or(Ok(0.0), |area| require::positive(MODEL, "nominal area", area))?;
         self.gas.map_or(Ok(()), |gas| gas.check())
     }
@@ -107,7 +110,7 @@ impl Conductance {
         if self.value <= 0.0 || factor <= 0.0 {
             return Self::of(0.0);
         }
-        let estimate = self.estimate.filter(|_| factor.is_finite()).map(|e| e.times(factor));
+        let estimate = self.estimate.map(|e| e.times(factor));
         Self { value: self.value * factor, estimate }
     }
 
@@ -173,8 +176,8 @@ pub struct Resistance {
 pub struct Conduction {
     /// What was asked.
     pub joint: Joint,
-    /// Electrical conductance over stiffness, `2/(E* (ρ1 + ρ2))` (S/N), and thermal (W/m²/K over Pa/m); 0 with an insulator,
-    /// infinite between superconductors. `None` if it was not asked for.
+    /// Electrical conductance over stiffness, `2/(E* (ρ1 + ρ2))` (S/N), and thermal (W/m²/K over Pa/m); 0 with an insulator.
+    /// `None` if it was not asked for.
     pub factors: [Option<f64>; 2],
     /// Stiffness of the contact set at each load (Pa/m): 0 without contact, infinite in full contact. `None`
     /// without a converged solution.

@@ -134,24 +134,26 @@ fn temperature(text: &str) -> Result<f64, String> {
 }
 
 fn accommodation(text: &str) -> Result<[f64; 2], Failure> {
-    let limit = "an accommodation coefficient is above 0 and at most 1";
-    let count = "give one number for both walls, or two, one for each";
-    pair(text, Dimension::Number, |a| !(a > 0.0 && a <= 1.0), [limit, count])
+    let both = pair(text, Dimension::Number, "walls")?;
+    if both.iter().all(|a| *a > 0.0 && *a <= 1.0) {
+        return Ok(both);
+    }
+    Err(not_these(text, "an accommodation coefficient is above 0 and at most 1"))
 }
 
-/// One number for both, or two; refused where one is wrong, or there are more.
-fn pair(
-    text: &str,
-    dimension: Dimension,
-    is_wrong: fn(f64) -> bool,
-    [limit, count]: [&str; 2],
-) -> Result<[f64; 2], Failure> {
-    let refused = |why| Err(Failure::refused("not_these", format!("'{text}': {why}")));
+fn not_these(text: &str, why: &str) -> Failure {
+    Failure::refused("not_these", format!("'{text}': {why}"))
+}
+
+/// One number for both, or two.
+fn pair(text: &str, dimension: Dimension, of: &str) -> Result<[f64; 2], Failure> {
     match quantity::parse_list(text, dimension)?[..] {
-        ref values if values.iter().any(|value| is_wrong(*value)) => refused(limit),
         [both] => Ok([both, both]),
         [first, second] => Ok([first, second]),
-        _ => refused(count),
+        _ => {
+            let count = format!("give one number for both {of}, or two, one for each");
+            Err(not_these(text, &count))
+        }
     }
 }
 
@@ -162,9 +164,7 @@ fn both(
         if text.trim().eq_ignore_ascii_case("table") {
             return Ok(Both::Table);
         }
-        let limit = "it must not be negative; 0 is a limit that is allowed";
-        let count = "give one number for both bodies, or two, one for each";
-        pair(text, dimension, |value| value < 0.0, [limit, count]).map(Both::Given)
+        pair(text, dimension, "bodies").map(Both::Given)
     }
 }
 

@@ -43,7 +43,7 @@ pub fn resistances(found: &Conducted) -> Vec<ResistanceWords> {
     each.filter_map(|((name, units), (r, spot))| {
         let (value, stated) = (r?.value, r?.prediction.or(r?.interval));
         let shown = |value: f64, ends: Option<[f64; 2]>| match value {
-            r if r.is_infinite() => "no contact".to_owned(),
+            r if r.is_infinite() => "∞".to_owned(),
             r if r <= 0.0 => quantity(0.0, units, 3),
             r => quantity_within(r, ends, units),
         };
