@@ -18,10 +18,10 @@ fn one(typed: &Typed, input: Input) -> Option<f64> {
 /// What one height parameter does not say.
 const NO_SLOPE: &str = " (no slope follows from Ra or an rms height: measure a profile or a map, whose statistics have it)";
 
-/// An input that the model of `card` has no use for.
-pub fn unused(card: &Card, input: Input, name: impl Fn(Input) -> String) -> Failure {
+/// A number, named `given`, that the model of `card` has no use for.
+pub fn unused(card: &Card, given: &str, name: impl Fn(Input) -> String) -> Failure {
     let takes = sets(card, &name);
-    let message = format!("{} is no input of {}, which takes {takes}", name(input), card.name);
+    let message = format!("{given} is no input of {}, which takes {takes}", card.name);
     Failure::refused("usage", message)
 }
 
@@ -41,7 +41,7 @@ fn check(
     let list = |all: &[Input]| all.iter().map(|i| name(*i)).collect::<Vec<_>>().join(" ");
     let given: Vec<Input> = typed.keys().copied().collect();
     if let Some(input) = given.iter().find(|input| !card.takes(**input)) {
-        return Err(unused(card, *input, name));
+        return Err(unused(card, &name(*input), name));
     }
     let lacks = |set: &InputSet| -> Vec<Input> {
         set.required.iter().copied().filter(|input| !typed.contains_key(input)).collect()

@@ -51,6 +51,9 @@ impl ModelArguments {
 
     pub(crate) fn modulus(&self, card: &Card) -> Result<ContactModulus, Failure> {
         match self.modulus {
+            Some(_) if card.is_rigid && self.bodies.is_empty() => {
+                Err(typed::unused(card, "modulus", named))
+            }
             Some(pascals) => ContactModulus::from_pascals(pascals).map_err(|e| Failure::from(&e)),
             None if card.is_rigid => Ok(ContactModulus::RIGID),
             None => {
@@ -74,7 +77,7 @@ impl ModelArguments {
             [(self.hardness_is_given, Input::Hardness), (self.gamma.is_some(), Input::Gamma)]
         {
             if is_given && !card.takes(input) {
-                return Err(typed::unused(card, input, named));
+                return Err(typed::unused(card, &named(input), named));
             }
         }
         Ok(())

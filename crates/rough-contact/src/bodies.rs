@@ -37,6 +37,13 @@ impl BodyOptions {
         Self { young, poisson, ..self.clone() }
     }
 
+    /// An elastic constant that was typed in.
+    pub(crate) fn typed(&self) -> Option<&'static str> {
+        let bodies = [(&self.young, "--young"), (&self.poisson, "--poisson")];
+        let typed = bodies.iter().find(|(given, _)| !given.is_empty());
+        self.modulus.map(|_| "--modulus").or(typed.map(|(_, name)| *name))
+    }
+
     /// In numbers, with this hardness of the softer body, infinite for `elastic`; `None` if nothing was given of them.
     pub(crate) fn given(&self, hardness: Option<f64>) -> Result<Option<Bodies>, Failure> {
         let found = self.asked(hardness)?.resolve();

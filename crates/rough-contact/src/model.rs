@@ -77,7 +77,8 @@ impl Model {
         };
         let joint = self.joint(card, &mut made_of)?;
         let area_has_use = self.load.is_some() || joint.is_asked();
-        self.source.refuse_unused(card, self.file.as_deref(), area_has_use)?;
+        let (elastic, file) = (self.bodies.typed(), self.file.as_deref());
+        self.source.refuse_unused(card, elastic, file, area_has_use)?;
         let (modulus, asked) = (made_of.modulus, self.source.file.level.unwrap_or_default());
         let (mut first, mut traces) = (String::new(), 0);
         let mut subject = if let Some(path) = &self.file {

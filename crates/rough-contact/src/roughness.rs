@@ -137,13 +137,17 @@ impl Source {
         }
     }
 
-    /// An option that the model does not use is a mistake, but --area with a load or a conductance.
+    /// An option that the model does not use is a mistake, `elastic` too, but --area with a load or a conductance.
     pub(crate) fn refuse_unused(
         &self,
         card: &Card,
+        elastic: Option<&str>,
         file: Option<&Path>,
         area_has_use: bool,
     ) -> Result<(), Failure> {
+        if let Some(name) = elastic.filter(|_| card.is_rigid) {
+            return Err(typed::unused(card, name, named));
+        }
         let refused = |message: String| Err(Failure::refused("usage", message));
         let Some(path) = file else {
             let name = match self.file {
@@ -160,7 +164,7 @@ impl Source {
         };
         match self.typed.keys().copied().find(|input| !beside(*input)) {
             None => Ok(()),
-            Some(input) if !card.takes(input) => Err(typed::unused(card, input, named)),
+            Some(input) if !card.takes(input) => Err(typed::unused(card, &named(input), named)),
             Some(input) => refused(format!(
                 "{} and {} both say what the surface is; give one of them",
                 named(input),
