@@ -220,15 +220,19 @@ fn study(
     common: &CommonOptions,
 ) -> Result<Comparison, Failure> {
     let mut progress = ProgressDisplay::new(common.quiet, 0);
-    let mut current = String::new();
+    let (mut current, mut steps) = (String::new(), 0);
     let comparison = Comparison::run(surfaces, settings, built_in(), &mut |news| {
         match news {
             compare::Progress::Surface { name, index, count, loads } => {
                 current = format!("{name} ({} of {count})", index + 1);
-                progress.restart(loads + 1);
+                steps = loads + 1;
+                progress.restart(steps);
                 progress.working_on(&format!("{current}: first load"));
             }
-            compare::Progress::Solved { mean_pressure, area_fraction, .. } => {
+            compare::Progress::Solved { index, mean_pressure, area_fraction, .. } => {
+                if index == 0 {
+                    progress.restart(steps); // again, on another grid for an accuracy
+                }
                 let area = area_fraction.map_or_else(|| "no answer".to_owned(), text::percent);
                 progress.step(&format!("{current}: {}, {area}", text::pressure(mean_pressure)));
             }
