@@ -53,7 +53,7 @@ pub(crate) fn of_fact(fact: &Fact) -> Words {
             let claim = format!(
                 "Result depends on interpolation between points (indicator {indicator}, limit {INDICATOR_LIMIT})."
             );
-            let text = "The uncertainty covers both ways to interpolate. Measure on a finer grid.";
+            let text = "An uncertainty that is stated covers both ways to interpolate. Measure on a finer grid.";
             words(claim, some + text)
         }
         Fact::BelowPoint { loads, of } => words(
@@ -322,16 +322,14 @@ fn no_uncertainty(why: NoUncertainty, loads: usize, of: usize) -> Words {
         NoUncertainty::NotConverged { at_rounding: false } => {
             return words(
                 format!("{loads} of {} did not converge.", counted(of, "load")),
-                "They are without uncertainty estimate. Raise the number of iterations or loosen \
-                 the tolerance.",
+                "There is no uncertainty estimate. Use a larger tolerance or another method.",
             );
         }
         NoUncertainty::NotConverged { at_rounding: true } => {
             return words(
                 format!("{loads} of {} stopped at rounding.", counted(of, "load")),
-                "Their numbers are as good as this floating-point type gives them, short of the \
-                 tolerance; they are without uncertainty estimate. Ask for a larger tolerance, or for \
-                 double precision.",
+                "The numbers are as good as this floating-point type gives them, short of the tolerance, \
+                 without uncertainty estimate. Ask for a larger tolerance, or for double precision.",
             );
         }
         NoUncertainty::TooFewPoints { .. } => " Measure on a finer grid.",
