@@ -3,7 +3,7 @@
 use crate::args::CommonOptions;
 use crate::outcome::{Failure, Folder, Reply};
 use clap::builder::{PossibleValuesParser, TypedValueParser};
-use clap::{Args, Command, ValueEnum};
+use clap::{Arg, Args, Command, ValueEnum};
 use clap_complete::{Shell, generate};
 use serde_json::json;
 use std::path::PathBuf;
@@ -46,7 +46,9 @@ impl Man {
 
 /// One page for the command and one for each below it: the name of its file and what is in it.
 fn pages(command: Command) -> Result<Vec<(String, String)>, Failure> {
-    let mut command = command.disable_help_subcommand(true);
+    let in_full = |arg: Arg| arg.hide_short_help(false); // what `-h` leaves to `--help` too
+    let command = command.disable_help_subcommand(true).mut_args(in_full);
+    let mut command = command.mut_subcommands(|below| below.mut_args(in_full));
     command.build(); // gives the commands below their full names and the common options
     let below = command.get_subcommands().cloned().collect::<Vec<_>>();
     std::iter::once(command).chain(below).map(page).collect()
