@@ -234,9 +234,9 @@ impl Warning {
                  the measured length, beyond what the ± says. m₂ and m₄ hardly do.",
             ),
             Self::FewWaves { count: Some(count) } => worded(
-                format!("Only {} of the longest waves fit the map.", ratio(count)),
-                "Another map of the same surface will give other numbers: the ± here does not cover \
-                 that.",
+                format!("The map is only {} roll-off wavelengths wide.", ratio(count)),
+                "Another map of the same surface will give other numbers: only an uncertainty with \
+                 sampling variability covers that.",
             ),
             Self::NotSelfAffine { hurst } => worded(
                 format!("The spectrum fits H = {}.", outside_unit(hurst)),
