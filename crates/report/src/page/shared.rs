@@ -24,7 +24,7 @@ const fn paper(
 }
 
 pub(crate) const DETERMINISTIC: Citation = paper(
-    "Stanley & Kato",
+    "The discrete problem, whose iteration its row names: Stanley & Kato",
     1997,
     "An FFT-based method for rough surface contact",
     "J. Tribol. 119, 481",

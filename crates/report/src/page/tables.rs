@@ -148,7 +148,9 @@ fn deterministic_row(part: &mut SurfacePart<'_>, reference: &Reference<'_>) -> S
     };
     let yields = surface.inputs.hardness.is_some() && !of_elastic;
     let of = if reference.of.is_empty() { "" } else { &format!(", {}", reference.of) };
-    let head = head(DETERMINISTIC_STYLE, "Deterministic, FFT-BEM", &format!("height map{of}"));
+    let method = answer.map_or(String::new(), |a| format!(", {}", a.diagnostics.method));
+    let made_of = format!("height map{of}{method}");
+    let head = head(DETERMINISTIC_STYLE, "Deterministic, FFT-BEM", &made_of);
     let cells = cells([
         ("Area", k, answer.map_or("–".into(), messages::area)),
         ("Error at load", "", "reference".into()),
