@@ -184,7 +184,7 @@ fn one<C: PerFile>(
         return outcome(command.answer(file, common).map(digest), None);
     };
     let content = match std::fs::read(file) {
-        Ok(content) => sha256_hex(&content),
+        Ok(content) => sha256_hex(&content) + &command.beside(),
         Err(e) => return outcome(Err(unfit(file, "io", e)), None),
     };
     let name = store.name(file, &content);
@@ -208,8 +208,6 @@ pub(crate) struct Store {
     resume: bool,
     /// How the names of answers to these options end.
     ending: String,
-    /// See [`PerFile::beside`].
-    beside: String,
 }
 
 impl Store {
@@ -229,8 +227,7 @@ impl Store {
         let folder = Folder::prepare(out, &names, force || (resume && is_known));
         let why = "--resume goes on with answers to the same options, and here are none: give another --out";
         let folder = folder.map_err(|e| e.adding(if resume { why } else { "" }))?;
-        let (answers, beside) = (Folder::prepare(&answers, &[], true)?, command.beside());
-        Ok(Self { folder, answers, resume, ending, beside })
+        Ok(Self { folder, answers: Folder::prepare(&answers, &[], true)?, resume, ending })
     }
 
     pub(crate) fn whole(&self, outcome: &FileOutcome) -> std::io::Result<Value> {
@@ -244,8 +241,7 @@ impl Store {
 
     /// The name of an answer: that of the file, a hash of its path and of all content, and one of everything that was asked.
     fn name(&self, file: &Path, content: &str) -> String {
-        let key = format!("{}\n{content}\n{}", file.display(), self.beside);
-        let key = sha256_hex(key.as_bytes());
+        let key = sha256_hex(format!("{}\n{content}", file.display()).as_bytes());
         let stem = file.file_name().unwrap_or_default().to_string_lossy();
         let plain = |c: char| if c.is_ascii_alphanumeric() || "._-".contains(c) { c } else { '_' };
         let stem: String = stem.chars().map(plain).take(60).collect();
@@ -340,9 +336,7 @@ impl How {
             Self::Pressure => number(text::pressure),
             Self::Force => number(text::force),
             Self::Percent => number(text::percent),
-            Self::In(unit) => {
-                value.as_f64().map(|x| if x > 0.0 { format!("{x:.3e} {unit}") } else { "0".into() })
-            }
+            Self::In(unit) => value.as_f64().map(|x| format!("{x:.3e} {unit}")),
             Self::Seconds => number(text::seconds),
             Self::Checks => {
                 let open = |f: &&Value| f.get("weight").is_some_and(|w| w == "check");

@@ -163,6 +163,8 @@ fn what_has_no_meaning_is_refused() {
             ("--gas air --accommodation 1.1", &["above 0 and at most 1"]),
             ("--gas air --accommodation 0,1", &["above 0 and at most 1"]),
             ("--gas steam", &["helium"]),
+            ("--modulus 1GPa", &["--modulus is no input of cmy", "--mean-slope"]),
+            ("--young 1GPa --poisson 0.3", &["--young is no input of cmy"]),
         ],
     );
     let full = format!("{CMY} --pressure 1.2GPa");
