@@ -291,8 +291,8 @@ pub(crate) fn reshape<'py>(
         Origin::Given(given) => given.repeats,
         made => (made.edges() == Edges::Periodic).then_some(true),
     };
-    let made = quietly(py, threads, move || form.taken_off(&surface.heights))?;
-    let (form, map) = made.map_err(|e| raise(&Failure::in_file(facts.path(), &e)))?;
+    let levelled = quietly(py, threads, move || form.taken_off(&surface.heights))?;
+    let (form, map) = levelled.map_err(|e| raise(&Failure::in_file(facts.path(), &e)))?;
     let note = format!("{} with its {form} taken off", facts.name);
     let mut origin = GivenOrigin::of(&map, note);
     (origin.missing, origin.height_step, origin.repeats) =
