@@ -138,7 +138,7 @@ def test_a_joint_from_height_slope_and_hardness() -> None:
     assert abs(of_map["thermal_resistance"] * of_map["thermal_conductance"] * 64e-6**2 - 1) < 1e-12
     with pytest.raises(rc.SettingError, match="modulus is no input of cmy"):
         rc.model("cmy", roughness, modulus="110 GPa", **asked)
-    with pytest.raises(rc.ModelError, match="conductivity = 0"):
+    with pytest.raises(rc.SettingError, match="conductivity = 0"):
         rc.model("cmy", roughness, **{**asked, "conductivity": "0W/m/K"})
     with pytest.raises(rc.SettingError, match="modulus or bodies"):
         rc.model("mikic", made, conductivity="180W/m/K", pressure="1MPa")
