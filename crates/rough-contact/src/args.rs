@@ -98,6 +98,13 @@ pub(crate) fn one_of<T: Named + Send + Sync>() -> impl TypedValueParser<Value = 
 /// The form taken off where nothing is said, by every command: the tilt of a mounting, unless the map repeats.
 pub(crate) const LEVEL: &str = "auto";
 
+/// Takes `--refine`, which is gone, and names what does its work.
+pub(crate) fn refine_is_gone(_: &str) -> Result<bool, String> {
+    Err("twice the points are solved where the answer depends on them, unasked; --accuracy A% climbs \
+         until the area is known as well"
+        .to_owned())
+}
+
 pub(crate) fn study_models() -> impl TypedValueParser<Value = String> {
     lower_case(built_in().of_studies().map(|t| t.card().name.as_ref()))
 }

@@ -38,6 +38,8 @@ pub(crate) struct Solve {
     /// What lies beyond the edges: the same map again, or nothing
     #[arg(long, value_parser = args::one_of::<Boundary>(), default_value = "periodic")]
     boundary: Boundary,
+    #[arg(long, hide = true, num_args = 0, default_missing_value = "", value_parser = args::refine_is_gone)]
+    refine: Option<bool>,
     /// Prove how wrong each answer may be, for one more FFT convolution: energy_bound in the JSON
     #[arg(long)]
     certify: bool,

@@ -106,6 +106,7 @@ fn what_cannot_be_planned_is_refused() {
             ("--accuracy 2% --tolerance 1e-3", &["--tolerance"]),
             ("--accuracy 2% --precision f32", &["--precision"]),
             ("--accuracy 2% --fast", &["--fast", "--accuracy"]),
+            ("--refine", &["--refine", "unasked", "--accuracy"]),
             ("--accuracy 200%", &["200 %", "at most 50 %"]),
         ],
     );
