@@ -45,7 +45,8 @@ pub(crate) fn finish(
                 return Err(ReadError::PixelContradicts { given, steps });
             }
             Pixel::Metres([y, x]) if [dy / y, dx / x].iter().any(|r| (r - 1.0).abs() > 1e-9) => {
-                metadata.insert("overridden pixel".into(), format!("{x:e} m, {y:e} m"));
+                metadata
+                    .insert("overridden pixel".into(), format!("{x:e} m along x, {y:e} m along y"));
             }
             _ => {}
         }

@@ -116,7 +116,7 @@ fn what_three_columns_are() {
         assert_eq!(said.err.is_empty(), !is_kept, "{}", said.err);
     }
     // A pixel in the file is overruled, which is said.
-    has(&at.done("info nm.txt --pixel 5um").err, &["a pixel of 1e-6 m, 1e-6 m", "--pixel"]);
+    has(&at.done("info nm.txt --pixel 5um").err, &["a pixel of 1e-6 m along x", "--pixel"]);
     assert!(at.done("info nm.txt --pixel 1um").err.is_empty());
     let stats = format!("stats heights.txt {UNITS}");
     at.refuses(&stats, &["list x y z", "--layout matrix"]);
