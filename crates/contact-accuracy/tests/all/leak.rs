@@ -99,10 +99,7 @@ fn random_maps_are_sealed_at_about_forty_two_per_cent() {
         solver.take_surface(&recipe.generate().unwrap()).unwrap();
         let mut at = |pressure: f64| {
             let found = solver.solve_again(Load::MeanPressure(pressure), None, |_| ()).unwrap();
-            let points = found.gap.iter().zip(&found.pressure);
-            let open: Vec<f64> =
-                points.map(|(g, p)| if *p > 0.0 { 0.0 } else { g.max(0.0) }).collect();
-            let flow = Gap::new(grid, &open).flow(Axis::X).unwrap();
+            let flow = Gap::new(grid, &found.open_gap()).flow(Axis::X).unwrap();
             (flow.bottleneck.is_none(), found.state.area_fraction)
         };
         let (mut open, mut sealed, mut area) = (0.01, 0.05, [0.0; 2]);
