@@ -1,7 +1,7 @@
 //! What a contact conducts, as numbers.
 
 use crate::GapGas;
-use contact_accuracy::Estimate;
+use contact_accuracy::{Estimate, Inverse};
 use contact_types::{ModelError, require};
 use serde::{Deserialize, Serialize};
 use std::f64::consts::PI;
@@ -144,11 +144,11 @@ pub struct Conducted {
 
 impl Conducted {
     /// Resistance of the part to current (Ω), and to heat by all ways there are (K/W).
-    pub fn resistances(&self) -> [Option<Resistance>; 2] {
+    pub fn resistances(&self) -> [Option<Inverse>; 2] {
         let of = |h: Option<Conductance>| {
             let (Conductance { value, estimate }, area) = (h?, self.area?);
             let inverted = |[low, high]: [f64; 2]| [high, low].map(|h| 1.0 / (h * area));
-            Some(Resistance {
+            Some(Inverse {
                 value: 1.0 / (value * area),
                 interval: estimate.and_then(|e| e.interval().ok()).map(inverted),
                 prediction: estimate.and_then(|e| e.prediction()).map(inverted),
@@ -156,18 +156,6 @@ impl Conducted {
         };
         [of(self.electrical), of(self.joint.or(self.thermal))]
     }
-}
-
-/// Resistance of a nominal area.
-#[derive(Debug, Clone, Copy, PartialEq)]
-#[non_exhaustive]
-pub struct Resistance {
-    /// The number: 0 where the conductance has no end, infinite where there is none.
-    pub value: f64,
-    /// `[low, high]` as the number of this map, if it has an uncertainty.
-    pub interval: Option<[f64; 2]>,
-    /// `[low, high]` as a number of the surface, if the map can tell.
-    pub prediction: Option<[f64; 2]>,
 }
 
 /// What a contact conducts.

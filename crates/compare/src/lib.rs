@@ -30,12 +30,10 @@ mod verdict;
 
 pub use adhesion::{Adhesion, NO_PULL_OFF, WorkOfAdhesion};
 pub use ask::possible;
-pub use conducted::{
-    Conductance, Conducted, Conduction, Joint, Octave, Resistance, TheoryStiffness,
-};
+pub use conducted::{Conductance, Conducted, Conduction, Joint, Octave, TheoryStiffness};
 pub use conduction::conducted_by;
 pub use contact_accuracy::{
-    AccuracyRequest, Budget, EdgeShare, Estimate, NoUncertainty, Reached, with_images,
+    AccuracyRequest, Budget, EdgeShare, Estimate, Inverse, NoUncertainty, Reached, with_images,
 };
 pub use contact_types::{
     Caveat, Citation, ContactModel, ContactModulus, ContactState, Grid, HeightMap, ModelError,

@@ -1,47 +1,10 @@
 //! The numbers of one deterministic solution with their uncertainties.
 
 use crate::coarser::Numbers;
-use crate::estimate::{Estimate, NoUncertainty};
-use crate::sampling::{height_scatter, sampling};
+use crate::estimate::{Estimate, Inverse, NoUncertainty};
+use crate::sampling::{Map, sampling};
 use crate::uncertainty::{Beside, Uncertain};
-use contact_types::HeightMap;
 use fft_bem_solver::{Boundary, End, Load, SetStiffness, Solution};
-
-/// What a map says of the answers on it before anything is solved. Made once per surface, in two passes.
-#[derive(Debug, Clone, Copy, PartialEq, Default)]
-#[cfg_attr(feature = "serde", derive(serde::Serialize))]
-#[non_exhaustive]
-pub struct Map {
-    /// Whether opposite edges match.
-    pub repeats: bool,
-    /// Rms height (m).
-    pub rms_height: f64,
-    /// Relative standard error of the rms height over maps of the same surface.
-    pub height_scatter: f64,
-    /// How many times it shows the same cell: where contact ends, all round alike.
-    pub copies: usize,
-}
-
-impl Map {
-    /// Of a surface as it is solved.
-    pub fn of(surface: &HeightMap) -> Self {
-        let (rms_height, height_scatter) = height_scatter(surface);
-        let repeats = surface_stats::repeats(surface);
-        Self { repeats, rms_height, height_scatter, copies: copies(surface, 1e-6 * rms_height) }
-    }
-}
-
-/// How many times a map shows the same cell, to `tolerance` (m); of ridges along the points each row or column is one.
-fn copies(surface: &HeightMap, tolerance: f64) -> usize {
-    let ([ny, nx], heights) = (surface.grid().shape(), surface.heights());
-    let along = |n: usize, moved: &dyn Fn(usize, usize) -> usize| {
-        let same = |p: usize, i: usize| (heights[i] - heights[moved(i, p)]).abs() <= tolerance;
-        let is_period = |p: &usize| n % p == 0 && (0..heights.len()).all(|i| same(*p, i));
-        (1..n).find(is_period).map_or(1, |period| n / period)
-    };
-    let rows = along(ny, &|i, p| (i + p * nx) % heights.len());
-    rows * along(nx, &|i, p| i / nx * nx + (i + p) % nx)
-}
 
 /// The numbers of one solution with their uncertainties.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -162,25 +125,13 @@ impl Budget {
     }
 
     /// Mean real pressure, load over area (Pa): its intervals are those of the area, inverted. `None` if nothing touches.
-    pub fn real_pressure(&self) -> Option<RealPressure> {
+    pub fn real_pressure(&self) -> Option<Inverse> {
         let load = self.mean_pressure.value;
         let inverted = |[low, high]: [f64; 2]| [high, low].map(|area| load / area);
-        (self.area.value > 0.0).then(|| RealPressure {
+        (self.area.value > 0.0).then(|| Inverse {
             value: load / self.area.value,
             interval: self.area.interval().ok().map(inverted),
             prediction: self.area.prediction().map(inverted),
         })
     }
-}
-
-/// Mean real pressure, load over area (Pa).
-#[derive(Debug, Clone, Copy)]
-#[non_exhaustive]
-pub struct RealPressure {
-    /// The number.
-    pub value: f64,
-    /// `[low, high]` as the number of this map, if it has an uncertainty; infinite if the area may be 0.
-    pub interval: Option<[f64; 2]>,
-    /// `[low, high]` as a number of the surface, if the map can tell.
-    pub prediction: Option<[f64; 2]>,
 }

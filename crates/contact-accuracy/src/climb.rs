@@ -1,12 +1,12 @@
 //! Climbing the ladder until the area is known as well as it is asked for: every second point, the map, twice its
 //! points.
 
-use crate::budget::Map;
 use crate::coarser::{RungMaps, thinned};
 use crate::indicator::LIMIT;
 use crate::ladder::{Answered, Ladder, LadderError, MOST};
 use crate::regrid;
 use crate::request::AccuracyRequest;
+use crate::sampling::Map;
 use crate::setup::Setup;
 use contact_types::{Clock, Grid, HeightMap};
 use fft_bem_solver::{Boundary, Iteration, Load, Precision, SolverError};

@@ -104,6 +104,17 @@ pub struct Estimate {
     pub(crate) most: f64,
 }
 
+/// A number that falls as an [`Estimate`] rises: infinite where that may be 0, and 0 where it has no end.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Inverse {
+    /// The number.
+    pub value: f64,
+    /// `[low, high]` as the number of this map, if it has an uncertainty.
+    pub interval: Option<[f64; 2]>,
+    /// `[low, high]` as a number of the surface, if the map can tell.
+    pub prediction: Option<[f64; 2]>,
+}
+
 impl Estimate {
     pub(crate) fn above_zero(value: f64, uncertainty: Result<Parts, NoUncertainty>) -> Self {
         let (sampling, materials, least) = (None, 0.0, [0.0; 2]);

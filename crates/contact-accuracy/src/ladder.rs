@@ -1,12 +1,13 @@
 //! The one procedure: a load on a map, on every second point of it, and, where the answer depends on what lies
 //! between the points, on twice as many.
 
-use crate::budget::{Budget, Map};
+use crate::budget::Budget;
 use crate::coarser::{Numbers, RungMaps, both, pressure_beside, with_images};
 use crate::estimate::NoUncertainty;
 use crate::indicator::{LIMIT, indicator};
 use crate::leak::Leaks;
 use crate::regrid;
+use crate::sampling::Map;
 use crate::setup::Setup;
 use crate::uncertainty::Beside;
 use contact_types::{Clock, Grid, HeightMap};

@@ -20,12 +20,12 @@ mod setup;
 mod table;
 mod uncertainty;
 
-pub use budget::{Budget, Map, RealPressure};
+pub use budget::Budget;
 pub use climb::{Aim, Next, Reached, Sink, Task, Unmet, climb};
 pub use coarser::{Numbers, regrid, thinned, with_images};
 pub use contact_types::{Axis, ContactModulus, Grid, HeightMap};
 pub use edge_share::EdgeShare;
-pub use estimate::{Estimate, NoUncertainty, Parts};
+pub use estimate::{Estimate, Inverse, NoUncertainty, Parts};
 pub use fft_bem_solver::{
     Boundary, Load, Maps, Method, PERIMETER_CORRECTION, Precision, Solution, Solver, SolverBuilder,
     SolverError,
@@ -35,6 +35,7 @@ pub use indicator::LIMIT as INDICATOR_LIMIT;
 pub use ladder::{Answered, Ladder, LadderError};
 pub use leak::{Leak, Leaks};
 pub use request::{AccuracyRequest, BadRequest};
+pub use sampling::Map;
 pub use setup::Setup;
 pub use surface_stats::StatsError;
 pub use table::{median, round_to_digits};

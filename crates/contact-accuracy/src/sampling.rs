@@ -23,6 +23,42 @@ const GAP: [f64; 2] = [3.1, 1.7];
 /// Of the stiffness over `l` and `b`.
 const STIFFNESS: [f64; 2] = [1.8, 3.7];
 
+/// What a map says of the answers on it before anything is solved. Made once per surface, in two passes.
+#[derive(Debug, Clone, Copy, PartialEq, Default)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize))]
+#[non_exhaustive]
+pub struct Map {
+    /// Whether opposite edges match.
+    pub repeats: bool,
+    /// Rms height (m).
+    pub rms_height: f64,
+    /// Relative standard error of the rms height over maps of the same surface.
+    pub height_scatter: f64,
+    /// How many times it shows the same cell: where contact ends, all round alike.
+    pub copies: usize,
+}
+
+impl Map {
+    /// Of a surface as it is solved.
+    pub fn of(surface: &HeightMap) -> Self {
+        let (rms_height, height_scatter) = height_scatter(surface);
+        let repeats = surface_stats::repeats(surface);
+        Self { repeats, rms_height, height_scatter, copies: copies(surface, 1e-6 * rms_height) }
+    }
+}
+
+/// How many times a map shows the same cell, to `tolerance` (m); of ridges along the points each row or column is one.
+fn copies(surface: &HeightMap, tolerance: f64) -> usize {
+    let ([ny, nx], heights) = (surface.grid().shape(), surface.heights());
+    let along = |n: usize, moved: &dyn Fn(usize, usize) -> usize| {
+        let same = |p: usize, i: usize| (heights[i] - heights[moved(i, p)]).abs() <= tolerance;
+        let is_period = |p: &usize| n % p == 0 && (0..heights.len()).all(|i| same(*p, i));
+        (1..n).find(is_period).map_or(1, |period| n / period)
+    };
+    let rows = along(ny, &|i, p| (i + p * nx) % heights.len());
+    rows * along(nx, &|i, p| i / nx * nx + (i + p) % nx)
+}
+
 /// Relative 95 % half widths of area, mean gap and stiffness over maps of the same surface, of a solution on a map whose
 /// rms height has this relative standard error; `None` if the pressure is not there, nothing touches, or a block has no
 /// point.
@@ -62,7 +98,7 @@ fn scatter([ny, nx]: [usize; 2], field: &[f64]) -> Option<f64> {
 /// Rms height (m), and its relative standard error over maps of the same surface: the variance of the mean of a field over
 /// a map is its power at long waves, here of `h²` at the twelve longest. Widened by Student's quantile, since they
 /// are few.
-pub(crate) fn height_scatter(surface: &HeightMap) -> (f64, f64) {
+fn height_scatter(surface: &HeightMap) -> (f64, f64) {
     const LONGEST: [[usize; 2]; 6] = [[0, 1], [0, 2], [1, 0], [2, 0], [1, 1], [1, 2]];
     let [ny, nx] = surface.grid().shape();
     let mean = surface.mean();

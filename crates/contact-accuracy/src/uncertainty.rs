@@ -17,9 +17,9 @@
 //! the grid convergence index (Roache 1994, doi:10.1115/1.2910291). The four constants were fixed on the
 //! training half of the families of `examples/coverage` and judged on the other half.
 
-use crate::budget::Map;
 use crate::coarser::Numbers;
 use crate::estimate::{Estimate, NoUncertainty, Parts};
+use crate::sampling::Map;
 use crate::setup::LOOSEST;
 use fft_bem_solver::{Diagnostics, PERIMETER_CORRECTION, Solution};
 
