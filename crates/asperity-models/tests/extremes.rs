@@ -1,6 +1,6 @@
 //! Bush-Gibson-Thomas at the ends of its inputs, against `fixtures/reference/extremes_summit_models.csv`:
 //! bandwidth 3/2 exactly, 3/2 (1 + 1e-12) and 1e8, separations from -6 to 40 rms heights, pressures from the
-//! smallest normal double to 1e3 E*. `examples/summit_extremes.rs` prints the same cases.
+//! smallest normal double to 1e3 E*.
 
 #[path = "../../gw-closed-form/tests/common/mod.rs"]
 mod common;
@@ -8,10 +8,6 @@ mod common;
 use asperity_models::{SummitLaw, SummitModel};
 use common::{Case, ReferenceRow, reference_rows};
 use contact_types::{ContactModel, ContactModulus, SeparationModel, SpectralMoments};
-
-pub(crate) fn cases() -> Vec<Case> {
-    reference_rows("extremes_summit_models.csv").iter().map(case).collect()
-}
 
 fn case(row: &ReferenceRow) -> Case {
     // m0 = m2 = E* = 1: separation and pressure are dimensionless.
@@ -36,6 +32,7 @@ fn case(row: &ReferenceRow) -> Case {
 }
 
 #[test]
-fn every_extreme_has_an_answer() {
-    common::assert_answered(cases(), |_| 1e-14);
+fn answers_at_the_extremes() {
+    let cases = reference_rows("extremes_summit_models.csv").iter().map(case).collect();
+    common::assert_answered("asperity-models", cases, |_| 1e-14);
 }

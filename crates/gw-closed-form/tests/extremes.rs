@@ -1,5 +1,4 @@
 //! The closed form at the ends of its inputs, against `fixtures/reference/extremes_gw.csv`.
-//! `examples/gw_extremes.rs` prints the same cases.
 
 mod common;
 
@@ -7,7 +6,7 @@ use common::{Case, ReferenceRow, reference_rows};
 use gw_closed_form::inverse;
 use gw_closed_form::partial_moments::{Order, ln, scaled, value};
 
-pub(crate) fn cases() -> Vec<Case> {
+fn cases() -> Vec<Case> {
     let case = |row: &ReferenceRow| {
         let (quantity, x) = (row.text("quantity"), row.number("argument"));
         let answer = match quantity {
@@ -28,8 +27,9 @@ pub(crate) fn cases() -> Vec<Case> {
 }
 
 #[test]
-fn every_extreme_has_an_answer() {
+fn answers_at_the_extremes() {
     // α = ln-load 1000 is exp(667): its digits are those of the logarithm.
     let is_of_logarithm = |place: &str| place == "alpha from ln load at 1000";
-    common::assert_answered(cases(), |place| if is_of_logarithm(place) { 1e-13 } else { 4e-15 });
+    let limit = |place: &str| if is_of_logarithm(place) { 1e-13 } else { 4e-15 };
+    common::assert_answered("gw-closed-form", cases(), limit);
 }

@@ -2,11 +2,11 @@
 
 use crate::common;
 
-use common::{solve, unit_modulus};
+use common::{solve, to, unit_modulus};
 use contact_types::{Grid, HeightMap};
 use fft_bem_solver::reference::Hertz;
 use fft_bem_solver::validation::{self, Options, ValidationRow};
-use fft_bem_solver::{Boundary, Method, Solver};
+use fft_bem_solver::{Boundary, Method};
 use std::f64::consts::{FRAC_PI_2, PI, TAU};
 
 #[test]
@@ -45,11 +45,11 @@ fn hertz_by_every_method() {
     let grid = Grid::new([48, 40], [0.8, 1.0]).unwrap();
     let map = HeightMap::from_fn(grid, |y, x| contact.height(y - 18.8, x - 19.5)).unwrap();
     for method in [Method::Auto, Method::PolonskyKeer, Method::StanleyKato] {
-        let builder = Solver::builder().boundary(Boundary::Free).method(method).tolerance(1e-7);
+        let builder = to(1e-7).boundary(Boundary::Free).method(method);
         let found = solve(&map, builder, contact.force / grid.area());
         // First touch is at the highest pixel, a little below the summit.
         let approach = found.approach - map.range().1;
-        assert!(((approach / 4.0).powf(1.5) - 1.0).abs() < 2e-3, "{method}: {approach}");
+        assert!(((approach / 4.0).powf(1.5) - 1.0).abs() < 2e-3, "{method:?}: {approach}");
     }
 }
 
@@ -86,7 +86,7 @@ fn contact_on_two_scales_goes_to_its_limit() {
             let (coarse, small) = (closes / PI, fine * closes / PI / ratio as f64);
             let wave = |x: f64| coarse * (TAU * x).cos() + small * (TAU * ratio as f64 * x).cos();
             let map = HeightMap::from_fn(grid, |_, x| wave(x)).unwrap();
-            let found = solve(&map, Solver::builder().tolerance(1e-6), load * closes);
+            let found = solve(&map, to(1e-6), load * closes);
             found.touching_fraction() / two_levels(load, fine) - 1.0
         };
         let [near, far] = [16, 64].map(error);

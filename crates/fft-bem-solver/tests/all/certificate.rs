@@ -2,7 +2,7 @@
 
 use crate::common;
 
-use common::{difference, energy_norm, iterate, measured_like, self_affine, solve, unit_grid};
+use common::{difference, energy_norm, iterate, measured_like, self_affine, solve, to, unit_grid};
 use contact_types::HeightMap;
 use fft_bem_solver::{Boundary, Method, Solution, Solver, SolverBuilder};
 
@@ -53,7 +53,7 @@ fn energy_bound_is_never_violated_and_tight() {
                             let error = energy_norm(map.grid(), boundary, &difference);
                             let bound = found.diagnostics.energy_bound.unwrap()
                                 * energy_norm(map.grid(), boundary, &found.pressure);
-                            let place = format!("{name} {load} {boundary:?} {method} {count}");
+                            let place = format!("{name} {load} {boundary:?} {method:?} {count}");
                             if error > 1e-8 * size {
                                 let holds = error <= bound * (1.0 + 1e-6);
                                 assert!(holds, "{place}: {error} > {bound}");
@@ -84,11 +84,10 @@ fn tolerance_is_the_error_reached() {
             let truth = exact(&map, Boundary::Periodic, load);
             for method in [Method::Auto, Method::PolonskyKeer, Method::StanleyKato] {
                 for tolerance in [1e-2, 1e-4, 1e-6] {
-                    let builder = Solver::builder().method(method).tolerance(tolerance);
-                    let found = solve(&map, builder, load);
+                    let found = solve(&map, to(tolerance).method(method), load);
                     let error = difference(&found.pressure, &truth.pressure);
                     let limit = tolerance * if method == Method::Auto { 1.5 } else { 2.0 };
-                    assert!(error < limit, "{name} {load} {method}: {error:e} {tolerance:e}");
+                    assert!(error < limit, "{name} {load} {method:?}: {error:e} {tolerance:e}");
                 }
             }
         }

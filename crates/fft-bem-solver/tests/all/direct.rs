@@ -3,9 +3,9 @@
 use crate::common;
 use crate::dense;
 
-use common::Uniform;
+use common::{Uniform, to};
 use contact_types::{Grid, HeightMap};
-use fft_bem_solver::{Method, Solver};
+use fft_bem_solver::Method;
 
 #[test]
 fn every_method_finds_the_dense_solution() {
@@ -26,17 +26,19 @@ fn every_method_finds_the_dense_solution() {
             // Steepest descent takes as many steps as the stiffest wave is stiffer than the softest.
             let methods = [Method::Auto, Method::PolonskyKeer, Method::StanleyKato];
             for &method in &methods[..if pixel[0] > 100.0 { 2 } else { 3 }] {
-                let builder = Solver::builder().method(method).tolerance(1e-11);
-                let found = common::solve(&map, builder, load);
+                let found = common::solve(&map, to(1e-11).method(method), load);
                 let off = (found.approach / known.approach - 1.0).abs();
-                assert!(off < 1e-9, "{method} {shape:?} {load}: approach off by {off:e}");
+                assert!(off < 1e-9, "{method:?} {shape:?} {load}: approach off by {off:e}");
                 let scale = found.diagnostics.max_pressure;
                 for (p, q) in found.pressure.iter().zip(&known.pressure) {
-                    assert!((p - q).abs() < 1e-9 * scale, "{method} {shape:?} {load}: {p} {q}");
+                    assert!((p - q).abs() < 1e-9 * scale, "{method:?} {shape:?} {load}: {p} {q}");
                 }
                 let (bottom, top) = map.range();
                 for (g, known) in found.gap.iter().zip(&known.gap) {
-                    assert!((g - known).abs() < 1e-9 * (top - bottom), "{method} {shape:?} {load}");
+                    assert!(
+                        (g - known).abs() < 1e-9 * (top - bottom),
+                        "{method:?} {shape:?} {load}"
+                    );
                 }
             }
         }

@@ -2,21 +2,17 @@
 
 #![allow(clippy::unwrap_used, reason = "a check that cannot be made has failed")]
 
-#[path = "../common/extremes.rs"]
-mod cases;
 #[path = "../common/mod.rs"]
 mod common;
-#[path = "../common/dense.rs"]
-mod dense;
-#[path = "../common/npy.rs"]
-mod npy;
-#[path = "../common/numpy_normal.rs"]
-mod numpy_normal;
 
 mod analytic;
+mod cases;
 mod certificate;
+mod dense;
 mod direct;
 mod extremes;
+mod npy;
+mod numpy_normal;
 mod perimeter_correction;
 mod properties;
 mod random_problems;

@@ -2,7 +2,7 @@
 
 use crate::common;
 
-use common::{Uniform, difference, self_affine, unit_grid, unit_modulus};
+use common::{Uniform, difference, self_affine, solver, to, unit_grid};
 use contact_types::{ContactModulus, Grid, HeightMap};
 use fft_bem_solver::{Boundary, Load, Method, Precision, Solution, Solver};
 use proptest::prelude::*;
@@ -28,8 +28,7 @@ fn heights(n: usize, seed: u64) -> Vec<f64> {
 }
 
 fn solve(map: &HeightMap, method: Method, boundary: Boundary, load: f64) -> Solution {
-    let builder = Solver::builder().method(method).boundary(boundary);
-    common::solve(map, builder.tolerance(TOLERANCE), load)
+    common::solve(map, to(TOLERANCE).method(method).boundary(boundary), load)
 }
 
 fn any_method() -> impl Strategy<Value = Method> {
@@ -146,7 +145,7 @@ proptest! {
         let original = solve(&HeightMap::new(grid, h.clone()).unwrap(), method, boundary, load);
         let grid = Grid::new([9, 12], [d0, 1.5 * d0]).unwrap();
         let map = HeightMap::new(grid, h.iter().map(|h| h * h0).collect()).unwrap();
-        let builder = Solver::builder().method(method).boundary(boundary).tolerance(TOLERANCE);
+        let builder = to(TOLERANCE).method(method).boundary(boundary);
         let mut solver = builder.build(grid, ContactModulus::from_pascals(e0).unwrap()).unwrap();
         let scaled = solver.solve(&map, Load::MeanPressure(load * p0)).unwrap();
         let pressure: Vec<f64> = scaled.pressure.iter().map(|p| p / p0).collect();
@@ -169,8 +168,7 @@ proptest! {
         let by_load = solve(&map, method, Boundary::Periodic, load);
         let gap = by_load.state.mean_gap.unwrap();
         prop_assume!(gap > 1e-3);
-        let builder = Solver::builder().method(method).tolerance(TOLERANCE);
-        let mut solver = builder.build(grid, unit_modulus()).unwrap();
+        let mut solver = solver(grid, to(TOLERANCE).method(method));
         let found = solver.solve(&map, Load::MeanGap(gap)).unwrap();
         prop_assert!((found.state.mean_pressure / load - 1.0).abs() < 1e-6);
         prop_assert!((found.state.mean_gap.unwrap() - gap).abs() < 1e-6 * (gap + by_load.approach));
@@ -184,8 +182,8 @@ proptest! {
         let map = HeightMap::new(grid, heights(grid.len(), seed)).unwrap();
         let load = 10f64.powf(log_load);
         let double = solve(&map, method, Boundary::Periodic, load);
-        let builder = Solver::builder().method(method).precision(Precision::Single);
-        let single = common::solve(&map, builder.tolerance(1e-4), load);
+        let single = to(1e-4).method(method).precision(Precision::Single);
+        let single = common::solve(&map, single, load);
         let error = difference(&single.pressure, &double.pressure);
         prop_assert!(error < 3e-4, "{error}");
     }
@@ -242,8 +240,7 @@ fn odd_grids_and_surfaces_converge() {
         {
             let surface = HeightMap::new(grid, heights).unwrap();
             for load in [1e-9, 1e-3, 0.1, 100.0] {
-                let builder = Solver::builder().method(Method::Chord).tolerance(1e-8);
-                let mut solver = builder.build(grid, unit_modulus()).unwrap();
+                let mut solver = solver(grid, to(1e-8).method(Method::Chord));
                 let found = solver.solve(&surface, Load::MeanPressure(load));
                 let found = found.unwrap_or_else(|e| {
                     panic!("{kind} on {shape:?} of {pixel:?} at {load:e}: {e}")
@@ -259,23 +256,8 @@ fn odd_grids_and_surfaces_converge() {
 #[test]
 fn single_precision_reaches_what_it_states() {
     let surface = self_affine(unit_grid(128, 150), 0.8, 20.0, 2.0, 2);
-    let with = |precision| Solver::builder().precision(precision);
-    let exact = common::solve(&surface, with(Precision::Double).tolerance(1e-10), 0.05);
-    let found = common::solve(&surface, with(Precision::Single).tolerance(2e-5), 0.05);
+    let exact = common::solve(&surface, to(1e-10), 0.05);
+    let found = common::solve(&surface, to(2e-5).precision(Precision::Single), 0.05);
     let error = difference(&found.pressure, &exact.pressure);
     assert!(error < 2e-5, "{error:e}");
-}
-
-/// Lines and odd sides too.
-#[test]
-fn agrees_with_polonsky_keer() {
-    for (shape, load) in [([64, 64], 0.05), ([61, 90], 0.2), ([1, 257], 0.1), ([257, 1], 0.1)] {
-        let surface = self_affine(unit_grid(shape[0], shape[1]), 0.7, 20.0, 3.0, 3);
-        let [chord, conjugate] = [Method::Chord, Method::PolonskyKeer].map(|method| {
-            common::solve(&surface, Solver::builder().method(method).tolerance(1e-9), load)
-        });
-        let error = difference(&chord.pressure, &conjugate.pressure);
-        assert!(error < 1e-7, "{shape:?}: {error:e}");
-        assert!(chord.diagnostics.transforms < 0.5 * conjugate.diagnostics.transforms);
-    }
 }

@@ -40,7 +40,7 @@ fn a_panic_in_an_observer_leaves_the_solver_usable() {
             }));
             assert!(broken.is_err());
             let after = solver.solve_again(load, None, |_| ()).unwrap();
-            assert_eq!(before.pressure, after.pressure, "{method} {load:?}");
+            assert_eq!(before.pressure, after.pressure, "{method:?} {load:?}");
             assert_eq!(before.gap, after.gap);
         }
     }

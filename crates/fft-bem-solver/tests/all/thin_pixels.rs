@@ -2,7 +2,7 @@
 
 use crate::common;
 
-use common::{curve, difference, self_affine, solve, to, unit_grid, unit_modulus};
+use common::{curve, difference, self_affine, solve, solver, to, unit_grid};
 use contact_types::{Grid, HeightMap};
 use fft_bem_solver::{Boundary, Load, Precision, Solution};
 
@@ -88,7 +88,7 @@ fn curves_gaps_and_single_precision_on_thin_pixels() {
     for (name, map) in surfaces([1000.0, 1.0]) {
         let loads = [0.01, 0.03, 0.1, 0.3];
         let exact = loads.map(|load| solve(&map, to(1e-11), load));
-        let mut solver = to(1e-6).build(map.grid(), unit_modulus()).unwrap();
+        let mut solver = solver(map.grid(), to(1e-6));
         for (k, found) in curve(&mut solver, &map, &loads).iter().enumerate() {
             let (pairs, error) = spent_and_missed(found, &exact[k]);
             assert!(pairs <= 16.0 && error <= 3e-6, "{name}, load {k}: {pairs:.1}, {error:.1e}");

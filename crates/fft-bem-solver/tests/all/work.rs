@@ -3,7 +3,7 @@
 
 use crate::common;
 
-use common::{curve, measured_like, self_affine, solve, unit_grid, unit_modulus};
+use common::{curve, measured_like, self_affine, solve, solver, to, unit_grid};
 use fft_bem_solver::{Boundary, Method, Solver};
 
 /// Convolutions to 1e-4 by chord, Polonsky-Keer, Stanley-Kato, and with the free boundary.
@@ -73,8 +73,7 @@ fn pairs_and_iterations_of_the_chord() {
     for (hurst, load, _) in expected {
         let surface = self_affine(grid, hurst, 32.0, 2.0, 1);
         let work = [1e-2, 1e-4, 1e-6].map(|tolerance| {
-            let builder = Solver::builder().method(Method::Chord).tolerance(tolerance);
-            let d = solve(&surface, builder, load).diagnostics;
+            let d = solve(&surface, to(tolerance).method(Method::Chord), load).diagnostics;
             (d.iterations, (100.0 * d.transforms).round() / 100.0)
         });
         found.push((hurst, load, work));
@@ -89,8 +88,7 @@ fn iterations_along_a_curve() {
     let surface = measured_like(n, 1);
     let loads: Vec<f64> = (0..16).map(|k| 0.005 * 200_f64.powf(f64::from(k) / 15.0)).collect();
     let found = [1e-2, 1e-4, 1e-6].map(|tolerance| {
-        let builder = Solver::builder().method(Method::Chord).tolerance(tolerance);
-        let mut solver = builder.build(unit_grid(n, n), unit_modulus()).unwrap();
+        let mut solver = solver(unit_grid(n, n), to(tolerance).method(Method::Chord));
         let points = curve(&mut solver, &surface, &loads);
         points.iter().map(|found| found.diagnostics.iterations).sum::<usize>()
     });
@@ -106,7 +104,7 @@ fn a_curve_takes_no_more_iterations_than_its_loads_one_by_one() {
     for (rolloff, hardness) in [(512.0, f64::INFINITY), (128.0, 1.5)] {
         let map = self_affine(grid, 1.0, rolloff, 16.0, 3);
         let builder = Solver::builder().hardness(hardness);
-        let mut solver = builder.clone().build(grid, unit_modulus()).unwrap();
+        let mut solver = solver(grid, builder.clone());
         let along = curve(&mut solver, &map, &loads);
         let anew = loads.map(|load| solve(&map, builder.clone(), load));
         let [along, anew] = [&along[..], &anew]

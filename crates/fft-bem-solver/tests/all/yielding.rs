@@ -93,7 +93,7 @@ fn conditions_hold_for_spots_punches_and_arrays() {
                     let load = part * hardness;
                     let found = common::solve(map, builder.boundary(boundary), load);
                     let wrong = violation(map, &found, hardness, load);
-                    assert!(wrong < 1e-7, "{name} {boundary} {hardness} {part}: {wrong:e}");
+                    assert!(wrong < 1e-7, "{name} {boundary:?} {hardness} {part}: {wrong:e}");
                 }
             }
         }
@@ -179,8 +179,8 @@ fn curves_have_the_answers_of_cold_starts() {
         for (k, (warm, rough)) in warm.iter().zip(&rough).enumerate() {
             let (load, cold) = (loads[k], &cold[k.min(loads.len() - 1 - k)]);
             let error = |found: &Solution| difference(&found.pressure, &cold.pressure);
-            assert!(error(warm) < 3e-8, "{load} {boundary}: {:e}", error(warm));
-            assert!(error(rough) < 2e-4, "{load} {boundary}: {:e}", error(rough));
+            assert!(error(warm) < 3e-8, "{load} {boundary:?}: {:e}", error(warm));
+            assert!(error(rough) < 2e-4, "{load} {boundary:?}: {:e}", error(rough));
             assert!(rough.pressure.iter().all(|p| *p <= hardness));
             pairs =
                 [pairs[0] + warm.diagnostics.transforms, pairs[1] + cold.diagnostics.transforms];

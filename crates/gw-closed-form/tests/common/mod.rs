@@ -64,8 +64,18 @@ impl Case {
     }
 }
 
+/// Prints each case of a crate with its error, for the table of the book.
+#[allow(clippy::print_stdout, reason = "the lines are the purpose")]
+pub(crate) fn print(of: &str, cases: &[Case]) {
+    for case in cases {
+        let error = case.error().map_or("none".to_owned(), |error| format!("{error:.1e}"));
+        println!("{of}: {}: {error}", case.place);
+    }
+}
+
 /// Asserts that all answers are within their limits, at the end of the doubles where none can be.
-pub(crate) fn assert_answered(cases: Vec<Case>, limit: impl Fn(&str) -> f64) {
+pub(crate) fn assert_answered(of: &str, cases: Vec<Case>, limit: impl Fn(&str) -> f64) {
+    print(of, &cases);
     assert!(cases.len() > 60);
     for case in cases {
         let (place, answer) = (&case.place, case.answer.expect("never refused"));

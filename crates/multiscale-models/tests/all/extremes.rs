@@ -1,7 +1,6 @@
 //! Every model at the ends of its inputs, against `fixtures/reference/extremes_multiscale.csv` of 20 digits.
-//! `cargo run --release -p multiscale-models --example multiscale_extremes` prints the cases.
 
-use crate::common::{Case, ReferenceRow, reference_rows};
+use crate::common::{self, Case, ReferenceRow, reference_rows};
 use contact_types::{
     AmplitudeSpectrum, ContactModel, ContactModulus, FractalParameters, ModelError,
     RoughnessSpectrum, Shell, SpectralMoments, Wave,
@@ -11,7 +10,7 @@ use multiscale_models::{
     SphereLevel, Stacked, YanKomvopoulos,
 };
 
-pub(crate) fn cases() -> Vec<Case> {
+fn cases() -> Vec<Case> {
     let ask = |row: &ReferenceRow| Case {
         place: format!("{}, {}", row.text("question"), row.text("inputs")),
         reference: (row.text("reference") != "refused").then(|| row.number("reference")),
@@ -112,9 +111,11 @@ fn answer(q: &Question<'_>) -> Result<f64, ModelError> {
 }
 
 #[test]
-fn answers_at_the_ends_of_the_inputs() {
+fn answers_at_the_extremes() {
+    let cases = cases();
+    common::print("multiscale-models", &cases);
     let mut questions = std::collections::BTreeSet::new();
-    for case in cases() {
+    for case in cases {
         let place = &case.place;
         let Some(reference) = case.reference else {
             assert!(case.answer.is_none(), "{place}: should be refused");

@@ -1,22 +1,12 @@
 //! No map gives NaN: a typed error or finite values, at every extreme.
 
-use crate::cases::{Case, cases, map};
+use crate::cases::map;
 use contact_types::{Grid, HeightMap};
 use proptest::prelude::*;
 use std::fmt::Debug;
 use surface_stats::clean::{Form, Step, apply};
 use surface_stats::iso25178::{IsoParameter, parameters};
 use surface_stats::{Edges, Level, StatsError, StatsOptions, SurfaceStatistics, Warning};
-
-/// Every line of the table in the book, each with its limit.
-#[test]
-fn closed_forms_at_the_extremes() {
-    let cases = cases();
-    assert!(cases.len() >= 25, "only {} lines", cases.len());
-    for Case { what, error, limit } in cases {
-        assert!(error <= limit, "{what}: {error:e}, limit {limit:e}");
-    }
-}
 
 fn ripple(iy: usize, ix: usize) -> f64 {
     (0.9 * iy as f64).sin() + (1.7 * ix as f64 + 0.3 * iy as f64).cos()

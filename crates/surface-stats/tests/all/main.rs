@@ -2,7 +2,6 @@
 
 #![allow(clippy::unwrap_used, reason = "a check that cannot be made has failed")]
 
-#[path = "../common/extremes.rs"]
 mod cases;
 mod extremes;
 mod pair;

@@ -1,28 +1,25 @@
 //! Maps at the extremes whose statistics are known in closed form, and what the crate makes of
-//! them. One list for the tests and for the page of the book.
+//! them.
+
+#![allow(clippy::print_stdout, reason = "the lines are counted in the book")]
 
 use contact_types::{Grid, HeightMap};
 use std::f64::consts::{PI, TAU};
 use surface_stats::{Edges, StatsOptions, SurfaceStatistics};
 
-/// One case of the table.
-pub(crate) struct Case {
-    /// Which numbers of which map, what is extreme about it, and what they are compared with.
-    pub(crate) what: String,
-    /// Largest relative error of the numbers; absolute where the value is 0.
-    pub(crate) error: f64,
-    /// What the test allows.
-    #[allow(dead_code, reason = "the example prints no limit")]
-    pub(crate) limit: f64,
+/// Every line of the table in the book, each with its limit.
+#[test]
+fn closed_forms_at_the_extremes() {
+    waves();
+    offsets();
+    few_levels();
 }
 
-/// All lines.
-pub(crate) fn cases() -> Vec<Case> {
-    [waves(), offsets(), few_levels()].into_iter().flatten().collect()
-}
-
-fn case(what: &str, extreme: &str, error: f64, limit: f64) -> Case {
-    Case { what: format!("{what}, {extreme}"), error, limit }
+/// Prints a line: which numbers of which map, what is extreme about it, and their largest relative error, absolute where
+/// the value is 0.
+fn hold(what: &str, extreme: &str, error: f64, limit: f64) {
+    println!("surface-stats: {what}, {extreme}: {error:.1e}");
+    assert!(error <= limit, "{what}, {extreme}: {error:e}, limit {limit:e}");
 }
 
 /// What is absent where it should be a number.
@@ -112,8 +109,7 @@ impl PlaneWave {
 /// What is extreme, pixels, amplitude over pixel (the steepest point has about this slope), shape and turns.
 type Group = (&'static str, &'static [[f64; 2]], &'static [f64], [usize; 2], [usize; 2]);
 
-fn waves() -> Vec<Case> {
-    let mut cases = Vec::new();
+fn waves() {
     let (square, few, all) = ([24, 31], [3, 5], &[1e-12, 1.0, 1e3]);
     let groups: [Group; 8] = [
         ("slope 1e−12", &[[1e-6, 1.5e-6]], &[1e-12], square, few),
@@ -141,17 +137,15 @@ fn waves() -> Vec<Case> {
             errors[0] = errors[0].max(wave.by_differences(&found));
             errors[1] = errors[1].max(wave.by_spectrum(&found));
         }
-        cases.push(case("one cosine: m0, m2, m4 by differences", extreme, errors[0], 1e-12));
-        cases.push(case("one cosine: m0, m2, m4 by spectrum", extreme, errors[1], 1e-12));
+        hold("one cosine: m0, m2, m4 by differences", extreme, errors[0], 1e-12);
+        hold("one cosine: m0, m2, m4 by spectrum", extreme, errors[1], 1e-12);
     }
-    cases
 }
 
 /// Relief of nanometres far from zero, where a double has few digits left for it.
-fn offsets() -> Vec<Case> {
+fn offsets() {
     let wave = PlaneWave { shape: [61, 64], pixel: [1e-6, 1e-6], turns: [4, 5], amplitude: 1e-9 };
     let relief = wave.map();
-    let mut cases = Vec::new();
     for (offset, place) in [(0.076, "76 mm"), (1e6, "1e6 m")] {
         let heights: Vec<f64> = relief.heights().iter().map(|h| h + offset).collect();
         // The difference of two close doubles is exact.
@@ -169,7 +163,7 @@ fn offsets() -> Vec<Case> {
             (found.m4_spectral, moved.m4_spectral),
         ]);
         let what = "one cosine: m0, m2, m4, both ways, against the same heights moved back to 0";
-        cases.push(case(what, &extreme, error, 1e-12));
+        hold(what, &extreme, error, 1e-12);
         // Each height is off by half a spacing at most, which moves the root mean square of the
         // heights by no more, of first differences by twice, of second by four times as much.
         let half_spacing = 0.5 * (offset.next_up() - offset);
@@ -190,20 +184,15 @@ fn offsets() -> Vec<Case> {
         let error = shares.into_iter().fold(0.0, f64::max);
         let what =
             "one cosine: m0, m2, m4 by differences, share of what rounding of the heights allows";
-        cases.push(case(what, &extreme, error, 1.0));
+        hold(what, &extreme, error, 1.0);
     }
-    cases
 }
 
 /// One spike, two levels, steps.
-fn few_levels() -> Vec<Case> {
-    let mut cases = Vec::new();
-    let mut push = |what, extreme: &str, error, limit| {
-        cases.push(case(what, extreme, error, limit));
-    };
+fn few_levels() {
     let error = [1e-40, 1e-9, 1e40].map(spike).into_iter().fold(0.0, f64::max);
     let what = "one spike: Sq, Ssk, Sku = 262 142, m2, m4";
-    push(what, "one pixel of 512², high by 1e−40, 1e−9, 1e40 m", error, 1e-12);
+    hold(what, "one pixel of 512², high by 1e−40, 1e−9, 1e40 m", error, 1e-12);
 
     let (a, d) = (1e-9, 1e-6);
     for (offset, extreme) in [(0.0, "±1 nm, chequered"), (1e6, "1e6 m ± 1 m, chequered")] {
@@ -218,12 +207,11 @@ fn few_levels() -> Vec<Case> {
             (s.m2, (2.0 * a / d).powi(2)),
             (s.m4, (4.0 * a / (d * d)).powi(2)),
         ]);
-        push("two levels: Sq, Sa, Ssk = 0, Sku = 1, m2, m4", extreme, error, 1e-14);
+        hold("two levels: Sq, Sa, Ssk = 0, Sku = 1, m2, m4", extreme, error, 1e-14);
     }
     let what = "stairs of 25 steps: step found, Sq, Sku, m2, m4";
-    push(what, "steps of 10 nm", stairs(0.0), 1e-12);
-    push(what, "steps of 10 nm on 76 mm (heights hold 7e−10 of a step)", stairs(0.076), 1e-9);
-    cases
+    hold(what, "steps of 10 nm", stairs(0.0), 1e-12);
+    hold(what, "steps of 10 nm on 76 mm (heights hold 7e−10 of a step)", stairs(0.076), 1e-9);
 }
 
 /// One pixel of 512 x 512: the moments of a coin that shows heads with probability 1/n.

@@ -1,5 +1,6 @@
-//! Problems at the extremes whose solution is known, and what the solver makes of them. One list
-//! for the tests and for the page of the book.
+//! Problems at the extremes whose solution is known, and what the solver makes of them.
+
+#![allow(clippy::print_stdout, reason = "the lines are counted in the book")]
 
 use crate::common::{Uniform, self_affine, unit_grid};
 use crate::dense;
@@ -8,19 +9,19 @@ use fft_bem_solver::reference::Westergaard;
 use fft_bem_solver::{Load, Solution, Solver};
 use std::f64::consts::{PI, SQRT_2, TAU};
 
-pub(crate) struct Case {
+struct Case {
     /// Which map, what is extreme about it, and what it is compared with.
-    pub(crate) what: String,
+    what: String,
     /// Worst errors: of a pressure, relative to the highest; of the area, relative; of a gap,
     /// relative to the range of the heights.
-    pub(crate) errors: [f64; 3],
-    #[allow(dead_code, reason = "the example prints no limit")]
-    pub(crate) limits: [f64; 3],
+    errors: [f64; 3],
+    limits: [f64; 3],
 }
 
-pub(crate) fn cases() -> Vec<Case> {
-    let all = [scales, offsets, loads, shapes_of_heights, shapes_of_grids, profiles];
-    all.into_iter().flat_map(|of| of()).collect()
+/// Every line of the table in the book, each with its limits.
+#[test]
+fn known_solutions_at_the_extremes() {
+    [scales, offsets, loads, shapes_of_heights, shapes_of_grids, profiles].map(|of| of());
 }
 
 /// Estimated relative error of the pressure at which the solves end.
@@ -97,7 +98,7 @@ impl Case {
         loads: &[f64],
         (map, e_star): (&HeightMap, f64),
         [pressure, height]: [f64; 2],
-    ) -> Self {
+    ) {
         for load in loads {
             let known = dense::solution(unit, *load);
             let found = solve(map, e_star, load * pressure);
@@ -106,19 +107,26 @@ impl Case {
             let pressures = known.pressure.iter().map(|p| p * pressure);
             self.compare(map, &found, pressures, area, known.gap.iter().map(|g| g * height));
         }
-        self
+        self.hold();
+    }
+
+    /// Prints the largest of the errors.
+    fn hold(&self) {
+        let Self { what, errors, limits } = self;
+        println!("fft-bem-solver: {what}: {:.1e}", errors.iter().copied().fold(0.0, f64::max));
+        let holds = errors.iter().zip(limits).all(|(error, limit)| error <= limit);
+        assert!(holds, "{what}: {errors:?}, limits {limits:?}");
     }
 }
 
 /// A map against dense algebra under several loads.
-fn dense_case(what: &str, extreme: &str, map: &HeightMap, loads: &[f64]) -> Case {
-    Case::new(what, extreme, DENSE, DENSE_LIMITS).beside(map, loads, (map, 1.0), [1.0; 2])
+fn dense_case(what: &str, extreme: &str, map: &HeightMap, loads: &[f64]) {
+    Case::new(what, extreme, DENSE, DENSE_LIMITS).beside(map, loads, (map, 1.0), [1.0; 2]);
 }
 
 /// Slopes, moduli, pixels: the contact is the same but for its units.
-fn scales() -> Vec<Case> {
+fn scales() {
     let unit = rough();
-    let mut cases = Vec::new();
     let middle = (1e9, 0.1, 1e-6);
     for (extreme, (e_star, slope, d)) in [
         ("rms slope 1e−12", (middle.0, 1e-12, middle.2)),
@@ -131,7 +139,7 @@ fn scales() -> Vec<Case> {
     ] {
         let map = scaled(&unit, slope * d, [d; 2]);
         let case = Case::new(ROUGH, extreme, "dense, in other units", DENSE_LIMITS);
-        cases.push(case.beside(&unit, &LOADS, (&map, e_star), [e_star * slope, slope * d]));
+        case.beside(&unit, &LOADS, (&map, e_star), [e_star * slope, slope * d]);
     }
     let extreme = "heights × 2⁻⁵⁰, pixels × 2⁻²⁰, E* × 2³⁰";
     let mut same = Case::new(ROUGH, extreme, "the same in other units: no digit differs", [0.0; 3]);
@@ -143,13 +151,11 @@ fn scales() -> Vec<Case> {
         let gap = known.gap.iter().map(|g| g * two(-50));
         same.compare(&map, &found, known.pressure.iter().copied(), known.touching_fraction(), gap);
     }
-    cases.push(same);
-    cases
+    same.hold();
 }
 
 /// Heights far from zero: the contact of the heights as they are.
-fn offsets() -> Vec<Case> {
-    let mut cases = Vec::new();
+fn offsets() {
     for (extreme, scale, offset) in [
         ("heights of 1 nm on 76 mm", 1e-9, 0.076),
         ("heights of 1 m on 1e6 m", 1.0, 1e6),
@@ -159,19 +165,16 @@ fn offsets() -> Vec<Case> {
         // What is left of the relief in doubles: the difference of two close ones is exact.
         let left = with_heights(&high, high.heights().iter().map(|h| (h - offset) / scale));
         let case = Case::new(ROUGH, extreme, "dense, moved back to 0", DENSE_LIMITS);
-        cases.push(case.beside(&left, &LOADS, (&high, 1.0), [scale; 2]));
+        case.beside(&left, &LOADS, (&high, 1.0), [scale; 2]);
     }
-    cases
 }
 
 /// From one node in touch to a hundred times full contact.
-fn loads() -> Vec<Case> {
-    let mut cases = vec![
-        dense_case(ROUGH, "1e−29 E*: one node carries all", &rough(), &[1e-29]),
-        dense_case(ROUGH, "1e−12 E*: one node carries all", &rough(), &[1e-12]),
-    ];
+fn loads() {
+    dense_case(ROUGH, "1e−29 E*: one node carries all", &rough(), &[1e-29]);
+    dense_case(ROUGH, "1e−12 E*: one node carries all", &rough(), &[1e-12]);
     let closing = solve_load(&rough(), 1.0, Load::MeanGap(0.0)).state.mean_pressure;
-    cases.push(dense_case(ROUGH, "0.999 of the closing load", &rough(), &[0.999 * closing]));
+    dense_case(ROUGH, "0.999 of the closing load", &rough(), &[0.999 * closing]);
 
     // Johnson, Greenwood & Higginson (1985): p* = sqrt(2) pi E* amplitude / wavelength.
     let grid = Grid::new([32, 24], [1.0 / 32.0, 1.0 / 24.0]).expect("positive");
@@ -184,12 +187,11 @@ fn loads() -> Vec<Case> {
         let limits = [1e-13, 0.0, 1e-13];
         let mut case = Case::new("egg box, 32 × 24", extreme, "closed form", limits);
         case.compare(&map, &found, pressure, 1.0, std::iter::repeat(0.0));
-        cases.push(case);
+        case.hold();
     }
-    cases
 }
 
-fn shapes_of_heights() -> Vec<Case> {
+fn shapes_of_heights() {
     let rough = rough();
     let h = rough.heights();
     let mut random = Uniform(9);
@@ -207,47 +209,42 @@ fn shapes_of_heights() -> Vec<Case> {
     let punch = with_heights(&rough, (0..h.len()).map(|i| 1e3 * punch(i)));
     let chequer = with_heights(&rough, (0..h.len()).map(|i| ((i / 12 + i % 12) % 2) as f64));
     let noise = with_heights(&rough, h.iter().map(|_| random.normal()));
-    vec![
-        dense_case("rough with one spike", "1000 times the rms height", &spike, &[1e-3, 1.0, 20.0]),
-        dense_case("rough with one pit", "1e6 times the rms height deep", &pit, &LOADS),
-        dense_case("rough, worn to a plateau", "a flat top with a sharp rim", &plateau, &LOADS),
-        dense_case("square punch of 6 × 6 nodes", "walls of slope 1000", &punch, &LOADS),
-        steps.beside(&stepped, &LOADS, (&in_metres, 1e9), [1e9, two_steps]),
-        dense_case("chequerboard", "the shortest wave, all tops level", &chequer, &LOADS),
-        dense_case("white noise", "nothing is resolved", &noise, &LOADS),
-    ]
+    dense_case("rough with one spike", "1000 times the rms height", &spike, &[1e-3, 1.0, 20.0]);
+    dense_case("rough with one pit", "1e6 times the rms height deep", &pit, &LOADS);
+    dense_case("rough, worn to a plateau", "a flat top with a sharp rim", &plateau, &LOADS);
+    dense_case("square punch of 6 × 6 nodes", "walls of slope 1000", &punch, &LOADS);
+    steps.beside(&stepped, &LOADS, (&in_metres, 1e9), [1e9, two_steps]);
+    dense_case("chequerboard", "the shortest wave, all tops level", &chequer, &LOADS);
+    dense_case("white noise", "nothing is resolved", &noise, &LOADS);
 }
 
-fn shapes_of_grids() -> Vec<Case> {
+fn shapes_of_grids() {
     let noise = |shape: [usize; 2], pixel: [f64; 2]| {
         let grid = Grid::new(shape, pixel).expect("positive");
         let mut random = Uniform(17);
         HeightMap::new(grid, (0..grid.len()).map(|_| random.normal()).collect()).expect("finite")
     };
     let prime = self_affine(unit_grid(19, 17), 0.8, 10.0, 3.0, 12);
-    vec![
-        dense_case("rough", "prime sides, 19 × 17", &prime, &LOADS),
-        dense_case("white noise, 12 × 14", "pixels 1 : 1000", &noise([12, 14], [1e3, 1.0]), &LOADS),
-        dense_case("white noise, 12 × 14", "pixels 1000 : 1", &noise([12, 14], [1.0, 1e3]), &LOADS),
-        dense_case("white noise", "1 × 101", &noise([1, 101], [1.0, 1.0]), &LOADS),
-        dense_case("white noise", "97 × 1", &noise([97, 1], [1.0, 1.0]), &LOADS),
-        dense_case("white noise", "2 × 2", &noise([2, 2], [1.0, 1.0]), &LOADS),
-        dense_case("white noise", "1 × 2", &noise([1, 2], [1.0, 1.0]), &LOADS),
-    ]
+    dense_case("rough", "prime sides, 19 × 17", &prime, &LOADS);
+    dense_case("white noise, 12 × 14", "pixels 1 : 1000", &noise([12, 14], [1e3, 1.0]), &LOADS);
+    dense_case("white noise, 12 × 14", "pixels 1000 : 1", &noise([12, 14], [1.0, 1e3]), &LOADS);
+    dense_case("white noise", "1 × 101", &noise([1, 101], [1.0, 1.0]), &LOADS);
+    dense_case("white noise", "97 × 1", &noise([97, 1], [1.0, 1.0]), &LOADS);
+    dense_case("white noise", "2 × 2", &noise([2, 2], [1.0, 1.0]), &LOADS);
+    dense_case("white noise", "1 × 2", &noise([1, 2], [1.0, 1.0]), &LOADS);
 }
 
 /// One wave on a line of 4096 pixels against the solution of the continuum: what is left is the
 /// width of a pixel.
-fn profiles() -> Vec<Case> {
+fn profiles() {
     let n = 4096;
     let grid = Grid::new([1, n], [1.0, 1.0 / n as f64]).expect("positive");
-    let all = [
+    for (extreme, m, limits) in [
         ("1 × 4096, 1e−3 of the closing load", 1e-3, [3e-2, 1e-2, 1e-6]),
         ("1 × 4096, half the closing load", 0.5, [1e-2, 1e-3, 1e-7]),
         ("1 × 4096, 0.999 of the closing load", 0.999, [2e-5, 3e-4, 3e-8]),
         ("1 × 4096, twice the closing load", 2.0, [1e-11, 0.0, 1e-14]),
-    ];
-    let case = |(extreme, m, limits)| {
+    ] {
         let known = Westergaard { amplitude: 0.01, wavelength: 1.0, modulus: modulus(1.0), m };
         let map = HeightMap::from_fn(grid, |_, x| known.height(x)).expect("finite");
         let found = solve(&map, 1.0, m * known.closing_pressure());
@@ -255,7 +252,6 @@ fn profiles() -> Vec<Case> {
         let (pressure, gap) = (x().map(|x| known.pressure(x)), x().map(|x| known.gap(x)));
         let mut case = Case::new("one cosine", extreme, "Westergaard (1939)", limits);
         case.compare(&map, &found, pressure, known.area_fraction(), gap);
-        case
-    };
-    all.map(case).into()
+        case.hold();
+    }
 }

@@ -38,7 +38,6 @@ pub(crate) struct Dense {
     pub(crate) pressure: Vec<f64>,
     /// 0 in contact.
     pub(crate) gap: Vec<f64>,
-    #[allow(dead_code, reason = "not every user of this file compares it")]
     pub(crate) approach: f64,
 }
 
