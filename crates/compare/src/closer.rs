@@ -10,8 +10,8 @@ use contact_types::HeightMap;
 use fft_bem_solver::{Load, Maps, Solution, Solver};
 use grid_fft::parallel::on_threads;
 use std::borrow::Cow;
+use surface_stats::Level;
 use surface_stats::clean::mirrored;
-use surface_stats::{Level, level};
 
 /// Point spacings tried, in spacings of the map. Together they have
 /// 1/4 + 1/16 + 1/64 = 33 % of its points.
@@ -163,7 +163,10 @@ fn choices(
     }
     let is_levelled = matches!(surface.statistics.level, Level::Plane);
     if !matches!(surface.origin, Origin::Recipe(_)) && is_levelled {
-        add(ChoiceKind::Paraboloid, effect(level(used, Level::Quadratic).ok()));
+        add(
+            ChoiceKind::Paraboloid,
+            effect(Level::Quadratic.taken_off(used).ok().map(|found| found.1)),
+        );
     }
     let [dy, dx] = used.grid().pixel();
     let shortest = surface.statistics.cutoff.unwrap_or(0.0).max(2.0 * dy.max(dx));

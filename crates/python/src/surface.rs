@@ -24,13 +24,11 @@ pub(crate) struct HeightFacts {
     pub(crate) name: String,
     pub(crate) pixel: [f64; 2],
     pub(crate) fill: String,
-    #[serde(default, skip_serializing_if = "Option::is_none")]
     pub(crate) height_step: Option<f64>,
     pub(crate) origin: Origin,
     #[serde(default)]
     pub(crate) cleaned: Vec<Record>,
     /// Of traces.
-    #[serde(default, skip_serializing_if = "Option::is_none")]
     pub(crate) uneven: Option<Unevenness>,
 }
 
@@ -293,7 +291,7 @@ pub(crate) fn reshape<'py>(
     };
     let levelled = quietly(py, threads, move || form.taken_off(&surface.heights))?;
     let (form, map) = levelled.map_err(|e| raise(&Failure::in_file(facts.path(), &e)))?;
-    let note = format!("{} with its {form} taken off", facts.name);
+    let note = format!("{} with its {} taken off", facts.name, form.name());
     let mut origin = GivenOrigin::of(&map, note);
     (origin.missing, origin.height_step, origin.repeats) =
         (facts.origin.missing(), facts.height_step, repeats);

@@ -5,7 +5,7 @@ use contact_compare::{Comparison, Registry, Settings, StudyError, Surface};
 use contact_types::{ContactModulus, HeightMap};
 use fft_bem_solver::{Load, Solver};
 use std::ops::ControlFlow;
-use surface_stats::{Level, StatsError, StatsOptions, SurfaceStatistics, level};
+use surface_stats::{Level, StatsError, StatsOptions, SurfaceStatistics};
 
 /// Roughness of a map, without its tilt, as `rough-contact stats` takes it.
 ///
@@ -32,7 +32,7 @@ pub fn solve(
 /// # Errors
 /// [`LadderError`].
 pub fn ladder(map: &HeightMap, modulus: ContactModulus) -> Result<Ladder, LadderError> {
-    Ladder::new(level(map, Level::Auto)?, Setup::new(Solver::builder(), modulus))
+    Ladder::new(Level::Auto.taken_off(map)?.1, Setup::new(Solver::builder(), modulus))
 }
 
 /// Every model of a registry beside the solution of a map.

@@ -26,4 +26,4 @@ pub use fft_bem_solver::{Boundary, Iteration, Load, Solution, Solver, SolverErro
 pub use surface_io::{Fill, FillError, Measurement, ReadError, ReadOptions, read, read_bytes};
 pub use surface_stats::pair::{Composite, Flip, Placing};
 pub use surface_stats::synthesis;
-pub use surface_stats::{Level, StatsError, StatsOptions, SurfaceStatistics, Warning, level};
+pub use surface_stats::{Level, StatsError, StatsOptions, SurfaceStatistics, Warning};

@@ -4,8 +4,7 @@ use contact_types::HeightMap;
 
 /// Parameters of the heights about their mean (ISO 25178-2:2021, 4.2).
 #[derive(Debug, Clone, Copy, PartialEq)]
-#[non_exhaustive]
-pub struct HeightStatistics {
+pub(crate) struct HeightStatistics {
     /// Sq: root mean square height (m).
     pub rms_height: f64,
     /// Sa: mean absolute height (m).
@@ -22,7 +21,7 @@ pub struct HeightStatistics {
 
 impl HeightStatistics {
     /// Of all pixels, each with the same weight.
-    pub fn of(map: &HeightMap) -> Self {
+    pub(crate) fn of(map: &HeightMap) -> Self {
         let mean = map.mean();
         let (low, high) = map.range();
         let (peak_height, pit_depth) = ((high - mean).max(0.0), (mean - low).max(0.0));

@@ -28,10 +28,14 @@ pub enum Level {
 }
 
 impl Level {
-    /// What it is for this map, itself or what [`Auto`](Self::Auto) chooses, and the map without it, as by [`level`].
+    /// What it is for this map, itself or what [`Auto`](Self::Auto) chooses, and the map with its least-squares form
+    /// removed; heights are then distances from the form.
+    ///
+    /// Combinations of terms that the map cannot determine (a tilt across a single row) are not
+    /// removed. Offsets cost no digits beyond those that the heights themselves have lost.
     ///
     /// # Errors
-    /// As [`level`].
+    /// [`StatsError::OutOfRange`] for heights or pixels beyond what can be squared.
     ///
     /// ```
     /// use contact_types::{Grid, HeightMap};
@@ -80,23 +84,6 @@ impl Named for Level {
     ];
 }
 
-impl std::fmt::Display for Level {
-    fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
-        f.pad(self.name())
-    }
-}
-
-/// The map with its least-squares form removed; heights are then distances from the form.
-///
-/// Combinations of terms that the map cannot determine (a tilt across a single row) are not
-/// removed. Offsets cost no digits beyond those that the heights themselves have lost.
-///
-/// # Errors
-/// [`StatsError::OutOfRange`] for heights or pixels beyond what can be squared.
-pub fn level(map: &HeightMap, level: Level) -> Result<HeightMap, StatsError> {
-    level.taken_off(map).map(|(_, levelled)| levelled)
-}
-
 /// The map without its least-squares polynomial of this total degree.
 pub(crate) fn without_form(map: &HeightMap, degree: usize) -> Result<HeightMap, StatsError> {
     let form = Polynomial::fit(map.grid(), map.heights(), degree)?;
@@ -108,7 +95,7 @@ pub(crate) fn without_form(map: &HeightMap, degree: usize) -> Result<HeightMap, 
 /// The warning of a map asked to keep its plane, where that explains a good part of the height variance.
 ///
 /// # Errors
-/// As [`level`].
+/// As [`Level::taken_off`].
 pub fn tilted(map: &HeightMap, asked: Level) -> Result<Option<Warning>, StatsError> {
     if !matches!(asked, Level::None | Level::Mean) {
         return Ok(None);
@@ -149,7 +136,7 @@ mod tests {
             let grid = Grid::new([ny, nx], [2e-6, 1e-6]).unwrap();
             let form = |y: f64, x: f64| offset + a * x + b * y + 40.0 * x * y - 30.0 * x * x;
             let map = HeightMap::from_fn(grid, |y, x| form(y, x) + ripple(y, x)).unwrap();
-            let flat = level(&map, Level::Quadratic).unwrap();
+            let (_, flat) = Level::Quadratic.taken_off(&map).unwrap();
             let rounding = 4.0 * f64::EPSILON * (offset.abs() + 1e-5);
             let terms: [fn(f64, f64) -> f64; 6] =
                 [|_, _| 1.0, |_, x| x, |y, _| y, |_, x| x * x, |y, x| x * y, |y, _| y * y];
@@ -165,7 +152,7 @@ mod tests {
             }
             // The form costs only the digits that it took: the same residual as without it.
             let bare = HeightMap::from_fn(grid, ripple).unwrap();
-            let bare = level(&bare, Level::Quadratic).unwrap();
+            let (_, bare) = Level::Quadratic.taken_off(&bare).unwrap();
             for (p, q) in flat.heights().iter().zip(bare.heights()) {
                 assert_abs_diff_eq!(p, q, epsilon = rounding);
             }
@@ -192,8 +179,8 @@ mod tests {
             let grid = Grid::new(shape, [1e-6, 1e-6]).unwrap();
             let map = HeightMap::from_fn(grid, |y, x| 1.0 + 3.0 * x - 2.0 * y).unwrap();
             for kind in [Level::Plane, Level::Quadratic] {
-                let flat = level(&map, kind).unwrap();
-                assert!(flat.heights().iter().all(|h| h.abs() < 1e-15), "{shape:?} {kind}");
+                let (_, flat) = kind.taken_off(&map).unwrap();
+                assert!(flat.heights().iter().all(|h| h.abs() < 1e-15), "{shape:?} {kind:?}");
             }
         }
     }

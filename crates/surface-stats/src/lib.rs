@@ -36,8 +36,8 @@ pub use by_distance::{ByDistance, by_distance};
 use differences::DirectionalMoments;
 pub use differences::{Edges, mean_slope, moments};
 pub use error::StatsError;
-pub use heights::HeightStatistics;
-pub use level::{Level, level, tilted};
+use heights::HeightStatistics;
+pub use level::{Level, tilted};
 pub use seam::{repeats, seam_jump};
 pub use statistics::{
     STATISTICS, Spectra, Statistic, StatsOptions, SurfaceStatistics, spectral_scales,

@@ -5,7 +5,7 @@ use contact_types::{ContactModulus, Grid, HeightMap};
 use fft_bem_solver::{Load, Solution, Solver};
 use std::f64::consts::PI;
 use surface_stats::clean::{mirrored, resample};
-use surface_stats::{Edges, Level, level};
+use surface_stats::{Edges, Level};
 
 fn solve(map: &HeightMap, load: Load, tolerance: f64) -> Solution {
     let modulus = ContactModulus::from_pascals(1e9).unwrap();
@@ -71,7 +71,7 @@ fn the_intervals_hold() {
             let heights = (0..grid.len())
                 .map(|i| eighths.at(at(i / (factor * n)), at(i % (factor * n))))
                 .collect();
-            level(&HeightMap::new(grid, heights).unwrap(), Level::Plane).unwrap()
+            Level::Plane.taken_off(&HeightMap::new(grid, heights).unwrap()).unwrap().1
         };
         let (map, finer) = (crop(1), crop(4));
         let mut ladder = ladder(map, 1e-4);

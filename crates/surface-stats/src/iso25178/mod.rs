@@ -1,5 +1,4 @@
-//! Areal parameters of ISO 25178-2:2021 beyond the height parameters of
-//! [`HeightStatistics`](crate::HeightStatistics), each with the discrete definition used.
+//! Areal parameters of ISO 25178-2:2021 beyond those of the heights, each with the discrete definition used.
 //!
 //! The book, chapter "Surface statistics", lists the differences to two other programs.
 

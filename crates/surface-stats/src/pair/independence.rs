@@ -2,7 +2,7 @@
 
 use super::Composite;
 use crate::spectrum::PowerSpectrum;
-use crate::{Edges, Level, StatsError, level, moments, repeats};
+use crate::{Edges, Level, StatsError, moments, repeats};
 use contact_types::SpectralMoments;
 
 /// Moments of two bodies and of their sum. Those of independent surfaces add.
@@ -28,7 +28,7 @@ impl Independence {
     /// [`StatsError::TooSmall`] below 3 x 3 points, [`StatsError::OutOfRange`].
     pub fn of(pair: &Composite, form: Level, edges: Edges) -> Result<Self, StatsError> {
         let (form, sum) = form.taken_off(&pair.map)?; // the same for all three: they add
-        let [a, b] = [level(&pair.parts[0], form)?, level(&pair.parts[1], form)?];
+        let [(_, a), (_, b)] = [form.taken_off(&pair.parts[0])?, form.taken_off(&pair.parts[1])?];
         let seam = if repeats(&a) && repeats(&b) { Edges::Periodic } else { Edges::Open };
         let spread = if a.is_flat() || b.is_flat() {
             [0.0; 3]

@@ -14,7 +14,7 @@ fn is<T: Serialize + DeserializeOwned + PartialEq + Debug>(value: &T, text: &str
 #[test]
 fn names_are_those_of_the_command() {
     for level in Level::all() {
-        is(&level, &format!("\"{level}\""));
+        is(&level, &format!("\"{}\"", level.name()));
     }
     for edges in Edges::all() {
         is(&edges, &format!("\"{}\"", edges.name()));
