@@ -1,13 +1,13 @@
-//! Reading and filling a map of 1024 x 1024 points, per point.
+//! Reading a map of 1024 x 1024 points, per point.
 #![allow(missing_docs, reason = "criterion's macros write undocumented functions")]
 #![allow(clippy::unwrap_used, reason = "a benchmark that cannot run should say so")]
 
 use contact_types::{Grid, HeightMap};
-use criterion::{BatchSize, Criterion, Throughput, criterion_group, criterion_main};
+use criterion::{Criterion, Throughput, criterion_group, criterion_main};
 use std::fmt::Write as _;
 use std::hint::black_box;
 use std::io::Cursor;
-use surface_io::{Fill, HeightUnit, ReadOptions, read_bytes, write};
+use surface_io::{HeightUnit, ReadOptions, read_bytes, write};
 
 const N: usize = 1024;
 
@@ -17,16 +17,12 @@ fn map() -> HeightMap {
 }
 
 /// A matrix in nm with the header that gives its scale.
-fn matrix(map: &HeightMap, missing: impl Fn(usize, usize) -> bool) -> String {
+fn matrix(map: &HeightMap) -> String {
     let mut text = format!("# Width: {N} um\n# Height: {N} um\n# Value units: nm\n");
     for iy in 0..N {
         for ix in 0..N {
             let end = if ix + 1 == N { '\n' } else { '\t' };
-            if missing(iy, ix) {
-                text.push(end);
-            } else {
-                write!(text, "{:.3}{end}", 1e9 * map.at(iy, ix)).unwrap();
-            }
+            write!(text, "{:.3}{end}", 1e9 * map.at(iy, ix)).unwrap();
         }
     }
     text
@@ -56,7 +52,7 @@ fn reading(criterion: &mut Criterion) {
         ("npy", npy),
         ("sdf", sdf),
         ("x3p", x3p.into_inner()),
-        ("matrix", matrix(&map, |_, _| false).into_bytes()),
+        ("matrix", matrix(&map).into_bytes()),
         ("xyz", list(&map).into_bytes()),
     ];
     let options = ReadOptions {
@@ -70,28 +66,5 @@ fn reading(criterion: &mut Criterion) {
     group.finish();
 }
 
-type Hole = fn(usize, usize) -> bool;
-
-fn filling(criterion: &mut Criterion) {
-    let map = map();
-    let mut group = criterion.benchmark_group("fill");
-    group.throughput(Throughput::Elements((N * N) as u64)).sample_size(10);
-    let holes: [(&str, Hole); 2] = [
-        // One point in 16, and one disc of a quarter of the map.
-        ("scattered", |iy, ix| (iy * 7 + ix * 13) % 16 == 0),
-        ("disc", |iy, ix| (iy.abs_diff(N / 2)).pow(2) + (ix.abs_diff(N / 2)).pow(2) < N * N / 12),
-    ];
-    for (name, hole) in holes {
-        let text = matrix(&map, hole);
-        let found = read_bytes(text.as_bytes(), &ReadOptions::default()).unwrap();
-        for (how, fill) in [("harmonic", Fill::Harmonic), ("nearest", Fill::Nearest)] {
-            group.bench_function(format!("{how}/{name}"), |b| {
-                b.iter_batched(|| found.clone(), |m| m.fill(fill).unwrap(), BatchSize::LargeInput);
-            });
-        }
-    }
-    group.finish();
-}
-
-criterion_group!(benches, reading, filling);
+criterion_group!(benches, reading);
 criterion_main!(benches);
