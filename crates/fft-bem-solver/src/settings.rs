@@ -33,12 +33,6 @@ impl Named for Method {
     ];
 }
 
-impl std::fmt::Display for Method {
-    fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
-        f.pad(self.name())
-    }
-}
-
 /// What lies beyond the edges of the map.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash, Default)]
 #[cfg_attr(
@@ -60,12 +54,6 @@ impl Named for Boundary {
         &[(Self::Periodic, "periodic"), (Self::Free, "free")];
 }
 
-impl std::fmt::Display for Boundary {
-    fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
-        f.pad(self.name())
-    }
-}
-
 /// Floating-point type of the fields during a solve. Results are always `f64`.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash, Default)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
@@ -82,12 +70,6 @@ pub enum Precision {
 
 impl Named for Precision {
     const NAMES: &'static [(Self, &'static str)] = &[(Self::Double, "f64"), (Self::Single, "f32")];
-}
-
-impl std::fmt::Display for Precision {
-    fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
-        f.pad(self.name())
-    }
 }
 
 /// Which maps a solution carries, at 8 bytes per pixel each; its numbers do not need them.

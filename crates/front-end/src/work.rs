@@ -7,7 +7,7 @@ use contact_compare::{
     Conducted, DeterministicAnswer, Distributions, Joint, NoUncertainty, Pressed, Settings, Solved,
     Spikes, contact_spots,
 };
-use contact_types::{ContactModulus, Grid, HeightMap};
+use contact_types::{ContactModulus, Grid, HeightMap, Named};
 use fft_bem_solver::{Iteration, Load, SetStiffness, Solution, SolverError};
 use serde_json::{Value, json};
 use std::ops::ControlFlow;
@@ -26,7 +26,7 @@ pub(crate) struct SolvedLoads<'a> {
     /// What the map that is solved says before.
     pub(crate) known: Option<Map>,
     pub(crate) trouble: Option<Failure>,
-    pub(crate) method: String,
+    pub(crate) method: &'static str,
     pub(crate) points: Vec<Option<Point>>,
     pub(crate) grid: Grid,
     /// Spikes of the map as given, and the largest share of the load they carry on it.
@@ -51,7 +51,7 @@ impl<'a> SolvedLoads<'a> {
             watch,
             known: None,
             trouble: None,
-            method: settings.method.to_string(),
+            method: settings.method.name(),
             points: loads.iter().map(|_| None).collect(),
             grid,
             spikes,
@@ -159,7 +159,7 @@ impl Sink for SolvedLoads<'_> {
                 let found = Distributions::of(&solution.pressure, &solution.gap, &spots);
                 json["distributions"] = json!(found);
             }
-            self.method = solution.diagnostics.method.to_string();
+            self.method = solution.diagnostics.method.name();
             if let Err(failure) = self.watch.keep(place, self.grid, &mut solution) {
                 self.report(failure);
             }

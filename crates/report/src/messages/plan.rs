@@ -2,6 +2,7 @@
 
 use crate::numbers::{METRES, PASCALS, chosen};
 use contact_accuracy::{Load, Reached};
+use contact_types::Named;
 
 /// All of it in one line.
 pub fn explanation(reached: &Reached) -> String {
@@ -15,7 +16,7 @@ pub fn explanation(reached: &Reached) -> String {
     let width =
         reached.half_width.map_or_else(|| "without uncertainty estimate".to_owned(), plus_minus);
     let tolerance = format!("{:e}", reached.tolerance).replace("e-", "e−");
-    let (precision, time) = (reached.precision, duration_rounded_up(reached.seconds));
+    let (precision, time) = (reached.precision.name(), duration_rounded_up(reached.seconds));
     let line = format!("{grid}, {precision}, tolerance {tolerance}: {width}, {time}");
     if let (Some(why), Some(request)) = (reason(reached), reached.request) {
         return format!("{line}; {} not met: {why}", percent(request.relative()));

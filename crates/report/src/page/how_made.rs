@@ -186,6 +186,7 @@ fn solver_words(Comparison { surfaces, settings, .. }: &Comparison) -> String {
     let (loads, pairs) = (counted(answers().count(), "load"), significant(pairs, 3));
     let c = significant(PERIMETER_CORRECTION, 4);
     format!(
-        "{methods}, {precision}, tolerance {tolerance}; {loads}, {pairs} FFT convolutions, {time}; perimeter correction c = {c}"
+        "{methods}, {}, tolerance {tolerance}; {loads}, {pairs} FFT convolutions, {time}; perimeter correction c = {c}",
+        precision.name()
     )
 }

@@ -347,7 +347,9 @@ fn how_made(summary: &Summary<'_>, provenance: &Provenance) -> String {
         Some(accuracy) => format!("for each map what {} of the area needs", percent(accuracy)),
         None => format!(
             "{}, {}, tolerance {:e}",
-            settings.method, settings.precision, settings.tolerance
+            settings.method.name(),
+            settings.precision.name(),
+            settings.tolerance
         ),
     };
     let program = program_words(provenance, settings, summary.seconds);

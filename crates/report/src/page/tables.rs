@@ -148,7 +148,7 @@ fn deterministic_row(part: &mut SurfacePart<'_>, reference: &Reference<'_>) -> S
     };
     let yields = surface.inputs.hardness.is_some() && !of_elastic;
     let of = if reference.of.is_empty() { "" } else { &format!(", {}", reference.of) };
-    let method = answer.map_or(String::new(), |a| format!(", {}", a.diagnostics.method));
+    let method = answer.map_or(String::new(), |a| format!(", {}", a.diagnostics.method.name()));
     let made_of = format!("height map{of}{method}");
     let head = head(DETERMINISTIC_STYLE, "Deterministic, FFT-BEM", &made_of);
     let cells = cells([

@@ -2,7 +2,7 @@
 //! tolerances, each with its time and its true error.
 
 use contact_compare::{Comparison, Inputs, Level, Settings, Surface, built_in, built_in_recipes};
-use contact_types::{ContactModulus, Grid, HeightMap};
+use contact_types::{ContactModulus, Grid, HeightMap, Named};
 use fft_bem_solver::{
     Boundary, HalfSpace, Iteration, Load, Method, PERIMETER_CORRECTION, Precision, Real, Solution,
     Solver, SolverError,
@@ -276,8 +276,8 @@ impl Job<'_> {
             let touching = first.touching_fraction();
             let Solution { state, pressure, diagnostics, .. } = first;
             take(TradeoffRow {
-                method: method.to_string(),
-                precision: Some(precision.to_string()),
+                method: method.name().to_owned(),
+                precision: Some(precision.name().to_owned()),
                 tolerance: Some(tolerance),
                 area: Some(touching),
                 corrected: Some(state.area_fraction),
@@ -339,7 +339,7 @@ impl Job<'_> {
             (Precision::Double, one_pair::<f64>(grid, self.modulus, budget)),
             (Precision::Single, one_pair::<f32>(grid, self.modulus, budget)),
         ] {
-            let precision = Some(precision.to_string());
+            let precision = Some(precision.name().to_owned());
             let pair = TradeoffRow { method: PAIR.into(), precision, seconds, ..self.case.clone() };
             take(TradeoffRow { load: None, truth: None, bar: None, ..pair });
         }
