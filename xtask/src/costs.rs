@@ -2,7 +2,7 @@
 
 use crate::counters::public_names;
 use crate::dependencies::{LAYERS, brought_along};
-use crate::generated::{CHECK, keep_section};
+use crate::generated::{check_flag, keep_section};
 use crate::shell::{TaskResult, example, files, output, root};
 use std::collections::BTreeSet;
 use std::fmt::Write;
@@ -15,11 +15,7 @@ const PEAK: f64 = 0.05;
 
 /// Writes the tables of dependencies and allocations, or checks that they are current.
 pub(crate) fn run(args: &[String]) -> TaskResult {
-    let check = match args {
-        [] => None,
-        [flag] if flag == "--check" => CHECK,
-        other => return Err(format!("unknown arguments {other:?}; there is --check")),
-    };
+    let check = check_flag(args)?;
     keep_section(PAGE, "dependencies", &dependencies()?, check)?;
     let allocations = output(&mut example("studies", "costs"))?;
     keep_section(PAGE, "allocations", &allocations, check.map(|_| PEAK))

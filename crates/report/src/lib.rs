@@ -25,7 +25,7 @@ pub use contact_compare as compare; // whose results are written here
 pub use digest::digest;
 pub use documents::{documents, profile_documents};
 pub use figures::cost::{CostFigure, CostSeries};
-pub use figures::heights::{height_map, thumbnail};
+pub use figures::heights::{height_map, height_picture};
 pub use figures::maps::pressures as pressure_picture;
 pub use json::{
     accuracy as accuracy_json, cleaning as cleaning_json, comparison as comparison_json,

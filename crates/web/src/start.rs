@@ -19,7 +19,7 @@ pub(crate) fn answer(place: Host) -> Result<Value, Trouble> {
         let mut part = recipe.clone();
         part.shape = recipe.shape.map(|n| n.min(PART));
         let map = part.make().map_err(|e| Failure::from(&e))?.heights;
-        let picture = contact_report::thumbnail(map.heights(), map.grid(), PART);
+        let (picture, _) = contact_report::height_picture(map.heights(), map.grid(), PART);
         let [ny, nx] = recipe.shape;
         examples.push(json!({
             "name": recipe.name, "description": recipe.description, "picture": picture,

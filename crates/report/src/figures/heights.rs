@@ -17,8 +17,9 @@ const SQUARE: f64 = 5.0;
 /// Widths of the light line of a ring and of the dark one outside it, in units of the figure.
 const LINES: [f64; 2] = [1.4, 1.0];
 
-/// A map as a picture of at most `limit` pixels along its longer side, and the heights (m) between which its colours run.
-pub(crate) fn height_picture(heights: &[f64], grid: Grid, limit: usize) -> (String, [f64; 2]) {
+/// A map as a picture (`data:image/png;base64,…`) of at most `limit` pixels along its longer side: heights by colour, lit
+/// from the upper left; and the heights (m) between which its colours run.
+pub fn height_picture(heights: &[f64], grid: Grid, limit: usize) -> (String, [f64; 2]) {
     let (heights, shape) = averaged(heights, grid.shape(), limit);
     let ramp = ramp_table::<256>(&HEIGHT_RAMP);
     // The ramp runs between these percentiles.
@@ -32,12 +33,6 @@ pub(crate) fn height_picture(heights: &[f64], grid: Grid, limit: usize) -> (Stri
         OkLab((l + SHADE * shade[i]).clamp(0.0, 1.0), a, b)
     });
     (image, [lo, hi])
-}
-
-/// A map as a picture (`data:image/png;base64,…`) of at most `limit` pixels along its longer side: heights by colour, lit
-/// from the upper left.
-pub fn thumbnail(heights: &[f64], grid: Grid, limit: usize) -> String {
-    height_picture(heights, grid, limit).0
 }
 
 /// Heights (m) of the whole map as an SVG element with a bar of colours, one of length, and a ring round each of

@@ -1,23 +1,9 @@
 //! Two bodies pressed together, as a user presses them.
 
-use crate::cli::{self, TestFolder, UNITS, close, folder, has, list, number};
+use crate::cli::{self, TestFolder, UNITS, bumpy, close, folder, has, list, number};
 use serde_json::{Value, json};
-use std::f64::consts::TAU;
 
 const STEEL_AND_BRONZE: &str = "--young 210GPa --poisson 0.3 --young 100GPa --poisson 0.34";
-
-/// Waves of several lengths, one cell of 32 x 32; `mirrored` as seen after a turn about the y axis.
-fn bumpy(seed: f64, sign: f64, mirrored: bool) -> impl Fn(usize, usize) -> f64 {
-    move |iy, ix| {
-        let ix = if mirrored { 31 - ix } else { ix };
-        let wave = |a: f64, ky: f64, kx: f64| {
-            a * (TAU * (ky * iy as f64 + kx * ix as f64) / 32.0 + seed * (ky + 2.0 * kx)).cos()
-        };
-        // Rounded, so that text keeps every bit and sums of two are exact.
-        let height = wave(0.1, 1.0, 2.0) + wave(0.06, 3.0, -1.0) + wave(0.04, 2.0, 4.0);
-        sign * (height * 1024.0).round() / 1024.0
-    }
-}
 
 fn bodies() -> TestFolder {
     let at = folder();

@@ -1,8 +1,8 @@
 //! Contact, studies and models of bodies that yield, as a user asks for them.
 
-use crate::cli::{TestFolder, close, folder, has, list, number, surface};
+use crate::cli::{TestFolder, bumpy, close, folder, has, list, number, surface};
 use serde_json::Value;
-use std::f64::consts::{PI, TAU};
+use std::f64::consts::PI;
 
 const STUDY: &str = "compare a.x3p --modulus 110GPa --pressure 20MPa,100MPa,500MPa";
 
@@ -116,12 +116,7 @@ const SOLVE: &str = "solve a.txt --pixel 1um --height-unit um --modulus 100GPa";
 /// Waves of several lengths, one cell of 32 x 32, rms gradient about 0.06.
 fn waves() -> TestFolder {
     let at = folder();
-    let wave = |iy: usize, ix: usize, a: f64, ky: f64, kx: f64| {
-        a * (TAU * (ky * iy as f64 + kx * ix as f64) / 32.0 + ky + 2.0 * kx).cos()
-    };
-    at.matrix("a.txt", 32, 32, |iy, ix| {
-        wave(iy, ix, 0.1, 1.0, 2.0) + wave(iy, ix, 0.06, 3.0, -1.0) + wave(iy, ix, 0.04, 2.0, 4.0)
-    });
+    at.matrix("a.txt", 32, 32, bumpy(1.0, 1.0, false));
     at
 }
 

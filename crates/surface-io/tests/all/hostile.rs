@@ -5,6 +5,9 @@ use crate::common::{SampleFile, SayMore as _, assert_refused, assert_sample, sam
 use std::fmt::Write as _;
 use surface_io::{FORMATS, Layout, Limits, ReadError, ReadOptions, read_bytes};
 
+/// Where the heights of an X3P file are.
+const LINK: &str = "<DataLink><PointDataLink>d</PointDataLink></DataLink>";
+
 /// Small limits: a file of a few kilobytes has no business asking for more.
 fn tight() -> Limits {
     Limits { file_bytes: 1 << 20, unpacked_bytes: 1 << 20, points: 1 << 16, items: 1 << 10 }
@@ -89,8 +92,7 @@ fn every_reader_survives_every_file() {
 fn sizes_that_claim_terabytes() {
     let over = npy("<f8", false, "(18446744073709551615, 2)", &[0; 64]);
     assert!(matches!(unaided(&over), Err(ReadError::Limit { .. } | ReadError::Malformed { .. })));
-    let link = "<DataLink><PointDataLink>d</PointDataLink></DataLink>";
-    let main = x3p_main("D", "", link).replace("<SizeX>7", "<SizeX>70000000000");
+    let main = x3p_main("D", "", LINK).replace("<SizeX>7", "<SizeX>70000000000");
     let x3p = zip(&[("main.xml", main.as_bytes()), ("d", &[0; 64])]);
     for file in [npy("<f8", false, "(1000000, 1000000)", &[0; 64]), x3p] {
         let error = unaided(&file).unwrap_err();
@@ -102,8 +104,7 @@ fn sizes_that_claim_terabytes() {
 #[test]
 fn decompression_bomb() {
     let zeros = vec![0u8; 64 << 20];
-    let link = "<DataLink><PointDataLink>d</PointDataLink></DataLink>";
-    let member = zip(&[("main.xml", x3p_main("D", "", link).as_bytes()), ("d", &zeros)]);
+    let member = zip(&[("main.xml", x3p_main("D", "", LINK).as_bytes()), ("d", &zeros)]);
     let options = ReadOptions::default().and(|o| o.limits = tight());
     for file in [member, gzip(&zeros), zip(&[("d.txt", &zeros)])] {
         assert!(file.len() < 1 << 17);
@@ -129,8 +130,7 @@ fn xml_with_entities_is_refused() {
 #[test]
 fn spacings_that_are_none() {
     for bad in ["0", "-1e-6", "nan", "1e400", ""] {
-        let link = "<DataLink><PointDataLink>d</PointDataLink></DataLink>";
-        let main = x3p_main("D", "", link).replace("<Increment>2e-6", &format!("<Increment>{bad}"));
+        let main = x3p_main("D", "", LINK).replace("<Increment>2e-6", &format!("<Increment>{bad}"));
         let file = zip(&[("main.xml", main.as_bytes()), ("d", &[0; 280])]);
         let error = unaided(&file).unwrap_err();
         assert!(matches!(error, ReadError::Malformed { .. }), "{bad}: {error}");

@@ -3,6 +3,7 @@
 pub(crate) mod app;
 
 use serde_json::Value;
+use std::f64::consts::TAU;
 use std::path::{Path, PathBuf};
 use std::process::Command;
 use tempfile::TempDir;
@@ -30,6 +31,19 @@ pub(crate) struct TestFolder(TempDir);
 
 pub(crate) fn folder() -> TestFolder {
     TestFolder(tempfile::tempdir().unwrap())
+}
+
+/// Waves of several lengths, one cell of 32 x 32; `mirrored` as seen after a turn about the y axis.
+pub(crate) fn bumpy(seed: f64, sign: f64, mirrored: bool) -> impl Fn(usize, usize) -> f64 {
+    move |iy, ix| {
+        let ix = if mirrored { 31 - ix } else { ix };
+        let wave = |a: f64, ky: f64, kx: f64| {
+            a * (TAU * (ky * iy as f64 + kx * ix as f64) / 32.0 + seed * (ky + 2.0 * kx)).cos()
+        };
+        // Rounded, so that text keeps every bit and sums of two are exact.
+        let height = wave(0.1, 1.0, 2.0) + wave(0.06, 3.0, -1.0) + wave(0.04, 2.0, 4.0);
+        sign * (height * 1024.0).round() / 1024.0
+    }
 }
 
 /// A folder with `a.x3p`, points 1 µm apart with an rms gradient of 0.1.
