@@ -52,7 +52,7 @@ fn copies(surface: &HeightMap, tolerance: f64) -> usize {
     let ([ny, nx], heights) = (surface.grid().shape(), surface.heights());
     let along = |n: usize, moved: &dyn Fn(usize, usize) -> usize| {
         let same = |p: usize, i: usize| (heights[i] - heights[moved(i, p)]).abs() <= tolerance;
-        let is_period = |p: &usize| n % p == 0 && (0..heights.len()).all(|i| same(*p, i));
+        let is_period = |p: &usize| n.is_multiple_of(*p) && (0..heights.len()).all(|i| same(*p, i));
         (1..n).find(is_period).map_or(1, |period| n / period)
     };
     let rows = along(ny, &|i, p| (i + p * nx) % heights.len());
