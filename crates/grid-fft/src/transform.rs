@@ -15,6 +15,8 @@ pub struct GridFft<T: Float> {
     shape: [usize; 2],
     plans: Plans<T>,
     rows: RowScratch<T>,
+    /// Two rows.
+    pair: Vec<T>,
     columns: Vec<Complex<T>>,
     scratch: Vec<Complex<T>>,
 }
@@ -39,6 +41,7 @@ impl<T: Float> GridFft<T> {
         Self {
             shape,
             rows: plans.rows.scratch(),
+            pair: vec![T::zero(); 2 * nx],
             plans,
             columns: vec![zero; ny * COLUMN_BLOCK],
             scratch: vec![zero; scratch],
@@ -46,7 +49,7 @@ impl<T: Float> GridFft<T> {
     }
 
     /// Shape of the half spectrum, `[ny, nx/2 + 1]`.
-    pub fn spectrum_shape(&self) -> [usize; 2] {
+    fn spectrum_shape(&self) -> [usize; 2] {
         [self.shape[0], self.shape[1] / 2 + 1]
     }
 
@@ -64,7 +67,25 @@ impl<T: Float> GridFft<T> {
         let [ny, nx] = self.shape;
         let nq = nx / 2 + 1;
         assert!(field.len() == ny * nx && spectrum.len() == ny * nq, "field or spectrum length");
-        self.plans.rows.forward(field, spectrum, &mut self.rows);
+        self.forward_rows(|iy, row| row.copy_from_slice(&field[iy * nx..(iy + 1) * nx]), spectrum);
+    }
+
+    /// The same of a field of which `row` writes one row, by its index, at a time.
+    ///
+    /// # Panics
+    /// If the spectrum does not have the length planned for.
+    pub fn forward_rows(
+        &mut self,
+        mut row: impl FnMut(usize, &mut [T]),
+        spectrum: &mut [Complex<T>],
+    ) {
+        let ([ny, nq], nx) = (self.spectrum_shape(), self.shape[1]);
+        assert!(spectrum.len() == ny * nq, "spectrum length");
+        for (k, waves) in spectrum.chunks_mut(2 * nq).enumerate() {
+            let rows = &mut self.pair[..waves.len() / nq * nx];
+            rows.chunks_exact_mut(nx).enumerate().for_each(|(i, own)| row(2 * k + i, own));
+            self.plans.rows.forward(rows, waves, &mut self.rows);
+        }
         self.transform_columns(spectrum, &self.plans.column_forward.clone());
     }
 

@@ -227,7 +227,7 @@ fn timed<T>(compute: impl FnOnce() -> T) -> (T, f64) {
 }
 
 impl SurfaceStatistics {
-    /// Takes all statistics of a map. Needs the memory of three further copies of it.
+    /// Takes all statistics of a map. Needs the memory of two further copies of it.
     ///
     /// # Errors
     /// [`StatsError::TooSmall`] below 3 x 3 pixels, [`StatsError::OutOfRange`] for heights or

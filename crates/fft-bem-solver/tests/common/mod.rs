@@ -64,8 +64,8 @@ pub(crate) fn filtered(
     let mut fft = GridFft::new(grid.shape());
     let mut spectrum = fft.new_spectrum();
     fft.forward(white, &mut spectrum);
-    let [_, nq] = fft.spectrum_shape();
     let nx = grid.shape()[1];
+    let nq = nx / 2 + 1;
     let mut gradient2 = 0.0;
     for (i, wave) in spectrum.iter_mut().enumerate() {
         let q = grid.wavenumber(i / nq, i % nq);

@@ -180,13 +180,13 @@ fn statistics(map: &HeightMap) -> Vec<Case> {
         Case::on(package, "m2 and m4 (for GW, BGT, elliptical)", (map, 0.01), || {
             black_box(moments(map, Edges::Open).expect("a surface"));
         }),
-        Case::on(package, "radial spectrum (for Persson)", (map, 2.2), || {
+        Case::on(package, "radial spectrum (for Persson)", (map, 1.2), || {
             black_box(radial(map).expect("a surface"));
         }),
         Case::on(package, "amplitudes of rows (for stacked)", (map, 0.1), || {
             black_box(amplitudes(map).expect("a surface"));
         }),
-        Case::on(package, "scales and power law (for Majumdar–Bhushan)", (map, 2.2), || {
+        Case::on(package, "scales and power law (for Majumdar–Bhushan)", (map, 1.2), || {
             black_box(spectral_scales(map, Edges::Open).expect("a surface"));
         }),
         Case::on(package, "all statistics, periodic", (map, 2.2), || all(Edges::Periodic)),

@@ -16,4 +16,4 @@ mod window;
 pub use profile::amplitudes;
 pub(crate) use profile::{ProfileBin, psd_1d};
 pub use radial::{PowerSpectrum, Ring, radial};
-pub(crate) use window::apply_window;
+pub(crate) use window::window;

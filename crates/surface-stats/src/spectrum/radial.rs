@@ -1,6 +1,6 @@
 //! The two-dimensional spectrum and its average over directions.
 
-use super::apply_window;
+use super::window;
 use crate::{Edges, StatsError, scale};
 use contact_types::{Grid, HeightMap, RoughnessSpectrum, Shell, SpectralMoments};
 use grid_fft::{Complex, GridFft};
@@ -41,9 +41,10 @@ impl PowerSpectrum {
 
     /// The same of heights that may be a little out of range, as levelling may leave them.
     pub(crate) fn windowed(map: &HeightMap, edges: Edges) -> Self {
-        let mut field = map.heights().to_vec();
-        apply_window(map.grid(), &mut field, edges);
-        Self::of_field(map.grid(), &field)
+        let mut fft = GridFft::new(map.grid().shape());
+        let mut waves = fft.new_spectrum();
+        fft.forward_rows(window(map, edges), &mut waves);
+        Self { grid: map.grid(), waves }
     }
 
     /// Of heights that are already about their mean and windowed.

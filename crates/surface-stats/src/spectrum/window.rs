@@ -1,7 +1,7 @@
 //! The window for maps that do not repeat.
 
 use crate::Edges;
-use contact_types::Grid;
+use contact_types::HeightMap;
 use std::f64::consts::PI;
 
 /// Hann's window `sin²(π (i + 1/2) / n)`, with mean square 1, which keeps the variance.
@@ -14,31 +14,25 @@ pub(crate) fn hann(n: usize) -> Vec<f64> {
     w.iter().map(|w| w / mean_square.sqrt()).collect()
 }
 
-/// Replaces heights by their distance from the (weighted) mean, times the window if they do not repeat.
-pub(crate) fn apply_window(grid: Grid, heights: &mut [f64], edges: Edges) {
+/// Writes one row of a map, by its index, about its (weighted) mean, times the window if it does not repeat.
+pub(crate) fn window(map: &HeightMap, edges: Edges) -> impl Fn(usize, &mut [f64]) {
     let is_open = edges == Edges::Open;
     let weights = |n: usize| if is_open { hann(n) } else { vec![1.0; n] };
-    let [ny, nx] = grid.shape();
+    let ([ny, nx], heights) = (map.grid().shape(), map.heights());
     let (wy, wx) = (weights(ny), weights(nx));
-    let row_weight: f64 = wx.iter().sum();
-    // Twice: the second pass takes off what rounding left of a mean far above the relief.
-    for _ in 0..2 {
-        let origin = heights[0];
-        let (mut sum, mut weight) = (0.0, 0.0);
-        for (row, wy) in heights.chunks_exact(nx).zip(&wy) {
-            sum += wy * row.iter().zip(&wx).map(|(h, wx)| wx * (h - origin)).sum::<f64>();
-            weight += wy * row_weight;
-        }
-        let mean = origin + sum / weight;
-        for h in heights.iter_mut() {
-            *h -= mean;
-        }
-    }
-    if is_open {
-        for (row, wy) in heights.chunks_exact_mut(nx).zip(&wy) {
-            for (h, wx) in row.iter_mut().zip(&wx) {
-                *h *= wy * wx;
-            }
+    let weight = wy.iter().sum::<f64>() * wx.iter().sum::<f64>();
+    let mean_above = |origin: f64| {
+        let rows = heights.chunks_exact(nx).zip(&wy);
+        let sum = |row: &[f64]| row.iter().zip(&wx).map(|(h, wx)| wx * (h - origin)).sum::<f64>();
+        rows.map(|(row, wy)| wy * sum(row)).sum::<f64>() / weight
+    };
+    let mean = heights[0] + mean_above(heights[0]);
+    // What rounding left of a mean far above the relief.
+    let rest = mean_above(mean);
+    move |iy, out| {
+        let row = &heights[iy * nx..(iy + 1) * nx];
+        for ((out, h), wx) in out.iter_mut().zip(row).zip(&wx) {
+            *out = (h - mean - rest) * (wy[iy] * wx);
         }
     }
 }
