@@ -299,6 +299,41 @@ def test_coordinates_without_units_are_asked_for():
         rc.Surface(coordinates(units="nm"), pixel="1um")
 
 
+def test_a_unit_with_a_number_is_that_many():
+    expected = rc.Surface(tilted(), pixel=["3um", "2um"], height_unit="nm")
+    for unit in ("1e-9 m", "1e-9m", "0.001 um", "+1 nm", " 1 nm "):
+        assert np.allclose(rc.Surface.of(coordinates(units=unit)).heights, expected.heights, rtol=1e-15)
+    ten = rc.Surface(coordinates(units="10 nm"), pixel=["3um", "2um"])
+    assert np.allclose(ten.heights, expected.scaled(10.0).heights, rtol=1e-15)
+    assert rc.Surface.of(coordinates(unit="1e-6 m", units="nm")).pixel == pytest.approx((3e-6, 2e-6))
+    loads = pytest.importorskip("xarray").DataArray([1.0, 2.0], dims="p", attrs={"units": "10 MPa"})
+    assert rc.model("persson", rc.Moments(m2=0.01), modulus="110 GPa", pressure=loads).mean_pressure.tolist() == [1e7, 2e7]
+    for unit in ("0 nm", "-1 nm", "1e999 nm", "10", "e3nm", "nm 10", "1e-9"):
+        with pytest.raises(rc.UnitError, match="heights"):
+            rc.Surface(coordinates(units=unit), pixel=["3um", "2um"])
+    with pytest.raises(rc.UnitError, match="coordinates along y"):
+        rc.Surface.of(coordinates(unit="0 um", units="nm"))
+
+
+@pytest.mark.parametrize("name", ["height_unit", "lateral_unit", "override_height_unit"])
+def test_a_unit_that_is_typed_stands_alone(tmp_path, name):
+    """As for the command: of `height_unit='10nm'` nobody knows what was meant."""
+    path = tmp_path / "map.txt"
+    np.savetxt(path, tilted())
+    rest = {"pixel": "1um", "layout": "matrix"}
+    for wrong, why in (("10nm", "'10nm' has a number in front; write .*='nm'"), ("0.1 nm", "number"), ("1e-9 m", "number"), (1e-6, "= 1e-06 is no unit"), ("", "''"), ("e3nm", "e3nm"), ("GPa", "length")):
+        calls = [lambda: rc.read(path, **rest, **{name: wrong}), lambda: rc.info(path, **{name: wrong})]
+        if name == "height_unit":
+            calls.append(lambda: rc.Surface(tilted(), pixel="1um", height_unit=wrong))
+            calls.append(lambda: rc.Profile.of(np.sin(np.arange(800)), spacing="1um", height_unit=wrong))
+            calls.append(lambda: rc.Surface.of(coordinates(), height_unit=wrong))
+        for call in calls:
+            with pytest.raises(rc.UnitError, match=f"{name}.*{why}" if why != "length" else name):
+                call()
+    other = {} if name == "override_height_unit" else {"height_unit": "nm"}
+    assert rc.read(path, **{**rest, **other, name: " um "}).shape == (5, 7)
+
+
 def test_two_units_are_refused():
     with pytest.raises(rc.UnitError, match="'um'.*'nm'"):
         rc.Surface.of(coordinates(units="nm"), height_unit="um")

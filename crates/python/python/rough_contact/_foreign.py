@@ -36,7 +36,10 @@ class Foreign:
             known = None
             named = unit if own == "" else own
             if step is not None and named is not None:
-                known = float(_units.scaled(step, _units.factor(named)))
+                try:
+                    known = float(_units.scaled(step, _units.factor(named)))
+                except UnitError as error:
+                    raise UnitError(f"the coordinates along {axis}: {error}", error.kind) from None
             if wanted is None and step is None:
                 raise UnitError("the object has no spacing of points; give pixel='1um'", "unit")
             if wanted is None and known is None:

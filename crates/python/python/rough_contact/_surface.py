@@ -7,6 +7,7 @@ import json
 import operator
 import os
 from collections.abc import Mapping, Sequence
+import re
 from types import MappingProxyType
 from typing import TYPE_CHECKING, Any, Literal, Protocol, Union, get_args
 
@@ -135,7 +136,8 @@ class Surface:
         if unit is None:
             raise UnitError(f"{type(obj).__name__} has no unit; give height_unit='um'", "unit")
         dy, dx = found.pixel(unit or None, None if pixel is None else _units.pixel(pixel))
-        return cls(found.heights, pixel=[dy * _metre, dx * _metre], height_unit=unit or None, fill=fill, name=name or found.name)
+        bare = None if _units.own_unit(found.heights) is not None else unit
+        return cls(found.heights, pixel=[dy * _metre, dx * _metre], height_unit=bare, fill=fill, name=name or found.name)
 
     def __setattr__(self, name: str, value: Any) -> None:
         raise AttributeError(f"a Surface does not change: {name} cannot be set")
@@ -527,8 +529,8 @@ def reading(
 ) -> dict[str, Any]:
     """What is said of a file, as the extension takes it."""
 
-    def unit(text: str | None) -> float | None:
-        return None if text is None else _units.factor(text)
+    def unit(text: str | None, name: str) -> float | None:
+        return None if text is None else _units.unit_alone(text, name)
 
     if height_unit is not None and override_height_unit is not None:
         raise TypeError("give one of height_unit and override_height_unit")
@@ -539,9 +541,9 @@ def reading(
     said = {
         "channel": channel,
         "pixel": None if pixel is None else _units.pixel(pixel),
-        "lateral_unit": unit(lateral_unit),
-        "height_unit": unit(height_unit),
-        "override_height_unit": unit(override_height_unit),
+        "lateral_unit": unit(lateral_unit, "lateral_unit"),
+        "height_unit": unit(height_unit, "height_unit"),
+        "override_height_unit": unit(override_height_unit, "override_height_unit"),
         "layout": layout,
         "decimal": decimal,
         "missing_marks": [missing] if isinstance(missing, str) else list(missing),
@@ -563,7 +565,7 @@ def metres(heights: Any, unit: str | None) -> NDArray[np.float64]:
     if agreed is None:
         raise UnitError("heights have no unit; write height_unit='um', or heights * rc.units.um", "unit")
     if own is None:
-        made = _units.scaled(_units.plain(heights, "heights"), _units.factor(agreed))
+        made = _units.scaled(_units.plain(heights, "heights"), _units.unit_alone(agreed, "height_unit"))
     else:
         made = _units.array(heights, "length", "heights")
     return np.ascontiguousarray(made)
@@ -573,7 +575,7 @@ def _agreed(own: str | None, given: str | None) -> str | None:
     """The unit of heights: that which they carry or that which is given; two that differ are refused."""
     if own is None or given is None:
         return given if own is None else own
-    if own == "" or _units.factor(own) != _units.factor(given):
+    if own == "" or _units.factor(own) != _units.unit_alone(given, "height_unit"):
         shown = "their unit" if own == "" else f"the unit {own!r}"
         raise UnitError(f"height_unit = {given!r}, and the heights carry {shown}; leave height_unit out, or give a plain array", "unit")
     return own

@@ -7,6 +7,7 @@ equally reasonable.
 from __future__ import annotations
 
 import operator
+import re
 from collections.abc import Sequence
 from numbers import Real
 from typing import TYPE_CHECKING, Any, Protocol, Union, runtime_checkable
@@ -38,6 +39,10 @@ _NAMES = {powers: (kind, unit) for kind, (powers, unit, _, _) in _KINDS.items()}
 
 class Quantity:
     """A number or an array with a unit: ``110 * rc.units.GPa``.
+#: A number in front of a unit.
+_COUNTED = re.compile(r"[+-]?(\d+\.?\d*|\.\d+)([eE][+-]?\d+)?")
+
+
 
     Quantities multiply, divide, take powers and compare; adding or comparing those of different kinds is refused.
     Masked and missing entries of an array are NaN.
@@ -235,8 +240,29 @@ def parsed(text: str, dimension: str, many: bool = False) -> list[float]:
 
 
 def factor(unit: str, dimension: str = "length") -> float:
-    """A unit standing alone, in SI units."""
-    return parsed(f"1{unit}", dimension)[0]
+    """What a unit is in SI units; one with a number in front, as of a scale in a file, is that many: ``'1e-9 m'``."""
+    text = unit.strip()
+    found = parsed(text if _COUNTED.match(text) else f"1 {text}", dimension)[0]
+    if not 0 < found < float("inf"):
+        raise UnitError(f"the unit {unit!r} must be greater than 0 and finite", "unit")
+    return found
+
+
+def unit_alone(unit: Any, name: str, dimension: str = "length") -> float:
+    """A unit that a person types: as for the command one without a number in front."""
+    example = _KINDS[dimension][3]
+    if not isinstance(unit, str) or not unit.strip():
+        raise UnitError(f"{name} = {unit!r} is no unit; write {name}={example!r}", "unit")
+    counted = _COUNTED.match(unit.strip())
+    if counted:
+        alone = unit.strip()[counted.end() :].strip() or example
+        raise UnitError(
+            f"{name} = {unit!r} has a number in front; write {name}={alone!r}, and multiply by {counted.group()} what it is the unit of", "unit"
+        )
+    try:
+        return factor(unit, dimension)
+    except UnitError as error:
+        raise UnitError(f"{name}: {error}", error.kind) from None
 
 
 def scaled(values: Any, factor: float) -> Any:
@@ -281,7 +307,12 @@ def _si(value: Any, dimension: str, name: str, many: bool) -> Any:
     if is_xarray(value) and unit is not None:
         if unit == "" and "units" in value.attrs:
             raise UnitError(f"{name} has a unit in its data and another in attrs['units']; leave one out", "unit")
-        return _si(value.data, dimension, name, many) if unit == "" else scaled(plain(value, name), factor(unit, dimension))
+        if unit == "":
+            return _si(value.data, dimension, name, many)
+        try:
+            return scaled(plain(value, name), factor(unit, dimension))
+        except UnitError as error:
+            raise UnitError(f"{name}: {error}", error.kind) from None
     if isinstance(value, Quantity):
         if value._powers != powers:
             other = _NAMES.get(value._powers, ("another kind",))[0].replace("_", " ")

@@ -29,7 +29,7 @@ def _axes(ax: Axes | None) -> Axes:
 def heights(values: NDArray[np.float64], size: tuple[float, float], ax: Axes | None, unit: str, **imshow: Any) -> Axes:
     """A map of heights (m) on a rectangle (y, x) in metres: row 0 on top, x to the right."""
     axes = _axes(ax)
-    scale = _units.factor(unit)
+    scale = _units.unit_alone(unit, "unit")
     height, width = size
     options = {"extent": (0, width / scale, height / scale, 0), "interpolation": "nearest", **imshow}
     picture = axes.imshow(values / scale, **options)
@@ -51,7 +51,7 @@ def curve(
     """A number, of this name and unit, over the mean pressure (Pa), with half widths below and above."""
     axes = _axes(ax)
     options: dict[str, Any] = {"fmt": "o-", "capsize": 3, **errorbar}
-    axes.errorbar(pressure / _units.factor(unit, "pressure"), values, yerr=half, **options)
+    axes.errorbar(pressure / _units.unit_alone(unit, "unit", "pressure"), values, yerr=half, **options)
     axes.set_xscale("log")
     axes.set_yscale("log")
     axes.set_xlabel(f"mean pressure ({unit})")
@@ -63,7 +63,7 @@ def curve(
 def traces(values: NDArray[np.float64], spacing: float, ax: Axes | None, unit: str, **line: Any) -> Axes:
     """Heights (m), one trace in each row, over their length."""
     axes = _axes(ax)
-    scale = _units.factor(unit)
+    scale = _units.unit_alone(unit, "unit")
     axes.plot(np.arange(values.shape[1]) * spacing / scale, values.T / scale, **line)
     axes.set_xlabel(f"x ({unit})")
     axes.set_ylabel(f"height ({unit})")
