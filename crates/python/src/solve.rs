@@ -56,8 +56,8 @@ struct KeptMaps<'a> {
     keep_gap: bool,
     count: usize,
     reporter: &'a Reporter,
-    /// Grid, pressure, gap by the place of the load.
-    found: BTreeMap<usize, (Grid, Vec<f64>, Vec<f64>)>,
+    /// By the place of each load that is done grid, pressure and gap, if they are kept.
+    found: BTreeMap<usize, Option<(Grid, Vec<f64>, Vec<f64>)>>,
     name: &'a str,
     last: Option<(f64, f64)>,
 }
@@ -80,12 +80,13 @@ impl Watch for KeptMaps<'_> {
         if self.maps {
             let gap = if self.keep_gap { solution.open_gap() } else { Vec::new() };
             let pressure = std::mem::take(&mut solution.pressure);
-            self.found.insert(index, (grid, pressure, gap));
+            self.found.insert(index, Some((grid, pressure, gap)));
         }
         Ok(())
     }
 
     fn done(&mut self, index: usize, _: Load) {
+        self.found.entry(index).or_default();
         let last = self.last.take();
         self.reporter.tell(News {
             stage: "load",
@@ -101,7 +102,7 @@ impl Watch for KeptMaps<'_> {
 
 type MapArray<'py> = Option<Bound<'py, PyArray2<f64>>>;
 
-/// JSON of the answer; pressure and gap by the place of the load, if they were kept; what went wrong, as kind and
+/// JSON of the answer; pressure and gap by the place among its points, if they were kept; what went wrong, as kind and
 /// message; the exception that stopped it.
 type SolveAnswer<'py> = (
     String,
@@ -246,7 +247,9 @@ pub(crate) fn solve<'py>(
     let Some(value) = value else { return Ok((String::new(), Vec::new(), None, stopped_by)) };
     let (answer, found) = value.map_err(|e| raise(&e))?;
     let mut maps = Vec::with_capacity(found.len());
-    for (index, (grid, pressure, gap)) in found {
+    // Work that was stopped has points of the loads that are done.
+    for (index, kept) in found.into_values().enumerate() {
+        let Some((grid, pressure, gap)) = kept else { continue };
         let of = |values: Vec<f64>| -> PyResult<MapArray<'py>> {
             (values.len() == grid.len()).then(|| array(py, grid.shape(), values)).transpose()
         };

@@ -310,6 +310,29 @@ def test_a_callback_that_raises_keeps_what_is_done(rough):
 def test_times(rough):
     start = time.perf_counter()
     curve = rc.solve(rough, modulus="110 GPa", pressure="10MPa,100MPa")
+@pytest.mark.parametrize("loads", ["30MPa,2GPa,100MPa,300MPa,1GPa", "1GPa,300MPa,100MPa,30MPa", ["30MPa", np.nan * rc.units.Pa, "100MPa", "1GPa"]])
+def test_what_is_done_keeps_its_own_maps(rough, loads):
+    done = 0
+
+    def stop(news):
+        nonlocal done
+        done += news.stage == "load"
+        if done == 2:
+            raise StopIteration
+
+    with pytest.raises(StopIteration) as stopped:
+        rc.solve(rough, modulus="110 GPa", pressure=loads, tolerance=1e-9, maps=True, leak="x", progress=stop)
+    kept = stopped.value.partial
+    assert len(kept) >= 2 and sorted(kept.maps) == list(range(len(kept)))
+    whole = rc.solve(rough, modulus="110 GPa", pressure=kept.mean_pressure * rc.units.Pa, tolerance=1e-9, maps=True, leak="x")
+    for i, (part, alone) in enumerate(zip(kept, whole)):
+        assert part.pressure.mean() == pytest.approx(part.mean_pressure, rel=1e-6)
+        assert (kept.spots(i) == whole.spots(i)).all() and part.gap.mean() == pytest.approx(part.mean_gap, rel=1e-3)
+        assert part.area_fraction == pytest.approx(alone.area_fraction, rel=1e-3)
+    leaks = [point["leak"]["x"]["permeability"] for point in kept.json["points"]]
+    assert np.argsort(leaks).tolist() == np.argsort(-kept.mean_pressure).tolist()
+
+
     passed = time.perf_counter() - start
     assert 0 < curve.solver_seconds.sum() <= curve.seconds <= passed and curve.seconds > 0.8 * passed
     assert curve[1].solver_seconds == curve.solver_seconds[1] == curve.to_dict()["points"][1]["seconds"]

@@ -309,7 +309,8 @@ def asked(
     if stopped_by is None and len(places) < len(values):
         found = dict(zip(places, answer["points"]))
         answer["points"] = [found.get(i, _hole(kind)) for i in range(len(values))]
-    curve = LoadCurve(answer, {places[index]: (p, g) for index, p, g in kept}, time.perf_counter() - start)
+        kept = [(places[index], p, g) for index, p, g in kept]
+    curve = LoadCurve(answer, {index: (p, g) for index, p, g in kept}, time.perf_counter() - start)
     if stopped_by is not None:
         raise stopped(stopped_by, f"{len(curve)} of {len(values)} loads were done", curve)
     for finding in curve.findings:
