@@ -241,6 +241,7 @@ pub(crate) fn given<'py>(
         fill: String,
         repeats: Option<bool>,
         cleaning: Cleaning,
+        before: Option<String>, // what is known of the surface whose heights they were
     }
     let given: GivenHeights = serde_json::from_str(request).map_err(|e| bug(&e))?;
     let measurement = measurement(heights.as_array(), given.pixel).map_err(|e| raise(&e))?;
@@ -250,14 +251,16 @@ pub(crate) fn given<'py>(
     let found = quietly(py, threads, move || filled(Path::new(&name), measurement, &how))?;
     let Surface { origin: made_of, heights: map, .. } = found.map_err(|e| raise(&e))?;
     let mut origin = GivenOrigin::of(&map, given.note);
-    origin.repeats = given.repeats;
+    origin.repeats = given.repeats.filter(|_| heights.shape() == map.grid().shape());
     (origin.missing, origin.height_step) = (made_of.missing(), made_of.height_step());
-    let facts = HeightFacts {
-        fill: given.fill,
-        cleaned: made_of.cleaned().to_vec(),
-        ..HeightFacts::of(given.name, given.pixel, Origin::Given(origin))
-    };
-    made(py, map, &facts, &json!({}))
+    let (mut fill, mut cleaned) = (given.fill, made_of.cleaned().to_vec());
+    if let Some(before) = given.before.as_deref().map(HeightFacts::of_text).transpose()? {
+        fill = if origin.missing == 0 { before.fill } else { fill };
+        origin.missing += before.origin.missing();
+        cleaned.splice(..0, before.cleaned);
+    }
+    let facts = HeightFacts::of(given.name, given.pixel, Origin::Given(origin));
+    made(py, map, &HeightFacts { fill, cleaned, ..facts }, &json!({}))
 }
 
 /// A random self-affine surface.

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import copy
 import hashlib
 import json
 import operator
@@ -97,7 +98,8 @@ class Surface:
         values = metres(heights, height_unit)
         if values.ndim != 2:
             raise SurfaceError(f"heights have {values.ndim} dimensions; a map has 2, rows and columns", "shape")
-        self._set(*_given(values, _units.pixel(pixel), name or "heights", fill, repeats, {}))
+        known = None if repeats is None else _units.flag(repeats, "repeats")
+        self._set(*_given(values, _units.pixel(pixel), name or "heights", fill, known, {}))
 
     def _set(self, heights: NDArray[np.float64], facts: str, said: str) -> None:
         object.__setattr__(self, "_heights", heights)
@@ -113,7 +115,9 @@ class Surface:
         return surface
 
     def _with(self, heights: NDArray[np.float64], fill: Fill = "refuse", cleaning: dict[str, Any] = {}) -> Surface:
-        return Surface._made(*_given(heights, self.pixel, self.name, fill, None, cleaning))
+        # A part of a period is none.
+        repeats = self._said.get("repeats") if heights.shape == self.shape else None
+        return Surface._made(*_given(heights, self.pixel, self.name, fill, repeats, cleaning, self._facts))
 
     @classmethod
     def of(
@@ -177,7 +181,7 @@ class Surface:
 
     @property
     def missing(self) -> int:
-        """Points that were filled."""
+        """Points that were filled; of a part of a map those of the whole map, as which ones they were is not kept."""
         return int(self._said["missing"])
 
     @property
@@ -189,7 +193,7 @@ class Surface:
     @property
     def cleaning(self) -> list[dict[str, Any]]:
         """What each step of cleaning did, as in the JSON."""
-        return list(self._said["cleaning"])
+        return copy.deepcopy(list(self._said["cleaning"]))
 
     @property
     def metadata(self) -> Mapping[str, str]:
@@ -257,22 +261,31 @@ class Surface:
         request = {"level": level, "boundary": None if boundary == "auto" else boundary, "iso": iso, "scales": scales}
         check("level", level, LEVELS)
         check("boundary", boundary, ("auto", "open", "periodic"))
-        asked = tuple(request.values())
-        if against is None and asked in self._kept:
-            return self._kept[asked]
-        second = laid(self, against, flip, shift)
-        with sorted_as(SurfaceError):
-            text = _rust.statistics(self._heights, self._facts, dumped(request), count(None), second)
-        found = Statistics._of(json.loads(text))
-        if against is None:
-            self._kept[asked] = found
-        return found
+        request = {
+            "level": level,
+            "boundary": None if boundary == "auto" else boundary,
+            "iso": _units.flag(iso, "iso"),
+            "scales": _units.flag(scales, "scales"),
+        }
+        return self._asked(request, laid(self, against, flip, shift))
+
+    def _asked(self, request: dict[str, Any], second: Any = None) -> Statistics:
+        """Statistics, taken once; what is handed out belongs to who asked."""
+        asked = dumped(request)
+        text = None if second is not None else self._kept.get(asked)
+        if text is None:
+            with sorted_as(SurfaceError):
+                text = _rust.statistics(self._heights, self._facts, asked, count(None), second)
+            if second is None:
+                self._kept[asked] = text
+        return Statistics._of(json.loads(text))
 
     def levelled(self, form: Level = "plane") -> Surface:
         """A new surface with a form taken off by least squares."""
         check("form", form, LEVELS)
         with sorted_as(SurfaceError):
-            return Surface._made(*_rust.reshape(self._heights, self._facts, form, count(None)))
+            heights, facts, said = _rust.reshape(self._heights, self._facts, form, count(None))
+        return Surface._made(heights, facts, _repeating(said, self._said.get("repeats")))
 
     def cleaned(
         self,
@@ -286,7 +299,7 @@ class Surface:
     ) -> Surface:
         """A new surface, cleaned as `read` does it, in the order of the parameters; ``.cleaning`` says what each step did.
 
-        Filters leave out what they cannot reach at the edges.
+        Filters leave out what they cannot reach at the edges: then a map that repeats does so no more.
         """
         return self._with(self._heights, fill, cleaned_by(align_rows, outliers, form, s_filter, l_filter))
 
@@ -486,7 +499,7 @@ def synth(
     ny, nx = (_units.whole(n, "shape", 2, 1 << 20) for n in shape)
     seed = _units.whole(seed, "seed")
     recipe = {
-        "name": name or f"synth {seed}",
+        "name": _units.text(name, "name", "ground") or f"synth {seed}",
         "shape": [ny, nx],
         "pixel": _units.pixel(pixel),
         "hurst": _units.number(hurst, "hurst"),
@@ -498,7 +511,8 @@ def synth(
         "quantise": None if quantise is None else _units.scalar(quantise, "length", "quantise"),
     }
     with sorted_as(SettingError):
-        return Surface._made(*_rust.synth(dumped(recipe), count(None)))
+        heights, facts, said = _rust.synth(dumped(recipe), count(None))
+    return Surface._made(heights, facts, _repeating(said, True))
 
 
 def opened(file: File) -> tuple[str, bytes | None]:
@@ -588,14 +602,22 @@ def _given(
     fill: Fill,
     repeats: bool | None,
     cleaning: dict[str, Any],
-) -> Any:
-    """An array as the extension makes a surface of it."""
+    before: str | None = None,
+) -> tuple[NDArray[np.float64], str, str]:
+    """An array as the extension makes a surface of it, with what is known of the surface before."""
     check("fill", fill, get_args(Fill))
     ny, nx = heights.shape
     note = f"an array of {ny} x {nx} heights handed over by a Python program"
-    given = {"name": name, "note": note, "pixel": pixel, "fill": fill, "repeats": repeats, "cleaning": cleaning}
+    given = {"name": name, "note": note, "pixel": pixel, "fill": fill, "repeats": repeats, "cleaning": cleaning, "before": before}
+    name = _units.text(name, "name", "ground")
     with sorted_as(SurfaceError):
-        return _rust.given(heights, dumped(given), count(None))
+        made, facts, said = _rust.given(heights, dumped(given), count(None))
+    return made, facts, _repeating(said, repeats if made.shape == heights.shape else None)
+
+
+def _repeating(said: str, repeats: bool | None) -> str:
+    """What is said of a surface, with whether it repeats."""
+    return json.dumps({**json.loads(said), "repeats": repeats})
 
 
 def check(name: str, value: object, known: tuple[object, ...]) -> None:
