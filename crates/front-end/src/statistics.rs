@@ -26,6 +26,8 @@ pub struct StatisticsRequest {
     pub level: Level,
     /// What lies beyond the edges; absent: as the surface was made.
     pub boundary: Option<Edges>,
+    /// Wavelengths (m) between which the fractal dimension is fitted; absent: chosen from the spectrum.
+    pub fractal_range: Option<[f64; 2]>,
     /// Areal parameters of ISO 25178-2 too.
     pub iso: bool,
     /// Slope, curvature and autocorrelation by distance too.
@@ -58,7 +60,8 @@ pub fn statistics(subject: &Subject<'_>, asked: &StatisticsRequest) -> Result<St
     let (origin, map) = (&subject.surface.origin, &subject.surface.heights);
     let refused = |e: StatsError| Failure::in_file(subject.path, &e);
     let edges = asked.boundary.unwrap_or_else(|| origin.edges());
-    let options = StatsOptions { edges, ..origin.options(asked.level) };
+    let fractal_range = asked.fractal_range;
+    let options = StatsOptions { edges, fractal_range, ..origin.options(asked.level) };
     let (s, Spectra { surface: levelled, .. }) =
         SurfaceStatistics::with_spectra(map, &options).map_err(refused)?;
     let spikes = Spikes::left(map, &subject.cleaned, origin.pair());

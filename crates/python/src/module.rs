@@ -27,7 +27,7 @@ mod _rough_contact {
     #[pymodule_export]
     use crate::statistics::{psd, statistics};
     #[pymodule_export]
-    use crate::study::{default_pressures, model_inputs, models, study};
+    use crate::study::{model_inputs, models, study, study_pressures};
     #[pymodule_export]
     use crate::summary::{digest, summary};
     #[pymodule_export]

@@ -146,9 +146,11 @@ pub(crate) fn model_inputs() -> String {
 
 /// Nominal pressures (Pa) for a surface nobody chose loads for.
 #[pyfunction]
-pub(crate) fn default_pressures(modulus: f64, rms_gradient: f64) -> PyResult<Vec<f64>> {
-    let modulus = ContactModulus::from_pascals(modulus).map_err(|e| raise(&Failure::from(&e)))?;
-    Ok(loads_of_study(&Settings::default(), modulus, rms_gradient))
+pub(crate) fn study_pressures(settings: &str, rms_gradient: f64) -> PyResult<Vec<f64>> {
+    let settings: Settings = serde_json::from_str(settings).map_err(|e| bug(&e))?;
+    let modulus =
+        ContactModulus::from_pascals(settings.modulus).map_err(|e| raise(&(&e).into()))?;
+    Ok(loads_of_study(&settings, modulus, rms_gradient))
 }
 
 /// Files by name; what went wrong, as kind and message; the exception that stopped it.

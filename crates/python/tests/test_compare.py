@@ -99,6 +99,58 @@ def test_a_model_of_ones_own_is_the_built_in_one(rough):
 
 
 def test_a_model_is_asked_once_for_each_surface(rough):
+@pytest.mark.parametrize(
+    "how",
+    [{}, {"hardness": "3GPa"}, {"hardness": "1GPa"}, {"fractal_range": "4um,24um"}, {"level": "quadratic"}, {"edges": "mirrored"}, {"pressure": "1GPa,100MPa"}],
+)
+def test_a_model_of_ones_own_gets_what_the_built_in_ones_get(rough, how):
+    got = []
+
+    class Seeing(Mine):
+        def area_fraction(self, pressure, inputs):
+            got.append((pressure, inputs))
+            return super().area_fraction(pressure, inputs)
+
+    study = rc.compare(rough, modulus="110 GPa", models=["persson", Seeing()], on_failure="keep", **how)["synth 7"]
+    ((pressure, inputs),) = got
+    assert pressure.tolist() == [point["mean_pressure"] for point in study.deterministic]
+    theirs = study.statistics
+    for name in ("rms_height", "rms_gradient", "m0", "m2", "m4", "bandwidth", "hurst", "rolloff", "cutoff"):
+        assert getattr(inputs, name) == getattr(theirs, name), name
+    assert inputs.statistics.fractal_range == theirs.fractal_range and inputs.statistics.dimension == theirs.dimension
+    mine = study.models["mine"].area_fraction
+    assert not np.isnan(mine).any()
+    np.testing.assert_allclose(mine, study.models["persson"].area_fraction, rtol=1e-12)
+
+
+def test_what_a_model_says_of_itself(rough):
+    class Spoken(Mine):
+        def applies(self, inputs):
+            return answer
+
+    ask = {"modulus": "110 GPa", "pressure": "100MPa,1GPa"}
+    for answer in (True, np.True_):
+        assert rc.compare(rough, models=Spoken(), **ask)["synth 7"].models["mine"].applicable
+    for answer in (False, np.False_, "for rubber only"):
+        assert not rc.compare(rough, models=[Spoken()], **ask)["synth 7"].models["mine"].applicable
+    for answer in (1, None, np.array([True, True])):
+        with pytest.raises(rc.ModelError, match="applies returned"):
+            rc.compare(rough, models=[Spoken()], **ask)
+    named = Mine(name="short", citation=None)
+    named.title = "A name in full"
+    found = rc.compare(rough, models=[named, "gw"], **ask)["synth 7"].models
+    assert found["short"].title == "A name in full" and found["gw"].title.startswith("Greenwood")
+    assert found["short"].citation.title == "a model given in Python"
+    named.title = None
+    assert rc.compare(rough, models=[named], **ask)["synth 7"].models["short"].title == "short"
+
+
+def test_progress_counts_each_surface(rough, capsys, monkeypatch):
+    monkeypatch.setitem(sys.modules, "tqdm.auto", None)
+    rc.compare({"a": rough, "b": rough}, modulus="110 GPa", pressure="100MPa,1GPa", models="gw", progress=True)
+    assert [line.rsplit("\r", 1)[-1] for line in capsys.readouterr().err.splitlines()] == ["a: 2 of 2 loads", "b: 2 of 2 loads"]
+
+
     calls = []
 
     class Counting(Mine):

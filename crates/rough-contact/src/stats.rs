@@ -112,6 +112,7 @@ impl PerFile for Stats {
         let request = StatisticsRequest {
             level: self.level,
             boundary: Some(self.boundary),
+            fractal_range: None,
             iso: self.iso,
             scales: self.scales,
             adhesion: asked.as_ref().and_then(sticking),

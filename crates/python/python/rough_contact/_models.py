@@ -101,7 +101,9 @@ def curve(model: ContactModel, pressures: list[float], inputs: Inputs) -> dict[s
     applies: Callable[[Inputs], bool | str] | None = getattr(model, "applies", None)
     if applies is not None:
         answer = applies(inputs)
-        if answer is not True:
+        if not isinstance(answer, (bool, np.bool_, str)):
+            raise ModelError(f"{model.name}: applies returned {answer!r}; return True, or False or the reason why not as text", "model")
+        if isinstance(answer, str) or not answer:
             return {"Err": answer if isinstance(answer, str) else "a surface of another kind"}
     asked = np.array(pressures)
     asked.setflags(write=False)

@@ -67,7 +67,7 @@ def compare_profiles(
     bodies: Bodies | None = None,
     pressure: Q | None = None,
     headline: Q | None = None,
-    models: Sequence[str] | None = None,
+    models: str | Sequence[str] | None = None,
     hardness: Q | Literal["elastic"] | None = None,
     level: Level = "auto",
     fractal_range: Q | None = None,
@@ -84,7 +84,7 @@ def compare_profiles(
         Nominal pressures; by default those at which 0.1 % to about half of the surface touches.
     headline : quantity, optional
         The pressure of the headline, one of `pressure`.
-    models : list, optional
+    models : str or list, optional
         Names of built-in models; every one by default.
     hardness : 'elastic', optional
         Leaves out what `bodies` know of it: the models of profiles are of elastic bodies.
@@ -123,7 +123,8 @@ def compare_profiles(
     if headline is not None:
         settings["headline"] = _units.scalar(headline, "pressure", "headline")
     if models is not None:
-        settings["models"] = list(models)
+        names = [models] if isinstance(models, str) else models
+        settings["models"] = [_units.text(name, "models", "gw") for name in names]
     if fractal_range is not None:
         settings["fractal_range"] = _units.ends(fractal_range, "fractal_range")
     given = [(p.heights, p._facts, name) for name, p in named.items()]

@@ -43,6 +43,7 @@ __all__ = [
     "solve",
     "spots",
     "statistics",
+    "study_pressures",
     "study",
     "summary",
     "synth",
@@ -114,7 +115,7 @@ def digest(surface: str) -> str: ...
 def summary(
     maps: list[tuple[str, str]], failed: list[tuple[str, str]], settings: str, seconds: float
 ) -> str: ...
-def default_pressures(modulus: float, rms_gradient: float) -> list[float]: ...
+def study_pressures(settings: str, rms_gradient: float) -> list[float]: ...
 def study(
     surfaces: list[tuple[_Heights, str, str]],
     settings: str,

@@ -61,7 +61,8 @@ class ModelComparison:
     def title(self) -> str:
         """Its name in full."""
         known = {info.name: info.title for info in models()}
-        return known.get(self.name, self.name)
+        # Of one's own it stands where others have their authors.
+        return known.get(self.name, self.citation.authors)
 
     @property
     def citation(self) -> Citation:
@@ -269,7 +270,7 @@ def compare(
     bodies: Bodies | None = None,
     pressure: Q | None = None,
     headline: Q | None = None,
-    models: Sequence[str | ContactModel] | None = None,
+    models: str | ContactModel | Sequence[str | ContactModel] | None = None,
     level: Level = "auto",
     edges: Literal["periodic", "mirrored"] = "periodic",
     hardness: Q | Literal["elastic"] | None = None,
@@ -307,7 +308,7 @@ def compare(
         Nominal pressures; by default those at which 0.1 % to about half of each surface touches.
     headline : quantity, optional
         The pressure of headline and contact map, one of `pressure`.
-    models : list, optional
+    models : str, model or list, optional
         Names of built-in models and models of one's own (`ContactModel`); every built-in one by default. Those of one's
         own are called once for each surface, with all loads, on this thread, before the solver.
     level, edges, hardness, gamma, precision, tolerance, accuracy, fractal_range
@@ -340,7 +341,6 @@ def compare(
     check("on_failure", on_failure, ("raise", "keep"))
     named = _names.named(surfaces, Surface)
     made_of = _bodies.given(modulus, bodies, hardness)
-    e_star = made_of["modulus"]
     pressures = None if pressure is None else sorted(set(_units.several(pressure, "pressure", "pressure")))
     settings: dict[str, Any] = {
         **made_of,
@@ -366,6 +366,7 @@ def compare(
         settings["fractal_range"] = _units.ends(fractal_range, "fractal_range")
     own: list[ContactModel] = []
     if models is not None:
+        models = [models] if isinstance(models, (str, ContactModel)) else list(models)
         own = [model for model in models if not isinstance(model, str)]
         for model in own:
             if not isinstance(model, ContactModel):
@@ -373,7 +374,7 @@ def compare(
         settings["models"] = [m if isinstance(m, str) else m.name for m in models]
     if own and against is not None:
         raise SettingError("a model of one's own is asked about one surface, and against= makes two; leave one of them out", "combination")
-    curves = [_own(model, named, e_star, pressures, level, on_failure) for model in own]
+    curves = [_own(model, named, settings, on_failure) for model in own]
     second = laid(next(iter(named.values())), against, flip, shift)
     return studied(named, settings, (curves, second), progress, on_failure)
 
@@ -417,31 +418,31 @@ def studied(
 def _own(
     model: ContactModel,
     named: Mapping[str, Surface],
-    modulus: float,
-    pressures: list[float] | None,
-    level: Level,
+    settings: dict[str, Any],
     on_failure: str,
 ) -> dict[str, Any]:
     """The curves of a model of one's own on all surfaces."""
     curves: dict[str, Any] = {}
     seconds: dict[str, float] = {}
     for name, surface in named.items():
-        statistics = surface.statistics(level=level)
-        asked = pressures or _rust.default_pressures(modulus, statistics.rms_gradient)
+        # As the built-in ones get them.
+        request = {"level": settings["level"], "fractal_range": settings.get("fractal_range"), "iso": False, "scales": False}
+        statistics = surface._asked(request)
+        asked = _rust.study_pressures(dumped(settings), statistics.rms_gradient)
         start = time.perf_counter()
         try:
-            curves[name] = curve(model, asked, Inputs._of(modulus, statistics))
+            curves[name] = curve(model, asked, Inputs._of(settings["modulus"], statistics))
             seconds[name] = (time.perf_counter() - start) / len(asked)
         except Exception as error:
             if on_failure == "raise":
                 raise
             curves[name] = {"Err": f"{type(error).__name__}: {error}"}
-    title = getattr(model, "title", model.name)
-    citation = getattr(model, "citation", "a model given in Python")
+    title = getattr(model, "title", None)
+    citation = getattr(model, "citation", None)
     return {
         "name": model.name,
-        "title": str(title),
-        "citation": str(citation),
+        "title": model.name if title is None else str(title),
+        "citation": "a model given in Python" if citation is None else str(citation),
         "year": time.localtime().tm_year,
         "curves": curves,
         "seconds": seconds,
