@@ -424,7 +424,7 @@ class ClosedForm:
 
     def _at(self, pressure: Q, which: int) -> NDArray[np.float64]:
         asked = _units.array(pressure, "pressure", "pressure")
-        return self._model.at(np.ascontiguousarray(asked.ravel()))[which].reshape(asked.shape)
+        return _units.read_only(self._model.at(np.ascontiguousarray(asked.ravel()))[which].reshape(asked.shape))
 
     def __call__(self, pressure: Q) -> NDArray[np.float64]:
         """Area fraction at nominal pressures of any shape; NaN where there is no answer."""

@@ -27,7 +27,7 @@ __all__ = ["Profile", "read_profile"]
 
 
 @dataclass(frozen=True, repr=False, eq=False)
-class Profile:
+class Profile(_units.Kept):
     """Traces of one surface, complete and at equal distances, with what they say of it.
 
     A profile says nothing of what lies beside it; it has a deterministic contact only as the cross-section of long

@@ -9,13 +9,13 @@ from collections.abc import Iterable, Iterator, Sequence
 from dataclasses import dataclass, field, fields
 from functools import cached_property
 from html import escape
-from typing import TYPE_CHECKING, Any, TypeVar, overload
+from typing import TYPE_CHECKING, Any, overload
 
 import numpy as np
 from numpy.typing import NDArray
 
 from . import _rough_contact as _rust
-from . import plotting
+from . import _units, plotting
 from ._extras import extra
 from ._findings import Finding, findings_html
 from ._threads import count
@@ -26,7 +26,6 @@ if TYPE_CHECKING:
 __all__ = ["LoadCurve", "Point"]
 
 Interval = tuple[float, float]
-_Array = TypeVar("_Array", bound=NDArray[Any])
 
 
 def _n(unit: str = "", meaning: str = "") -> Any:
@@ -34,7 +33,7 @@ def _n(unit: str = "", meaning: str = "") -> Any:
 
 
 @dataclass(frozen=True, repr=False, eq=False)
-class Point:
+class Point(_units.Kept):
     """One load: the keys of a point of ``rough-contact solve --json``. SI units; None where there is no number."""
 
     mean_pressure: float | None = _n("Pa", "nominal pressure: load over nominal area")
@@ -154,14 +153,9 @@ class _Column(cached_property[NDArray[np.float64]]):
         points, name = curve.json["points"], self.attrname
         if name in _PAIRS:
             pairs = [ends(point.get(name) or (np.nan, np.nan)) for point in points]
-            return _read_only(np.array(pairs, dtype=np.float64).reshape(len(points), 2))
+            return _units.read_only(np.array(pairs, dtype=np.float64).reshape(len(points), 2))
         key = "seconds" if name == "solver_seconds" else name
-        return _read_only(np.array([point.get(key) for point in points], dtype=np.float64))  # of None NaN
-
-
-def _read_only(made: _Array) -> _Array:
-    made.setflags(write=False)
-    return made
+        return _units.read_only(np.array([point.get(key) for point in points], dtype=np.float64))  # of None NaN
 
 
 @dataclass(frozen=True, repr=False, eq=False)
@@ -216,7 +210,7 @@ class LoadCurve:
     @cached_property
     def converged(self) -> NDArray[np.bool_]:
         """Whether each load reached the tolerance."""
-        return _read_only(np.array([point["converged"] for point in self.json["points"]], dtype=np.bool_))
+        return _units.read_only(np.array([point["converged"] for point in self.json["points"]], dtype=np.bool_))
 
     @cached_property
     def findings(self) -> tuple[Finding, ...]:
@@ -325,7 +319,7 @@ class LoadCurve:
         value = getattr(self, name)
         # The value may stand at an end of its interval, but for rounding.
         made: NDArray[np.float64] = np.maximum([value - low, high - value], 0.0)
-        return made
+        return _units.read_only(made)
 
     @classmethod
     def units(cls) -> dict[str, str]:

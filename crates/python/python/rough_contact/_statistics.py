@@ -10,6 +10,7 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
+from . import _units
 from ._extras import extra
 from ._findings import Finding, findings_html
 
@@ -17,7 +18,7 @@ __all__ = ["Statistics"]
 
 
 @dataclass(frozen=True, repr=False)
-class Statistics:
+class Statistics(_units.Kept):
     """Roughness statistics of a map: the keys of ``rough-contact stats --json``. SI units.
 
     What a map does not have is None. `units` gives the unit of every number.
@@ -83,6 +84,7 @@ class Statistics:
                 value = tuple(Finding._of(x) for x in json["findings"])
             elif f.name == "scales" and value is not None:
                 value = {axis: {k: np.array([d[k] for d in all_], dtype=float) for k in all_[0]} for axis, all_ in value.items()}
+                _units.read_only(value)
             elif f.name == "json":
                 value = json
             values[f.name] = value

@@ -36,7 +36,7 @@ Surfaces = Union[Surface, Sequence[Surface], Mapping[str, Surface]]
 
 
 @dataclass(frozen=True)
-class AreaError:
+class AreaError(_units.Kept):
     """Errors of the area against the deterministic solution, relative; None where there is no answer."""
 
     headline: float | None
@@ -99,7 +99,7 @@ class ModelComparison:
     @property
     def area_fraction(self) -> NDArray[np.float64]:
         """Area fraction at each load; NaN where there is no answer."""
-        return np.array([point.get("area_fraction") for point in self.points], dtype=np.float64)  # of None NaN
+        return _units.read_only(np.array([point.get("area_fraction") for point in self.points], dtype=np.float64))  # of None NaN
 
     @cached_property
     def area_error(self) -> AreaError:
@@ -109,7 +109,7 @@ class ModelComparison:
             found.get("headline"),
             found.get("mean_absolute"),
             found.get("worst"),
-            np.array(found.get("signed") or [], dtype=np.float64),
+            _units.read_only(np.array(found.get("signed") or [], dtype=np.float64)),
         )
 
 

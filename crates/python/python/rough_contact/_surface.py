@@ -313,12 +313,12 @@ class Surface:
         check("level", level, LEVELS)
         with sorted_as(SurfaceError):
             wavenumbers, spectrum = _rust.psd(self._heights, self._facts, level, count(None))
-        return wavenumbers, spectrum
+        return _units.read_only(wavenumbers), _units.read_only(spectrum)
 
     def bearing_curve(self) -> tuple[NDArray[np.float64], NDArray[np.float64]]:
         """Heights (m), highest first, and the fraction of the points at or above each (ISO 25178-2: areal material ratio)."""
         heights = np.sort(self._heights, axis=None)[::-1]
-        return heights, np.arange(1, heights.size + 1) / heights.size
+        return _units.read_only(heights), _units.read_only(np.arange(1, heights.size + 1) / heights.size)
 
     def cropped(self, y0: int, x0: int, ny: int, nx: int) -> Surface:
         """A new surface of ny x nx points from row y0, column x0."""

@@ -10,7 +10,7 @@ import operator
 import re
 from collections.abc import Sequence
 from numbers import Real
-from typing import TYPE_CHECKING, Any, Protocol, Union, runtime_checkable
+from typing import TYPE_CHECKING, Any, Protocol, TypeVar, Union, runtime_checkable
 
 import numpy as np
 from numpy.typing import NDArray
@@ -19,6 +19,8 @@ from . import _rough_contact as _rust
 from ._errors import SettingError, UnitError, sorted_as
 
 __all__ = ["Q", "Quantity"]
+
+_T = TypeVar("_T")
 
 #: Of each kind of quantity: powers of m, kg, s, A and K; its unit of SI for packages of units; an example as text
 #: and as a unit of this package.
@@ -193,6 +195,23 @@ Q = Union[str, Quantity, _PintLike, _AstropyLike, _XarrayLike, Sequence["Q"]]
 def is_xarray(value: object) -> bool:
     """Whether it is like an `xarray.DataArray`."""
     return hasattr(value, "dims") and hasattr(value, "coords") and hasattr(value, "attrs")
+
+
+def read_only(value: _T) -> _T:
+    """The array, or the arrays of a dict, made read-only."""
+    if isinstance(value, np.ndarray):
+        value.setflags(write=False)
+    elif isinstance(value, dict):
+        for item in value.values():
+            read_only(item)
+    return value
+
+
+class Kept:
+    """What has arrays among its attributes, which stay read-only when it is copied or comes out of a pickle."""
+
+    def __setstate__(self, state: dict[str, Any]) -> None:
+        self.__dict__.update(read_only(state))
 
 
 def plain(values: Any, name: str) -> NDArray[np.float64]:
