@@ -50,6 +50,22 @@ def test_what_is_refused():
         rc.displacement(np.ones((4, 4)) * rc.units.Pa, pixel="0um", modulus="1GPa")
 
 
+def test_an_array_of_xarray_is_told_by_its_dimensions():
+    xarray = pytest.importorskip("xarray")
+    pressure = np.zeros((32, 64))
+    pressure[4:8, 10:20] = 1.0
+    how = {"pixel": ["2um", "1um"], "modulus": "1GPa"}
+    expected = rc.displacement(pressure * rc.units.MPa, **how)
+    made = xarray.DataArray(pressure, {"y": 2.0 * np.arange(32), "x": 1.0 * np.arange(64)}, ("y", "x"), attrs={"units": "MPa"})
+    for given in (made, made.T, made.drop_vars(["x", "y"]).T):
+        assert (rc.displacement(given, **how) == expected).all()
+    for axis in "yx":
+        made[axis].attrs["units"] = "um"
+    assert (rc.displacement(made.T, **how) == expected).all()
+    with pytest.raises(rc.SurfaceError, match="1e-06 m along y"):
+        rc.displacement(made, pixel="1um", modulus="1GPa")
+
+
 def test_spots_are_those_of_scipy():
     ndimage, csgraph, sparse = (pytest.importorskip(f"scipy.{name}") for name in ("ndimage", "sparse.csgraph", "sparse"))
     s = rc.synth((64, 48), pixel="1um", hurst=0.8, rolloff="12um", cutoff="4um", rms_gradient=0.1, seed=3)

@@ -146,3 +146,19 @@ def test_profiles_of_arrays(tmp_path):
     matplotlib = pytest.importorskip("matplotlib")
     matplotlib.use("Agg")
     assert "um" in made.plot().get_ylabel()
+
+
+def test_a_profile_of_xarray_is_told_by_its_dimensions():
+    xarray = pytest.importorskip("xarray")
+    heights = np.random.default_rng(0).normal(size=(3, 2000)).cumsum(1)
+    expected = rc.Profile.of(heights, spacing="0.5um", height_unit="nm")
+    made = xarray.DataArray(heights, {"trace": [0.0, 1.0, 5.0], "x": 0.5 * np.arange(2000)}, ("trace", "x"), attrs={"units": "nm"})
+    made.x.attrs["units"] = "um"
+    for given in (made, made.T, made.drop_vars("x").T):
+        found = rc.Profile.of(given, spacing="0.5um")
+        assert (found.heights == expected.heights).all() and found.spacing == expected.spacing
+    one = rc.Profile.of(made[1].drop_vars("trace"), spacing="0.5um")
+    assert (one.heights == expected.heights[1]).all()
+    for given in (made, made.T, made[1], made[1].rename(x="y")):
+        with pytest.raises(rc.SurfaceError, match="spacing = 1e-06 m along x"):
+            rc.Profile.of(given, spacing="1um")

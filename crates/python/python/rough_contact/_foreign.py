@@ -29,8 +29,8 @@ class Foreign:
     step_units: tuple[str | None, str | None]
     name: str
 
-    def pixel(self, unit: str | None, given: tuple[float, float] | None) -> tuple[float, float]:
-        """``(dy, dx)`` in metres: as given, which may not contradict the object, or as the object says."""
+    def pixel(self, unit: str | None, given: tuple[float, float] | None, name: str = "pixel") -> tuple[float, float]:
+        """``(dy, dx)`` in metres: as given, by the argument `name`, which may not contradict the object, or as the object says."""
         found = []
         for axis, step, own, wanted in zip("yx", self.steps, self.step_units, given or (None, None)):
             known = None
@@ -46,8 +46,8 @@ class Foreign:
                 raise UnitError(f"the coordinates along {axis} have no unit; give pixel='1um', or give them attrs['units']", "unit")
             if wanted is not None and known is not None and abs(wanted - known) > UNEVEN * known:
                 raise SurfaceError(
-                    f"pixel = {wanted:g} m along {axis}, and the object's own coordinates are {known:g} m apart; leave pixel out, or give "
-                    "the heights as a plain array",
+                    f"{name} = {wanted:g} m along {axis}, and the object's own coordinates are {known:g} m apart; give "
+                    f"{name} as they say, or a plain array",
                     "pixel",
                 )
             found.append(known if wanted is None else wanted)
@@ -82,8 +82,11 @@ def _surface_topography(obj: Any) -> Foreign:
     return Foreign(heights, getattr(obj, "unit", None), (height / ny, width / nx), ("", ""), "")
 
 
-def of_xarray(obj: Any) -> Foreign:
-    """What an array of xarray says: its dimensions are told by their names, else they are rows and columns."""
+def of_xarray(obj: Any, *, traces: bool = False) -> Foreign:
+    """What an array of xarray says: its dimensions are told by their names, else they are rows and columns; `traces` lie in rows,
+    wherever those are."""
+    if traces and len(obj.dims) == 1:
+        obj = obj.rename({obj.dims[0]: "x"}).expand_dims("trace")
     if len(obj.dims) != 2:
         raise SurfaceError(f"the array has {len(obj.dims)} dimensions; a map has 2", "shape")
     first, second = (str(dim).lower() for dim in obj.dims)
@@ -96,7 +99,7 @@ def of_xarray(obj: Any) -> Foreign:
     for dim in obj.dims:
         steps.append(None)
         units.append(None)
-        if dim not in obj.coords or len(obj.coords[dim]) < 2:
+        if dim not in obj.coords or len(obj.coords[dim]) < 2 or traces and dim != obj.dims[1]:
             continue
         along = np.asarray(obj.coords[dim], dtype=float)
         step = (along[-1] - along[0]) / (len(along) - 1)

@@ -16,6 +16,7 @@ from numpy.typing import NDArray
 from . import _rough_contact as _rust
 from . import _units, plotting
 from ._errors import SurfaceError, dumped, of_file, sorted_as
+from ._foreign import of_xarray
 from ._surface import LEVELS, Crop, File, Fill, Level, check, cleaned_by, file_of, length, metres, opened, reading
 from ._threads import count
 from ._units import Q
@@ -76,10 +77,18 @@ class Profile(_units.Kept):
         >>> rc.Profile.of(np.sin(np.arange(8000) / 50), spacing='0.5 um', height_unit='um')
         Profile(1 trace of 8000 points, 500 nm apart)
         """
+        apart = _units.scalar(spacing, "length", "spacing")
+        if _units.is_xarray(heights):
+            found = of_xarray(heights, traces=True)
+            found.pixel(None, (apart, apart), "spacing")
+            heights = found.heights
         rows = np.atleast_2d(metres(heights, height_unit))
         if rows.ndim != 2:
             raise SurfaceError(f"heights have {rows.ndim} dimensions; traces have 1, or 2 with one in each row", "shape")
-        said = {"pixel": [_units.scalar(spacing, "length", "spacing")] * 2}
+        if rows.shape[1] < 2:
+            many = f"{rows.shape[0]} rows of {rows.shape[1]} points, and each row is a trace"
+            raise SurfaceError(f"heights have {many}; of one trace in a column give heights.T", "shape")
+        said = {"pixel": [apart] * 2}
         request = {"file": file_of(said, fill, cleaned_by(False, outliers, form, s_filter, l_filter))}
         with sorted_as(SurfaceError):
             return cls._taken("heights", request, level, rows=rows)

@@ -15,6 +15,7 @@ from . import _bodies, _progress, _units
 from . import _rough_contact as _rust
 from ._bodies import Bodies
 from ._errors import ContactWarning, NotConverged, SettingError, SurfaceError, dumped, made, sorted_as, stopped
+from ._foreign import of_xarray
 from ._profile import Profile
 from ._progress import ProgressArgument
 from ._results import LoadCurve
@@ -245,7 +246,7 @@ def displacement(
     Returns
     -------
     ndarray, shape (ny, nx)
-        Displacement (m), positive into the body.
+        Displacement (m), positive into the body, rows first.
 
     Examples
     --------
@@ -256,12 +257,16 @@ def displacement(
     True
     """
     check("boundary", boundary, ("periodic", "free"))
+    distance = _units.pixel(pixel)
+    if _units.is_xarray(pressure):
+        found = of_xarray(pressure)
+        pressure, distance = found.heights, found.pixel(None, distance)
     field = _units.array(pressure, "pressure", "pressure")
     if field.ndim != 2 or not np.isfinite(field).all():
         raise SurfaceError("pressure takes a map of rows and columns without holes", "shape")
     elastic = _bodies.given(modulus, bodies)["modulus"]
     with sorted_as(SurfaceError):
-        return _rust.displacement(field, _units.pixel(pixel), elastic, boundary == "free", count(threads))
+        return _rust.displacement(field, distance, elastic, boundary == "free", count(threads))
 
 
 def section(surface: Surface | Profile, plane_strain: bool) -> Surface:
