@@ -120,7 +120,6 @@ pub(crate) fn profile_model(
 
 /// What `rough-contact compare` answers of profiles: its files. `hashes` are those of the files of the traces.
 #[pyfunction]
-#[allow(clippy::needless_pass_by_value, reason = "what Python hands over is owned")]
 pub(crate) fn profile_study(
     py: Python<'_>,
     profiles: Vec<(PyReadonlyArray2<'_, f64>, String, String)>,

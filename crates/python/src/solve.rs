@@ -247,7 +247,6 @@ pub(crate) fn solve<'py>(
     let Some(value) = value else { return Ok((String::new(), Vec::new(), None, stopped_by)) };
     let (answer, found) = value.map_err(|e| raise(&e))?;
     let mut maps = Vec::with_capacity(found.len());
-    // Work that was stopped has points of the loads that are done.
     for (index, kept) in found.into_values().enumerate() {
         let Some((grid, pressure, gap)) = kept else { continue };
         let of = |values: Vec<f64>| -> PyResult<MapArray<'py>> {

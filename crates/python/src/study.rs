@@ -144,7 +144,7 @@ pub(crate) fn model_inputs() -> String {
     serde_json::json!(contact_compare::INPUTS).to_string()
 }
 
-/// Nominal pressures (Pa) for a surface nobody chose loads for.
+/// Nominal pressures (Pa) of a study of these settings on a surface of this slope.
 #[pyfunction]
 pub(crate) fn study_pressures(settings: &str, rms_gradient: f64) -> PyResult<Vec<f64>> {
     let settings: Settings = serde_json::from_str(settings).map_err(|e| bug(&e))?;

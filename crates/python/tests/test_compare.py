@@ -2,6 +2,7 @@
 
 import json
 import pickle
+import sys
 import time
 from dataclasses import dataclass
 
@@ -98,7 +99,6 @@ def test_a_model_of_ones_own_is_the_built_in_one(rough):
     assert slow["synth 7"].models["mine"].seconds >= 0.01
 
 
-def test_a_model_is_asked_once_for_each_surface(rough):
 @pytest.mark.parametrize(
     "how",
     [{}, {"hardness": "3GPa"}, {"hardness": "1GPa"}, {"fractal_range": "4um,24um"}, {"level": "quadratic"}, {"edges": "mirrored"}, {"pressure": "1GPa,100MPa"}],
@@ -151,6 +151,7 @@ def test_progress_counts_each_surface(rough, capsys, monkeypatch):
     assert [line.rsplit("\r", 1)[-1] for line in capsys.readouterr().err.splitlines()] == ["a: 2 of 2 loads", "b: 2 of 2 loads"]
 
 
+def test_a_model_is_asked_once_for_each_surface(rough):
     calls = []
 
     class Counting(Mine):

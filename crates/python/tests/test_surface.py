@@ -1,5 +1,6 @@
 """Arrays, files, units, and the surfaces of other packages."""
 
+import copy
 import pickle
 from types import SimpleNamespace
 
@@ -254,6 +255,47 @@ def test_cleaning_in_memory_is_that_of_reading(rough, tmp_path):
         s.cleaned(outliers=8)
     assert s.cleaned(outliers=8, fill="nearest").missing == 1
     assert (s.scaled(2.5).heights == 2.5 * s.heights).all() and s.scaled(2.5).pixel == s.pixel
+    # What was known before stays known.
+    clean = s.cleaned(outliers=8, fill="harmonic")
+    for again in (clean.scaled(2.0), clean.cropped(0, 0, 32, 32), clean.levelled()):
+        assert again.missing == 1 and again.cleaning == clean.cleaning
+    twice = clean.cleaned(form="plane")
+    assert twice.missing == 1 and [step["step"] for step in twice.cleaning] == [*(step["step"] for step in clean.cleaning), "form"]
+
+
+def test_what_repeats_goes_on_repeating(rough, tmp_path):
+    x = np.random.default_rng(0).normal(size=(64, 64)).cumsum(0)
+    given = rc.Surface(x, pixel="1um", height_unit="nm", repeats=np.True_)
+    for s in (given, rough, given.levelled("mean")):
+        for same in (s.scaled(1.0), s.cleaned(outliers=1e6), s.levelled("none").scaled(1.0), pickle.loads(pickle.dumps(s)).scaled(1.0), s.cropped(0, 0, *s.shape)):
+            assert same == s or same.shape == s.shape
+            found, wanted = same.statistics(), s.statistics()
+            assert (found.level, found.boundary, found.rms_gradient) == (wanted.level, "periodic", pytest.approx(wanted.rms_gradient, rel=1e-9))
+        for less in (s.cropped(0, 0, 32, 48), s.cleaned(s_filter="4um"), s.cropped(0, 0, 32, 32).scaled(1.0)):
+            assert less.statistics().boundary == "open"
+    assert rc.Surface(x, pixel="1um", height_unit="nm").scaled(1.0).statistics().boundary == "open"
+    rough.write(tmp_path / "map.x3p")
+    assert rc.read(tmp_path / "map.x3p").scaled(1.0).statistics().boundary == "open"
+
+
+def test_what_is_handed_out_changes_nothing(rough):
+    first = rough.statistics(scales=True)
+    for change in (lambda s: s.asperities.update(radius=1.0), lambda s: s.json.update(m0=1.0), lambda s: s.summits.clear()):
+        change(rough.statistics(scales=True))
+    assert rough.statistics(scales=True) == first and rough.statistics(scales=True).to_dict() == first.to_dict()
+    curve = rc.solve(rough, modulus="110 GPa", pressure="100MPa,1GPa", maps=True)
+    profile = rc.Profile.of(np.sin(np.arange(800) / 50), spacing="0.5 um", height_unit="um")
+    study = rc.compare(rough, modulus="110 GPa", pressure="100MPa,1GPa", models="gw")["synth 7"].models["gw"]
+    f = rc.ClosedForm("gw", rough, modulus="110 GPa")
+
+    def handed_out(copied):
+        yield from copied(first).scales["x"].values()
+        yield from (copied(profile).heights, copied(curve).pressure(0), copied(curve[0]).pressure, copied(curve[0]).gap, copied(study).area_error.signed)
+
+    for copied in (lambda x: x, copy.deepcopy, lambda x: pickle.loads(pickle.dumps(x))):
+        assert not any(array.flags.writeable for array in handed_out(copied))
+    others = (*rough.psd(), *rough.bearing_curve(), curve.bars(), curve.spots(0), curve.displacement(0), study.area_fraction, f("1MPa"), f.mean_gap("1MPa"))
+    assert not any(array.flags.writeable for array in others)
 
 
 def test_bearing_curve(rough):

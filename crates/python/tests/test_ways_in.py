@@ -293,9 +293,9 @@ def test_coordinates_without_units_are_asked_for():
     with pytest.raises(rc.UnitError, match="coordinates along y have no unit"):
         rc.Surface.of(bare)
     assert rc.Surface.of(bare, pixel=["3um", "2um"]) == rc.Surface.of(coordinates(units="nm"))
-    with pytest.raises(rc.SurfaceError, match="leave pixel out"):
+    with pytest.raises(rc.SurfaceError, match="give pixel as they say"):
         rc.Surface.of(coordinates(units="nm"), pixel="1um")
-    with pytest.raises(rc.SurfaceError, match="leave pixel out"):
+    with pytest.raises(rc.SurfaceError, match="give pixel as they say"):
         rc.Surface(coordinates(units="nm"), pixel="1um")
 
 
@@ -445,3 +445,54 @@ def test_advice_is_in_the_language_of_python(rough):
     assert len(findings) > 5
     for text in [f"{f.claim} {f.text}" for f in findings] + [repr(found), repr(study), repr(model)]:
         assert "--" not in text, text
+
+
+# Mistakes of who asks, each with its name.
+
+
+@pytest.mark.parametrize(
+    ("call", "error", "why"),
+    [
+        (lambda s: rc.Surface(MICRONS, pixel="1um", height_unit="um", name=5), rc.SettingError, "name = 5"),
+        (lambda s: rc.Surface(MICRONS, pixel="1um", height_unit="um", repeats="yes"), rc.SettingError, "repeats = 'yes'"),
+        (lambda s: rc.Surface(s, pixel="1um", height_unit="um"), TypeError, "rc.Surface already"),
+        (lambda s: rc.read("a.x3p", channel=2), rc.SettingError, "channel = 2"),
+        (lambda s: rc.read("a.x3p", missing=[-9999]), rc.SettingError, "missing = -9999"),
+        (lambda s: rc.read("a.x3p", missing=-9999), rc.SettingError, "missing='-9999'"),
+        (lambda s: rc.read("a.x3p", form="cubic"), rc.SettingError, "form = 'cubic'"),
+        (lambda s: s.cleaned(form=2), rc.SettingError, "form = 2"),
+        (lambda s: s.cleaned(form="polynomial:20"), rc.SettingError, "polynomial:20"),
+        (lambda s: s.cleaned(align_rows="no"), rc.SettingError, "align_rows = 'no'"),
+        (lambda s: s.statistics(iso="yes"), rc.SettingError, "iso = 'yes'"),
+        (lambda s: rc.solve(s, modulus="1GPa", pressure="1MPa", fast="no"), rc.SettingError, "fast = 'no'"),
+        (lambda s: rc.solve(s, modulus="1GPa", pressure="1MPa", level=MICRONS), rc.SettingError, "level"),
+        (lambda s: rc.solve(s, modulus=["110 GPa"], pressure="1MPa"), rc.UnitError, "modulus takes one quantity"),
+        (lambda s: rc.solve(s, modulus=[110 * rc.units.GPa], pressure="1MPa"), rc.UnitError, "modulus takes one quantity"),
+        (lambda s: gas(s, temperature="300K"), rc.UnitError, "gas temperature"),
+        (lambda s: gas(s, accommodation=[0.9, 0.9, 0.9]), rc.SettingError, "gas accommodation"),
+        (lambda s: gas(s, accommodation="much"), rc.UnitError, "gas accommodation"),
+        (lambda s: rc.compare({"a": MICRONS}, modulus="1GPa"), TypeError, r"surfaces\['a'\] takes rc.Surface"),
+        (lambda s: rc.compare({1: s}, modulus="1GPa"), TypeError, "key 1 of surfaces is no text"),
+        (lambda s: rc.solve_many({1: s}, modulus="1GPa", pressure="1MPa"), TypeError, "key 1"),
+        (lambda s: rc.compare(s, modulus="1GPa", models="nobody"), rc.SettingError, "'nobody'"),
+        (lambda s: rc.Profile.of(MICRONS[:, :1], spacing="1um", height_unit="um"), rc.SurfaceError, "heights.T"),
+        (lambda s: rc.model("cmy", s, hardness="elastic", conductivity="50 W/m/K", pressure="1MPa"), rc.SettingError, "hardness='elastic'"),
+        (lambda s: rc.model("mikic", s, bodies=rc.material("copper"), pressure="1MPa"), rc.SettingError, "give conductivity"),
+        (lambda s: rc.model("cmy", s, bodies=rc.material("copper"), pressure="1MPa"), rc.SettingError, "give conductivity"),
+    ],
+)
+def test_a_mistake_is_no_bug_of_the_package(rough, call, error, why):
+    with pytest.raises(error, match=why) as caught:
+        call(rough)
+    assert not isinstance(caught.value, rc.InternalError)
+
+
+def gas(s, **more):
+    return rc.solve(s, modulus="1GPa", pressure="1MPa", conductivity="50 W/m/K", gas={"gas": "air", **more})
+
+
+def test_numbers_of_numpy_are_numbers(rough):
+    both = gas(rough, accommodation=np.float32(0.5), temperature=np.float32(300))
+    assert both.to_dict()["gas"] == gas(rough, accommodation=[0.5, 0.5], temperature=300).to_dict()["gas"]
+    assert rc.solve(rough, modulus="1GPa", pressure="1MPa", certify=np.True_)[0].energy_bound is not None
+    assert rc.compare(rough, modulus="110 GPa", pressure="100MPa", models="gw")["synth 7"].models.keys() == {"gw"}

@@ -7,6 +7,8 @@ from collections.abc import Sequence
 from dataclasses import dataclass
 from typing import Any, Literal, Union
 
+import numpy as np
+
 from . import _rough_contact as _rust
 from . import _units
 from ._errors import SettingError, dumped, sorted_as
@@ -91,11 +93,16 @@ def contact_modulus(first: Body, second: Body | None = None) -> float:
     return float(given(None, first if second is None else (first, second))["modulus"])
 
 
+def is_elastic(hardness: object) -> bool:
+    """Whether no hardness is wanted."""
+    return isinstance(hardness, str) and hardness.strip().lower() == "elastic"
+
+
 def given(modulus: Q | None, bodies: Bodies | None, hardness: Q | Literal["elastic"] | None = None) -> dict[str, Any]:
     """Contact modulus, bodies, hardness and what was taken from the table of materials, as every question has them."""
     if (modulus is None) == (bodies is None):
         raise TypeError("give exactly one of modulus, such as modulus='110 GPa', and bodies")
-    elastic = isinstance(hardness, str) and hardness.strip().lower() == "elastic"
+    elastic = is_elastic(hardness)
     asked = {
         "modulus": None if modulus is None else _units.scalar(modulus, "pressure", "modulus"),
         "bodies": [] if bodies is None else [_given(body) for body in listed(bodies)],
@@ -170,8 +177,14 @@ def joint(
             )
         if "pressure" in given:
             given["pressure"] = _units.scalar(given["pressure"], "pressure", "gas pressure")
-        if isinstance(given.get("accommodation"), (int, float)):
-            given["accommodation"] = [given["accommodation"]] * 2
+        if "temperature" in given:
+            given["temperature"] = _units.number(given["temperature"], "gas temperature, in kelvin,")
+        if "accommodation" in given:
+            both = given["accommodation"]
+            numbers = [_units.number(one, "gas accommodation") for one in (both if isinstance(both, (list, tuple, np.ndarray)) else [both])]
+            if not 1 <= len(numbers) <= 2:
+                raise SettingError(f"gas accommodation = {both!r} takes one number for both bodies, or two", "gas")
+            given["accommodation"] = [numbers[0], numbers[-1]]
         found["gas"] = given
     if found and area is not None:
         found["area"] = area

@@ -140,9 +140,16 @@ def made(kind: str, message: str, default: type[Error], result: Any = None) -> E
 def dumped(value: Any) -> str:
     """JSON for the extension."""
     try:
-        return json.dumps(value, allow_nan=False)
+        return json.dumps(value, allow_nan=False, default=_of_numpy)
     except ValueError:
         raise SettingError("a number of the request is not finite", "setting") from None
+
+
+def _of_numpy(value: Any) -> Any:
+    """A number of numpy, or of what has the same way out, as one of Python."""
+    if getattr(value, "shape", None) == () and callable(getattr(value, "item", None)):
+        return value.item()
+    raise SettingError(f"{value!r} is no text and no number", "setting")
 
 
 _UNREAD: dict[type[OSError], type[OSError]] = {}

@@ -21,6 +21,11 @@ def named(given: Union[T, Iterable[T], Mapping[str, T]], kind: type[T], way_out:
     what = kind.__name__.lower()
     found: dict[str, T] = {}
     if isinstance(given, Mapping):
+        for key, one in given.items():
+            if not isinstance(key, str):
+                raise TypeError(f"the key {key!r} of {what}s is no text; name it {str(key)!r}")
+            if not isinstance(one, kind):
+                raise TypeError(f"{what}s[{key!r}] takes rc.{kind.__name__}, not {type(one).__name__}{way_out}")
         found = dict(given)
     else:
         # A surface could be taken for the rows of its heights.

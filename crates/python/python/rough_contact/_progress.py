@@ -58,10 +58,12 @@ def listener(progress: ProgressArgument) -> Callable[[dict[str, Any]], object] |
 
 
 def _bar() -> Callable[[Progress], object]:
-    done = 0
+    done, surface = 0, ""
 
     def line(news: Progress) -> None:
-        nonlocal done
+        nonlocal done, surface
+        if news.surface != surface:
+            done, surface = 0, news.surface
         if news.stage == "load":
             done += 1
             end = "\n" if done == news.count else ""
@@ -75,7 +77,9 @@ def _bar() -> Callable[[Progress], object]:
 
     def step(news: Progress) -> None:
         nonlocal bar
-        if bar is None:
+        if bar is None or bar.desc != news.surface:
+            if bar is not None:
+                bar.close()
             bar = tqdm(total=news.count, desc=news.surface, unit="load")
         if news.stage == "load":
             bar.update(1)

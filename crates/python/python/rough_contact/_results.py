@@ -331,7 +331,7 @@ class LoadCurve:
         return copy.deepcopy(self.json)
 
     def records(self) -> list[dict[str, Any]]:
-        """A flat dict for each load: intervals as ``_low`` and ``_high``, nested keys with a dot."""
+        """A flat dict for each load: intervals as ``_low`` and ``_high``, nested keys and places in a list with a dot."""
         return [flat(point) for point in self.json["points"]]
 
     def to_pandas(self) -> Any:
@@ -418,9 +418,11 @@ def flat(value: dict[str, Any], above: str = "") -> dict[str, Any]:
     found: dict[str, Any] = {}
     for key, item in value.items():
         name = f"{above}{key}"
-        if key.endswith("interval") or isinstance(item, list) and len(item) == 2:
+        if key.endswith("interval") and (item is None or isinstance(item, list)):
             low, high = item or (None, None)
             found[f"{name}_low"], found[f"{name}_high"] = low, high
+        elif isinstance(item, list):
+            found.update(flat({str(place): each for place, each in enumerate(item)}, f"{name}."))
         elif isinstance(item, dict):
             found.update(flat(item, f"{name}."))
         else:

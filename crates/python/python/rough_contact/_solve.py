@@ -173,14 +173,14 @@ def solve(
     request = how(made_of, level, boundary, method, precision, tolerance, maps, threads)
     request.update(loads=loads(pressure, gap, load), area=of_part, accuracy=_accuracy(accuracy))
     request["request"].update(
-        certify=bool(certify),
-        stiffness=bool(stiffness),
-        distributions=bool(distributions),
-        plane_strain=bool(plane_strain),
+        certify=_units.flag(certify, "certify"),
+        stiffness=_units.flag(stiffness, "stiffness"),
+        distributions=_units.flag(distributions, "distributions"),
+        plane_strain=_units.flag(plane_strain, "plane_strain"),
     )
     request["request"]["settings"].update(
         edges=edges,
-        fast=bool(fast),
+        fast=_units.flag(fast, "fast"),
         **_bodies.joint(resistivity, conductivity, gas, None),
         load_area=of_part if conduction else None,
         leak=_bodies.leak(leak, viscosity, pressure_drop, seal_length, seal_width),

@@ -7,8 +7,8 @@ import hashlib
 import json
 import operator
 import os
-from collections.abc import Mapping, Sequence
 import re
+from collections.abc import Mapping, Sequence
 from types import MappingProxyType
 from typing import TYPE_CHECKING, Any, Literal, Protocol, Union, get_args
 
@@ -80,7 +80,7 @@ class Surface:
     _heights: NDArray[np.float64]
     _facts: str
     _said: dict[str, Any]
-    _kept: dict[tuple[Any, ...], Statistics]
+    _kept: dict[str, str]
 
     def __init__(
         self,
@@ -258,7 +258,6 @@ class Surface:
         against, flip, shift
             A second body, as in `solve`: the statistics are those of the sum of both.
         """
-        request = {"level": level, "boundary": None if boundary == "auto" else boundary, "iso": iso, "scales": scales}
         check("level", level, LEVELS)
         check("boundary", boundary, ("auto", "open", "periodic"))
         request = {
@@ -546,6 +545,7 @@ def reading(
     def unit(text: str | None, name: str) -> float | None:
         return None if text is None else _units.unit_alone(text, name)
 
+    marks = missing if isinstance(missing, (list, tuple)) else [missing]
     if height_unit is not None and override_height_unit is not None:
         raise TypeError("give one of height_unit and override_height_unit")
     if layout is not None:
@@ -553,14 +553,14 @@ def reading(
     if decimal is not None:
         check("decimal", decimal, ("point", "comma"))
     said = {
-        "channel": channel,
+        "channel": None if channel is None else _units.text(channel, "channel", "#2"),
         "pixel": None if pixel is None else _units.pixel(pixel),
         "lateral_unit": unit(lateral_unit, "lateral_unit"),
         "height_unit": unit(height_unit, "height_unit"),
         "override_height_unit": unit(override_height_unit, "override_height_unit"),
         "layout": layout,
         "decimal": decimal,
-        "missing_marks": [missing] if isinstance(missing, str) else list(missing),
+        "missing_marks": [_units.text(mark, "missing", str(mark)) for mark in marks],
     }
     cut = crop if crop is None or isinstance(crop, str) else ",".join(str(operator.index(n)) for n in crop)
     return {"file": file_of(said, fill, cleaning), "crop": cut}
@@ -574,6 +574,8 @@ def file_of(said: dict[str, Any], fill: str, cleaning: dict[str, Any]) -> dict[s
 
 def metres(heights: Any, unit: str | None) -> NDArray[np.float64]:
     """Heights as a C-ordered array of doubles in metres, NaN where they are missing."""
+    if isinstance(heights, Surface):
+        raise TypeError("heights is an rc.Surface already, in metres; take it as it is, or its .heights with height_unit='m'")
     own = _units.own_unit(heights)
     agreed = _agreed(own, unit)
     if agreed is None:
@@ -607,9 +609,9 @@ def _given(
     """An array as the extension makes a surface of it, with what is known of the surface before."""
     check("fill", fill, get_args(Fill))
     ny, nx = heights.shape
+    name = _units.text(name, "name", "ground")
     note = f"an array of {ny} x {nx} heights handed over by a Python program"
     given = {"name": name, "note": note, "pixel": pixel, "fill": fill, "repeats": repeats, "cleaning": cleaning, "before": before}
-    name = _units.text(name, "name", "ground")
     with sorted_as(SurfaceError):
         made, facts, said = _rust.given(heights, dumped(given), count(None))
     return made, facts, _repeating(said, repeats if made.shape == heights.shape else None)
@@ -622,7 +624,7 @@ def _repeating(said: str, repeats: bool | None) -> str:
 
 def check(name: str, value: object, known: tuple[object, ...]) -> None:
     """Refuses a choice that is none."""
-    if value not in known:
+    if not isinstance(value, (str, int, np.bool_, type(None))) or value not in known:
         raise SettingError(f"{name} = {value!r} is none of {', '.join(map(repr, known))}", "setting")
 
 
@@ -669,8 +671,13 @@ def cleaned_by(
     align_rows: bool, outliers: float | None, form: str | None, s_filter: Q | None, l_filter: Q | None
 ) -> dict[str, Any]:
     """Cleaning, as the extension takes it."""
+    if form is not None:
+        form = _units.text(form, "form", "plane").strip()
+        if not re.fullmatch("plane|quadratic|sphere|cylinder|polynomial:0*([0-9]|1[0-2])", form):
+            known = "'plane', 'quadratic', 'polynomial:N' with N from 0 to 12, 'sphere', 'cylinder'"
+            raise SettingError(f"form = {form!r} is none of {known}", "setting")
     return {
-        "align_rows": align_rows,
+        "align_rows": _units.flag(align_rows, "align_rows"),
         "outliers": None if outliers is None else _units.number(outliers, "outliers"),
         "form": form,
         "s_filter": None if s_filter is None else _units.scalar(s_filter, "length", "s_filter"),

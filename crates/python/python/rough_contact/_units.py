@@ -39,12 +39,12 @@ _KINDS: dict[str, tuple[tuple[int, ...], str, str, str]] = {
 _NAMES = {powers: (kind, unit) for kind, (powers, unit, _, _) in _KINDS.items()}
 
 
-class Quantity:
-    """A number or an array with a unit: ``110 * rc.units.GPa``.
 #: A number in front of a unit.
 _COUNTED = re.compile(r"[+-]?(\d+\.?\d*|\.\d+)([eE][+-]?\d+)?")
 
 
+class Quantity:
+    """A number or an array with a unit: ``110 * rc.units.GPa``.
 
     Quantities multiply, divide, take powers and compare; adding or comparing those of different kinds is refused.
     Masked and missing entries of an array are NaN.
@@ -360,6 +360,8 @@ def _checked(found: NDArray[np.float64], name: str) -> NDArray[np.float64]:
 
 def scalar(value: Q, dimension: str, name: str, *, infinite: bool = False) -> float:
     """One quantity in SI units."""
+    if isinstance(value, (list, tuple)):
+        raise UnitError(f"{name} takes one quantity, and a list of {len(value)} was given; write {name}={_KINDS[dimension][2]!r}", "unit")
     found = np.asarray(_si(value, dimension, name, many=False), dtype=float)
     if found.ndim != 0:
         raise UnitError(f"{name} takes one quantity, and {found.size} were given", "unit")
@@ -395,6 +397,20 @@ def number(value: Any, name: str) -> float:
     if isinstance(value, (bool, np.bool_)) or not isinstance(value, (Real, np.ndarray)) or isinstance(value, np.ndarray) and value.ndim:
         raise TypeError(f"{name} takes a number, not {type(value).__name__}")
     return float(_checked(plain(value, name), name))
+
+
+def text(value: Any, name: str, example: str) -> str:
+    """A word."""
+    if not isinstance(value, str):
+        raise SettingError(f"{name} = {value!r} is no text; write {name}={example!r}", "setting")
+    return str(value)
+
+
+def flag(value: Any, name: str) -> bool:
+    """True or False, of numpy too."""
+    if not isinstance(value, (bool, np.bool_, int)) or value not in (0, 1):
+        raise SettingError(f"{name} = {value!r} must be True or False", "setting")
+    return bool(value)
 
 
 def whole(value: Any, name: str, least: int = 0, most: int = 2**63 - 1) -> int:
