@@ -251,7 +251,7 @@ pub(crate) fn given<'py>(
     let found = quietly(py, threads, move || filled(Path::new(&name), measurement, &how))?;
     let Surface { origin: made_of, heights: map, .. } = found.map_err(|e| raise(&e))?;
     let mut origin = GivenOrigin::of(&map, given.note);
-    origin.repeats = given.repeats.filter(|_| heights.as_array().shape() == map.grid().shape());
+    origin.repeats = given.repeats;
     (origin.missing, origin.height_step) = (made_of.missing(), made_of.height_step());
     let (mut fill, mut cleaned) = (given.fill, made_of.cleaned().to_vec());
     if let Some(before) = given.before.as_deref().map(HeightFacts::of_text).transpose()? {

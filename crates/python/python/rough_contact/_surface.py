@@ -115,8 +115,9 @@ class Surface:
         return surface
 
     def _with(self, heights: NDArray[np.float64], fill: Fill = "refuse", cleaning: dict[str, Any] = {}) -> Surface:
-        # A part of a period is none.
-        repeats = self._said.get("repeats") if heights.shape == self.shape else None
+        # A part of a period is none, nor what filters leave, which do not look across its edges.
+        is_period = heights.shape == self.shape and not (cleaning.get("s_filter") or cleaning.get("l_filter"))
+        repeats = self._said.get("repeats") if is_period else None
         return Surface._made(*_given(heights, self.pixel, self.name, fill, repeats, cleaning, self._facts))
 
     @classmethod
@@ -298,7 +299,7 @@ class Surface:
     ) -> Surface:
         """A new surface, cleaned as `read` does it, in the order of the parameters; ``.cleaning`` says what each step did.
 
-        Filters leave out what they cannot reach at the edges: then a map that repeats does so no more.
+        Filters leave out what they cannot reach at the edges: after them a map that repeats does so no more.
         """
         return self._with(self._heights, fill, cleaned_by(align_rows, outliers, form, s_filter, l_filter))
 
@@ -614,7 +615,7 @@ def _given(
     given = {"name": name, "note": note, "pixel": pixel, "fill": fill, "repeats": repeats, "cleaning": cleaning, "before": before}
     with sorted_as(SurfaceError):
         made, facts, said = _rust.given(heights, dumped(given), count(None))
-    return made, facts, _repeating(said, repeats if made.shape == heights.shape else None)
+    return made, facts, _repeating(said, repeats)
 
 
 def _repeating(said: str, repeats: bool | None) -> str:
