@@ -287,6 +287,9 @@ def test_what_is_handed_out_changes_nothing(rough):
     profile = rc.Profile.of(np.sin(np.arange(800) / 50), spacing="0.5 um", height_unit="um")
     study = rc.compare(rough, modulus="110 GPa", pressure="100MPa,1GPa", models="gw")["synth 7"].models["gw"]
     f = rc.ClosedForm("gw", rough, modulus="110 GPa")
+    before = curve.to_dict()
+    curve[0].residuals.clear()
+    assert curve.to_dict() == before
 
     def handed_out(copied):
         yield from copied(first).scales["x"].values()

@@ -97,7 +97,7 @@ class Point(_units.Kept):
         known = {f.name for f in fields(cls)}
         json = {**json, "solver_seconds": json.get("seconds")}
         values: dict[str, Any] = {
-            k: ends(v) if isinstance(v, list) else v for k, v in json.items() if k in known
+            k: ends(copy.deepcopy(v)) if isinstance(v, list) else copy.deepcopy(v) for k, v in json.items() if k in known
         }
         return cls(**values, pressure=pressure, gap=gap)
 

@@ -126,7 +126,8 @@ class SurfaceComparison:
     @property
     def statistics(self) -> Statistics:
         """Its roughness, as the models got it."""
-        return Statistics._of({**self.json["statistics"], "findings": self.json["findings"], "cleaning": self.json["cleaning"]})
+        known = {**self.json["statistics"], "findings": self.json["findings"], "cleaning": self.json["cleaning"]}
+        return Statistics._of(copy.deepcopy(known))
 
     @property
     def deterministic(self) -> list[dict[str, Any]]:
