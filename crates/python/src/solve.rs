@@ -50,6 +50,8 @@ impl SolveArguments {
     }
 }
 
+type Kept = (Grid, Vec<f64>, Vec<f64>);
+
 /// Keeps the maps that are wanted, and tells.
 struct KeptMaps<'a> {
     maps: bool,
@@ -57,7 +59,7 @@ struct KeptMaps<'a> {
     count: usize,
     reporter: &'a Reporter,
     /// By the place of each load that is done grid, pressure and gap, if they are kept.
-    found: BTreeMap<usize, Option<(Grid, Vec<f64>, Vec<f64>)>>,
+    found: BTreeMap<usize, Option<Kept>>,
     name: &'a str,
     last: Option<(f64, f64)>,
 }
@@ -167,8 +169,7 @@ pub(crate) fn displacement<'py>(
     threads: usize,
 ) -> PyResult<Bound<'py, PyArray2<f64>>> {
     let (grid, mut field) = field(&pressure, pixel)?;
-    let modulus = ContactModulus::from_pascals(modulus);
-    let modulus = modulus.map_err(|e| raise(&Failure::from(&e)))?;
+    let modulus = ContactModulus::from_pascals(modulus).map_err(|e| raise(&(&e).into()))?;
     let found = quietly(py, threads, move || {
         let boundary = if free { Boundary::Free } else { Boundary::Periodic };
         HalfSpace::new(grid, modulus, boundary).displace(&mut field);
@@ -192,9 +193,8 @@ pub(crate) fn spots<'py>(
 
 fn field(values: &PyReadonlyArray2<'_, f64>, pixel: [f64; 2]) -> PyResult<(Grid, Vec<f64>)> {
     let values = values.as_array();
-    let grid = Grid::new([values.nrows(), values.ncols()], pixel);
-    let grid = grid.map_err(|e| raise(&Failure::from(&e)))?;
-    Ok((grid, values.iter().copied().collect()))
+    let grid = Grid::new([values.nrows(), values.ncols()], pixel).map_err(|e| raise(&(&e).into()));
+    Ok((grid?, values.iter().copied().collect()))
 }
 
 /// What `rough-contact solve` answers.
