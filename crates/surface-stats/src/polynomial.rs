@@ -9,7 +9,7 @@ use contact_types::Grid;
 use grid_fft::parallel::{self, prelude::*};
 
 pub(crate) const MAX_DEGREE: usize = 12;
-/// Pixels of a row handled at a time.
+/// Pixels of a row, and rows, handled at a time.
 const TILE: usize = 64;
 
 /// A polynomial in x and y of limited total degree.
@@ -75,20 +75,24 @@ impl Polynomial {
         let complete = products(&columns, &(0..nx));
         let mut equations = NormalEquations::new(self.coefficients.len());
         // Along a row only the polynomials of x vary: sum over it first, then over rows.
-        let all: Vec<usize> = (0..ny).collect();
-        let along = parallel::map(&all, |&iy| {
+        let of_row = |iy: usize, row: &mut [f64]| {
             let (rows, mut sums) = (legendre(scaled(iy, ny)), [0.0; MAX_DEGREE + 1]);
-            let mut row = heights[iy * nx..(iy + 1) * nx].to_vec();
-            self.remove_from_row(&mut row, &rows, &columns);
+            row.copy_from_slice(&heights[iy * nx..(iy + 1) * nx]);
+            self.remove_from_row(row, &rows, &columns);
             for (sum, column) in sums.iter_mut().zip(&columns) {
-                let valid = column.iter().zip(&row).filter(|(_, z)| !z.is_nan());
+                let valid = column.iter().zip(&*row).filter(|(_, z)| !z.is_nan());
                 *sum = valid.map(|(p, z)| p * z).sum();
             }
             let valid = (0..nx).filter(|&ix| !row[ix].is_nan());
             let own = row.iter().any(|z| z.is_nan()).then(|| products(&columns, &valid));
             (rows, sums, own)
+        };
+        let blocks: Vec<usize> = (0..ny).step_by(TILE).collect();
+        let along = parallel::map(&blocks, |&first| -> Vec<_> {
+            let mut row = vec![0.0; nx];
+            (first..ny.min(first + TILE)).map(|iy| of_row(iy, &mut row)).collect()
         });
-        for (rows, sums, own) in &along {
+        for (rows, sums, own) in along.iter().flatten() {
             let gram = own.as_ref().unwrap_or(&complete);
             for (i, [ky, kx]) in terms(self.degree).enumerate() {
                 equations.right[i] += rows[ky] * sums[kx];
