@@ -15,9 +15,7 @@ use crate::scene::{excess, gradient_of_loads};
 use crate::settings::default_pressures;
 use crate::theory::{Assumes, Theory};
 use crate::verdict::{Judged, verdict};
-use crate::{
-    Adhesion, OfMap, Origin, Registry, Settings, Spikes, Surface, WorkOfAdhesion, poisson,
-};
+use crate::{Adhesion, OfMap, Registry, Settings, Spikes, Surface, WorkOfAdhesion, poisson};
 use contact_accuracy::{
     AccuracyRequest, Aim, Ladder, LadderError, Map, Setup, Task, climb, round_to_digits,
 };
@@ -27,7 +25,7 @@ use grid_fft::parallel::{join, on_threads};
 use std::f64::consts::TAU;
 use std::ops::ControlFlow;
 use surface_stats::spectrum::{Ring, radial};
-use surface_stats::{Edges, Level, Spectra, StatsError, StatsOptions, SurfaceStatistics};
+use surface_stats::{Edges, Level, Spectra, StatsOptions, SurfaceStatistics};
 
 impl Comparison {
     /// Runs a study: every surface solved over the loads, and the theories of `registry` that the
@@ -127,10 +125,12 @@ fn compare(
     let refused = |source| StudyError::Statistics { surface: name.clone(), source };
     let setup = Clock::now();
     let asked = (settings, registry);
-    // Spikes of the map before levelling, as they are removed.
+    let fractal_range = settings.fractal_range;
+    let options = StatsOptions { fractal_range, ..origin.options(settings.level) };
+    // Spikes of the map before levelling, as they are removed; a tilt that is removed is still reported.
     let (spikes, described) = join(
         || Spikes::left(&heights, origin.cleaned(), origin.pair()),
-        || describe(&heights, &origin, settings),
+        || SurfaceStatistics::with_spectra(&heights, &options),
     );
     let (statistics, spectra) = described.map_err(refused)?;
     // Under a Hann window, or the jump at the edges would count as roughness.
@@ -343,19 +343,6 @@ fn ask(
     });
     let verdict = verdict(&card, inputs, &outcome, &pressures, judged);
     ModelComparison { card, outcome, verdict }
-}
-
-/// Removes the form and takes the statistics. A map made from a recipe repeats; a measured one
-/// does not; one that was given, only if who gave it says so.
-fn describe(
-    heights: &HeightMap,
-    origin: &Origin,
-    settings: &Settings,
-) -> Result<(SurfaceStatistics, Spectra), StatsError> {
-    let fractal_range = settings.fractal_range;
-    let options = StatsOptions { fractal_range, ..origin.options(settings.level) };
-    // From the heights as given, so that a tilt that is removed is still reported.
-    SurfaceStatistics::with_spectra(heights, &options)
 }
 
 /// One set of moments for all models, by finite differences: they stay inside the map, so that a

@@ -83,11 +83,10 @@ impl Ladder {
         };
         let grid = map.grid();
         let thinned = || -> Result<_, LadderError> {
-            Ok(if RungMaps::is_possible(grid) {
-                Ok(RungMaps::of(both(&map, setup.mirrored)?, setup.clone().loose())?)
-            } else {
-                Err(NoUncertainty::TooFewPoints { shape: grid.shape() })
-            })
+            if !RungMaps::is_possible(grid) {
+                return Ok(Err(NoUncertainty::TooFewPoints { shape: grid.shape() }));
+            }
+            Ok(Ok(RungMaps::of(both(&map, setup.mirrored)?, setup.clone().loose())?))
         };
         let (solver, coarser) = join(whole, thinned);
         Ok(Self { solver: solver?, coarser: coarser?, setup, known, given: map, finer: None })

@@ -183,7 +183,7 @@ impl ModelSubject {
         // Every model has the moments that a study gives it; only Persson's mean gap needs more.
         inputs.is_measured = true;
         inputs.moments = Some(moments(&map, edges).map_err(refused)?);
-        if card.inputs.iter().any(|set| set.takes(Input::MeanSlope)) {
+        if card.takes(Input::MeanSlope) {
             inputs.mean_slope = Some(mean_slope(&map));
         }
         // Spectra take several times the memory of the map: what was not levelled goes before.

@@ -126,6 +126,11 @@ impl ModelArguments {
             _ => ModelLoads::Pressures(self.pressures.clone().unwrap_or_default()),
         };
         self.joint.check().map_err(|e| Failure::from(&e))?;
+        if theory.card().takes(Input::MeanSlope) && !self.joint.is_asked() {
+            let way =
+                "says what a joint conducts; give conductivity, such as '50 W/m/K', or resistivity";
+            return Err(Failure::refused("missing_input", format!("{} {way}", self.name)));
+        }
         let mut found = subject.ask(theory, &self.joint, &questions, None, [WAY_OUT; 2])?;
         found.json["bodies"] = contact_report::bodies_json(found.pair.as_ref(), &self.bodies);
         if !self.materials.is_empty() {

@@ -160,9 +160,6 @@ class Numbers(_Roughness):
 
 Source = Union[Surface, Profile, Moments, Asperities, SelfAffine, Fractal, Numbers]
 
-#: What a joint conducts is all that these are for.
-_CONDUCT = ("cmy", "mikic")
-
 _NUMBERS = ("mean_pressure", "area_fraction", "real_pressure", "separation", "mean_gap")
 
 
@@ -318,8 +315,6 @@ def model(
     numbers = [value for value in values if not math.isnan(value)]
     of_part = None if area is None else _units.scalar(area, "area", "area")
     joint = _bodies.joint(resistivity, conductivity, gas, of_part)
-    if not joint and name in _CONDUCT:
-        raise SettingError(f"{name} says what a joint conducts; give conductivity, such as '50 W/m/K', or resistivity", "missing_input")
     request, surface, second = _asked(name, source, modulus, bodies, hardness, gamma, joint, level, (against, flip, shift))
     request["pressures" if kind == "pressure" else "separations"] = numbers
     with sorted_as(SettingError):
