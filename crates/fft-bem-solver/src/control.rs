@@ -2,8 +2,7 @@
 //! the level is right, each from the answer before. A secant, kept inside a bracket.
 
 use crate::methods::{
-    Compliance, ContactMethod, ContactTask, IterateObserver, IterateView, Outcome, RISE, Start,
-    State, Target,
+    ContactMethod, ContactTask, IterateView, Means, Outcome, RISE, Start, State, Target,
 };
 use crate::{End, Real, certificate, fields};
 
@@ -22,50 +21,44 @@ const FARTHEST: f64 = 2.0;
 /// Solves `task`: by the method alone where it can, by loads where it cannot or does not succeed.
 pub(crate) fn solve<T: Real>(
     method: &mut dyn ContactMethod<T>,
-    task: &ContactTask<'_, T>,
-    operator: &mut dyn Compliance<T>,
-    start: Start,
-    state: &mut State<T>,
-    watch: &mut IterateObserver<'_, T>,
+    mut task: ContactTask<'_, T>,
+    means: Means<'_, '_, T>,
 ) -> Outcome {
-    let (mut start, mut spent) = (start, Outcome::NOTHING);
+    let (Means { operator, state, watch }, mut spent) = (means, Outcome::NOTHING);
     let (level, guess) = match task.target {
-        Target::Pressure(_) => return method.solve(task, operator, start, state, watch),
+        Target::Pressure(_) => return method.solve(&task, Means { operator, state, watch }),
         Target::OpenGap(gap, guess) => {
-            let search = Search { method, task, operator, start, state, watch, spent };
-            return search.yielding(gap, guess);
+            let means = Means { operator, state, watch };
+            return Search { method, task, means, spent }.yielding(gap, guess);
         }
         Target::Level(level, guess) => (level, guess),
     };
     if method.controls_level() {
         let most = task.max_iterations.min(NATIVE_ITERATIONS);
-        let native = ContactTask { max_iterations: most, ..*task };
-        spent = method.solve(&native, operator, start, state, watch);
+        let native = ContactTask { max_iterations: most, ..task };
+        spent = method.solve(&native, Means { operator, state, watch });
         if spent.end != End::Exhausted || spent.iterations >= task.max_iterations {
             return spent;
         }
         // An iterate that lost its numbers is no start.
         let is_sound =
             fields::sum(&state.pressure) > 0.0 && fields::sum(&state.displacement).is_finite();
-        start = if is_sound { Start::Warm } else { Start::Cold };
+        task.start = if is_sound { Start::Warm } else { Start::Cold };
     }
-    Search { method, task, operator, start, state, watch, spent }.elastic(level, guess)
+    Search { method, task, means: Means { operator, state, watch }, spent }.elastic(level, guess)
 }
 
 struct Search<'a, 'w, T: Real> {
     method: &'a mut dyn ContactMethod<T>,
-    task: &'a ContactTask<'a, T>,
-    operator: &'a mut dyn Compliance<T>,
-    start: Start,
-    state: &'a mut State<T>,
-    watch: &'a mut IterateObserver<'w, T>,
+    task: ContactTask<'a, T>,
+    means: Means<'a, 'w, T>,
     spent: Outcome,
 }
 
 impl<T: Real> Search<'_, '_, T> {
     fn first(&self, guess: f64) -> f64 {
-        match self.start {
-            Start::Warm => fields::mean(&self.state.pressure),
+        match self.task.start {
+            Start::Warm => fields::mean(&self.means.state.pressure),
             Start::Cold => guess,
         }
     }
@@ -84,9 +77,9 @@ impl<T: Real> Search<'_, '_, T> {
             tolerance,
             max_iterations: self.task.max_iterations - before.iterations,
             ends_on_trial: false,
-            ..*self.task
+            ..self.task
         };
-        let watch = &mut *self.watch;
+        let Means { operator, state, watch } = &mut self.means;
         let mut shown = |step: &IterateView<'_, T>| {
             watch(&IterateView {
                 iteration: before.iterations + step.iteration,
@@ -95,15 +88,16 @@ impl<T: Real> Search<'_, '_, T> {
                 state: step.state,
             })
         };
-        let found = self.method.solve(&sub, self.operator, self.start, self.state, &mut shown);
-        self.start = Start::Warm;
+        let means = Means { operator: *operator, state, watch: &mut shown };
+        let found = self.method.solve(&sub, means);
+        self.task.start = Start::Warm;
         self.spent.add(&found);
         found
     }
 
     /// By how much the level of elastic bodies rises per logarithm of the load, about: as the mean indentation does.
     fn rise(&self) -> f64 {
-        let State { pressure, displacement, .. } = &*self.state;
+        let State { pressure, displacement, .. } = &*self.means.state;
         RISE * (fields::dot(pressure, displacement) / fields::sum(pressure)).abs()
     }
 
@@ -131,7 +125,7 @@ impl<T: Real> Search<'_, '_, T> {
             // Near full contact it levels off with the gap that is left.
             let gap_left = -level - task.problem.mean_height;
             let natural = self.rise().min(LEVELLING_OFF * gap_left);
-            let reached = self.state.level;
+            let reached = self.means.state.level;
             let mut slope = last_slope.unwrap_or(natural).max(f64::MIN_POSITIVE);
             if let Some((ln_load, last_reached, accuracy)) = last {
                 // A secant between points closer than their errors would tell nothing.
@@ -198,10 +192,11 @@ impl<T: Real> Search<'_, '_, T> {
             let tolerance = accuracy.max(finest);
             let known = slope;
             let found = self.under(load, tolerance, |state| {
-                known
-                    .map_or(f64::INFINITY, |slope: f64| (open_gap(task, state) - gap).abs() / slope)
+                known.map_or(f64::INFINITY, |slope: f64| {
+                    (open_gap(&task, state) - gap).abs() / slope
+                })
             });
-            let reached = open_gap(task, self.state);
+            let reached = open_gap(&task, self.means.state);
             let natural = self.rise() * (1.0 - load / h); // the logarithm of the load changes by that per y
             let secant = last.map(|[y0, reached0]| (reached0 - reached) / (y - y0));
             let rise = secant.filter(|s| *s > 0.0 && s.is_finite()).or(slope).unwrap_or(natural);

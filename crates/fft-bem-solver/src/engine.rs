@@ -1,7 +1,7 @@
 //! From a surface and a load in SI units to a solution, through the scaled problem.
 
 use crate::methods::{
-    self, Compliance, ContactMethod, ContactTask, IterateView, Outcome, Start, State, Target,
+    self, Compliance, ContactMethod, ContactTask, IterateView, Means, Outcome, Start, State, Target,
 };
 use crate::observer::Observe;
 use crate::problem::Problem;
@@ -117,7 +117,19 @@ impl<T: Real> AnyEngine for Engine<T> {
             LoadMeaning::Apart(level) => self.apart(level),
             LoadMeaning::Closed => self.closed(problem),
             LoadMeaning::Yielded => self.yielded(problem, ceiling),
-            LoadMeaning::Target(target) => self.target(problem, ceiling, target, start, observer),
+            LoadMeaning::Target(target) => {
+                let is_chord = self.settings.method == Method::Chord;
+                let task = ContactTask {
+                    problem,
+                    target,
+                    start,
+                    ceiling,
+                    tolerance: self.settings.tolerance,
+                    max_iterations: if is_chord { 200 } else { 20_000 },
+                    ends_on_trial: self.settings.ends_on_trial && is_chord,
+                };
+                self.target(task, observer)
+            }
         };
         let solution = self.solution(problem, &found, load, clock);
         self.is_warm = solution.diagnostics.contact_pixels > 0;
@@ -228,35 +240,20 @@ impl<T: Real> Engine<T> {
         Outcome::exact("all of the surface yields", spent)
     }
 
-    fn target(
-        &mut self,
-        problem: &Problem<T>,
-        ceiling: f64,
-        target: Target,
-        mut start: Start,
-        observer: &mut Observe<'_>,
-    ) -> Outcome {
+    fn target(&mut self, mut task: ContactTask<'_, T>, observer: &mut Observe<'_>) -> Outcome {
         let mut spent = 0.0;
         let lacks_displacement = std::mem::take(&mut self.lacks_displacement);
-        if let Target::Pressure(load) = target {
-            match self.without_iterating(problem, load, ceiling, &mut start) {
+        if let Target::Pressure(load) = task.target {
+            match self.without_iterating(&mut task, load) {
                 (Some(reason), transforms) => return Outcome::exact(reason, transforms),
                 (None, transforms) => spent += transforms,
             }
         }
-        if start == Start::Warm && lacks_displacement {
+        if task.start == Start::Warm && lacks_displacement {
             self.operator.apply(&self.state.pressure, &mut self.state.displacement);
             spent += 1.0;
         }
-        let task = ContactTask {
-            problem,
-            target,
-            ceiling,
-            tolerance: self.settings.tolerance,
-            max_iterations: if self.settings.method == Method::Chord { 200 } else { 20_000 },
-            ends_on_trial: self.settings.ends_on_trial && self.settings.method == Method::Chord,
-        };
-        let n = problem.heights.len() as f64;
+        let n = task.problem.heights.len() as f64;
         let mut watch = |step: &IterateView<'_, T>| {
             observer(&Iteration {
                 number: step.iteration,
@@ -267,8 +264,8 @@ impl<T: Real> Engine<T> {
             })
         };
         let (operator, state) = (&mut self.operator, &mut self.state);
-        let method = self.method.as_mut();
-        let mut outcome = control::solve(method, &task, operator, start, state, &mut watch);
+        let means = Means { operator, state, watch: &mut watch };
+        let mut outcome = control::solve(self.method.as_mut(), task, means);
         outcome.transforms += spent;
         self.lacks_displacement = task.ends_on_trial;
         if outcome.end == End::Exhausted && outcome.residual <= T::ATTAINABLE {
@@ -280,22 +277,20 @@ impl<T: Real> Engine<T> {
     /// Tries the answers that need no iteration. Returns which it was, and the convolutions spent.
     fn without_iterating(
         &mut self,
-        problem: &Problem<T>,
+        task: &mut ContactTask<'_, T>,
         load: f64,
-        ceiling: f64,
-        start: &mut Start,
     ) -> (Option<&'static str>, f64) {
-        let mut spent = 0.0;
+        let (problem, mut spent) = (task.problem, 0.0);
         let (operator, state) = (&mut self.operator, &mut self.state);
         let total = load * problem.heights.len() as f64;
-        let ceiling = T::of(ceiling).wide();
+        let ceiling = T::of(task.ceiling).wide();
         let summit = special_cases::lonely_summit(problem, load);
         if let Some(summit) = summit.filter(|_| total <= ceiling) {
             spent += 1.0;
             if special_cases::single_pixel(problem, summit, load, operator, state) {
                 return (Some("single pixel in contact"), spent);
             }
-            *start = Start::Cold;
+            task.start = Start::Cold;
         }
         if self.settings.boundary != Boundary::Periodic {
             return (None, spent);
@@ -317,7 +312,7 @@ impl<T: Real> Engine<T> {
         self.suspected_closing_load = Some(suspected);
         if load >= suspected {
             // A warm state is still needed if this fails.
-            let mut field = match start {
+            let mut field = match task.start {
                 Start::Cold => std::mem::take(&mut state.pressure),
                 Start::Warm => Vec::new(),
             };
@@ -325,7 +320,7 @@ impl<T: Real> Engine<T> {
             self.closing_load = special_cases::flattening_pressure(problem, operator, &mut field);
             let closes = self.closing_load.is_some_and(|least| load >= least)
                 && (ceiling.is_infinite() || fields::max(&field) + load <= ceiling);
-            if closes || *start == Start::Cold {
+            if closes || task.start == Start::Cold {
                 state.pressure = field;
             }
             if closes {

@@ -3,7 +3,7 @@
 use super::ceiling::NoCeiling;
 use super::compliance::Compliance;
 use super::contract::{
-    ContactMethod, ContactTask, IterateObserver, IterateView, Outcome, Start, State, Target,
+    ContactMethod, ContactTask, IterateView, Means, Outcome, Start, State, Target,
 };
 use crate::certificate::{self, Patience};
 use crate::{End, Real, fields};
@@ -42,21 +42,15 @@ impl<T: Real, S: BaselineStep<T>> Baseline<T, S> {
 }
 
 impl<T: Real, S: BaselineStep<T>> ContactMethod<T> for Baseline<T, S> {
-    fn solve(
-        &mut self,
-        task: &ContactTask<'_, T>,
-        operator: &mut dyn Compliance<T>,
-        start: Start,
-        state: &mut State<T>,
-        watch: &mut IterateObserver<'_, T>,
-    ) -> Outcome {
+    fn solve(&mut self, task: &ContactTask<'_, T>, means: Means<'_, '_, T>) -> Outcome {
+        let Means { operator, state, watch } = means;
         let Target::Pressure(load) = task.target else {
             unreachable!("a level is controlled from outside: controls_level() is false")
         };
         let heights = &task.problem.heights;
         let Self { gap, direction, response, .. } = self;
         fields::fill(0.0, direction);
-        let mut transforms = begin(load, operator, start, state);
+        let mut transforms = begin(load, operator, task.start, state);
         let (mut iterations, mut residual) = (0, f64::INFINITY);
         let (mut method, mut patience) = (S::START, Patience::new(task.tolerance));
         let mut end = loop {

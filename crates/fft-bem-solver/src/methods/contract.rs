@@ -41,6 +41,7 @@ pub(crate) enum Target {
 pub(crate) struct ContactTask<'a, T> {
     pub(crate) problem: &'a Problem<T>,
     pub(crate) target: Target,
+    pub(crate) start: Start,
     /// Highest pressure, in scaled units; infinite for elastic bodies.
     pub(crate) ceiling: f64,
     /// Relative rms pressure error to reach.
@@ -102,6 +103,13 @@ pub(crate) struct IterateView<'a, T> {
 pub(crate) type IterateObserver<'a, T> =
     dyn FnMut(&IterateView<'_, T>) -> ControlFlow<()> + Send + 'a;
 
+/// What a method works with.
+pub(crate) struct Means<'a, 'w, T: Real> {
+    pub(crate) operator: &'a mut dyn Compliance<T>,
+    pub(crate) state: &'a mut State<T>,
+    pub(crate) watch: &'a mut IterateObserver<'w, T>,
+}
+
 /// What a method reports.
 #[derive(Debug, Clone, Copy)]
 pub(crate) struct Outcome {
@@ -144,14 +152,7 @@ impl Outcome {
 /// One way of solving the contact problem.
 pub(crate) trait ContactMethod<T: Real>: Send + Sync {
     /// Solves the task, see the module documentation.
-    fn solve(
-        &mut self,
-        task: &ContactTask<'_, T>,
-        operator: &mut dyn Compliance<T>,
-        start: Start,
-        state: &mut State<T>,
-        watch: &mut IterateObserver<'_, T>,
-    ) -> Outcome;
+    fn solve(&mut self, task: &ContactTask<'_, T>, means: Means<'_, '_, T>) -> Outcome;
 
     /// Whether [`Target::Level`] is understood.
     fn controls_level(&self) -> bool {

@@ -9,7 +9,7 @@ use super::ceiling::{Ceiling, under};
 use super::chord::Chord;
 use super::compliance::Compliance;
 use super::contract::{
-    ContactMethod, ContactTask, IterateObserver, IterateView, Outcome, Start, State, Target,
+    ContactMethod, ContactTask, IterateView, Means, Outcome, Start, State, Target,
 };
 use crate::problem::Problem;
 use crate::{Boundary, End, Real, SolverError, fields};
@@ -99,14 +99,8 @@ impl<T: Real> Compliance<T> for Around<'_, T> {
 }
 
 impl<T: Real> ContactMethod<T> for FreeChord<T> {
-    fn solve(
-        &mut self,
-        task: &ContactTask<'_, T>,
-        operator: &mut dyn Compliance<T>,
-        start: Start,
-        state: &mut State<T>,
-        watch: &mut IterateObserver<'_, T>,
-    ) -> Outcome {
+    fn solve(&mut self, task: &ContactTask<'_, T>, means: Means<'_, '_, T>) -> Outcome {
+        let Means { operator, state, watch } = means;
         let (map, stride) = (self.map, self.problem.grid.shape()[1]);
         let share = state.pressure.len() as f64 / self.state.pressure.len() as f64;
         let depth = T::of(DEPTH);
@@ -118,19 +112,19 @@ impl<T: Real> ContactMethod<T> for FreeChord<T> {
         // Nor may what stood near the ceiling be scaled beyond it.
         let factor = load * state.pressure.len() as f64 / fields::sum(&state.pressure);
         let is_beyond = under!(task.ceiling, top => top.is_passed(factor, &state.pressure));
-        let is_begun = start == Start::Cold || is_beyond;
+        let is_begun = task.start == Start::Cold || is_beyond;
         let transforms = if is_begun { state.fill(load, operator) } else { 0.0 };
         let around = T::of(1.5 * fields::max(&state.displacement).max(0.0));
         embed(map, &state.pressure, T::zero(), stride, &mut self.state.pressure);
         embed(map, &state.displacement, around, stride, &mut self.state.displacement);
         let target = Target::Pressure(share * load);
-        let task = ContactTask { problem: &self.problem, target, ..*task };
+        let task = ContactTask { problem: &self.problem, target, start: Start::Warm, ..*task };
         let mut shown = |step: &IterateView<'_, T>| {
             watch(&IterateView { transforms: transforms + step.transforms, ..*step })
         };
         let mut around = Around { inner: operator, map, stride, buffer: &mut self.on_map };
-        let mut outcome =
-            self.chord.solve(&task, &mut around, Start::Warm, &mut self.state, &mut shown);
+        let means = Means { operator: &mut around, state: &mut self.state, watch: &mut shown };
+        let mut outcome = self.chord.solve(&task, means);
         cut(map, &self.state.pressure, stride, &mut state.pressure);
         cut(map, &self.state.displacement, stride, &mut state.displacement);
         state.level = self.state.level;

@@ -41,7 +41,7 @@ pub(crate) use ceiling::{Ceiling, HardnessCeiling, NoCeiling, under};
 pub(crate) use choice::build;
 pub(crate) use compliance::Compliance;
 pub(crate) use contract::{
-    ContactMethod, ContactTask, IterateObserver, IterateView, Outcome, Start, State, Target,
+    ContactMethod, ContactTask, IterateView, Means, Outcome, Start, State, Target,
 };
 pub(crate) use level::level_under;
 pub(crate) use level_control::RISE;

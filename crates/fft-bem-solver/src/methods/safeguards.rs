@@ -2,7 +2,7 @@
 
 use super::baseline::Baseline;
 use super::chord::{Chord, StepKind};
-use super::contract::{ContactMethod, ContactTask, Outcome, Start, State, Target};
+use super::contract::{ContactMethod, ContactTask, Means, Outcome, Start, State, Target};
 use super::polonsky_keer::PolonskyKeer;
 use super::stanley_kato::StanleyKato;
 use crate::problem::{self, Problem};
@@ -45,13 +45,13 @@ fn run_up_to<T: Real>(
 ) -> (Outcome, State<T>) {
     let mut half_space = HalfSpace::scaled(problem.grid, Boundary::Periodic);
     let mut state = State::new(problem.grid.len());
-    let target = Target::Pressure(load);
-    let ceiling = f64::INFINITY;
+    let (target, start, ceiling) = (Target::Pressure(load), Start::Cold, f64::INFINITY);
+    let ends_on_trial = false;
     let task =
-        ContactTask { problem, target, ceiling, tolerance, max_iterations, ends_on_trial: false };
+        ContactTask { problem, target, start, ceiling, tolerance, max_iterations, ends_on_trial };
     let mut watch = |_: &super::contract::IterateView<'_, T>| ControlFlow::Continue(());
-    let outcome = method.solve(&task, &mut half_space, Start::Cold, &mut state, &mut watch);
-    (outcome, state)
+    let (operator, watch) = (&mut half_space, &mut watch);
+    (method.solve(&task, Means { operator, state: &mut state, watch }), state)
 }
 
 fn difference(a: &State<f64>, b: &State<f64>) -> f64 {

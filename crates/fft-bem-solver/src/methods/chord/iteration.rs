@@ -31,9 +31,8 @@ use super::run::{Known, Run, StepKind};
 use super::work::Work;
 use crate::memory::is_large;
 use crate::methods::ceiling::{Ceiling, under};
-use crate::methods::compliance::Compliance;
 use crate::methods::contract::{
-    ContactMethod, ContactTask, IterateObserver, IterateView, Outcome, Start, State,
+    ContactMethod, ContactTask, IterateView, Means, Outcome, Start, State,
 };
 use crate::methods::node::NodeState;
 use crate::methods::thin_pixels::ratio;
@@ -61,15 +60,8 @@ impl<T: Real> Chord<T> {
 }
 
 impl<T: Real> ContactMethod<T> for Chord<T> {
-    fn solve(
-        &mut self,
-        task: &ContactTask<'_, T>,
-        operator: &mut dyn Compliance<T>,
-        start: Start,
-        state: &mut State<T>,
-        watch: &mut IterateObserver<'_, T>,
-    ) -> Outcome {
-        under!(task.ceiling, ceiling => self.iterate(ceiling, task, operator, start, state, watch))
+    fn solve(&mut self, task: &ContactTask<'_, T>, means: Means<'_, '_, T>) -> Outcome {
+        under!(task.ceiling, ceiling => self.iterate(ceiling, task, means))
     }
 
     fn controls_level(&self) -> bool {
@@ -94,18 +86,16 @@ impl<T: Real> Chord<T> {
         &mut self,
         ceiling: C,
         task: &ContactTask<'_, T>,
-        operator: &mut dyn Compliance<T>,
-        start: Start,
-        state: &mut State<T>,
-        watch: &mut IterateObserver<'_, T>,
+        means: Means<'_, '_, T>,
     ) -> Outcome {
+        let Means { operator, state, watch } = means;
         let Self { work, force } = self;
         let mut run = Run::new(ceiling, work, task, operator, *force, state);
-        match start {
+        match task.start {
             Start::Cold => run.begin_constant(),
             Start::Warm => run.begin_scaled(),
         }
-        let mut proposal = run.first_proposal(start, task.tolerance);
+        let mut proposal = run.first_proposal(task.start, task.tolerance);
         let mut iteration = 0;
         let end = loop {
             let error = run.level_error();
