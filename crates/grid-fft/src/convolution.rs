@@ -5,10 +5,13 @@ use crate::parallel::prelude::*;
 use crate::parallel::{thread_index, threads};
 use crate::rows::RowScratch;
 use rustfft::num_complex::Complex;
+use std::ops::Range;
 use std::sync::{Mutex, MutexGuard, PoisonError};
 
 /// Rows transformed together; also the height of a tile.
 const TILE_ROWS: usize = 16;
+/// Waves in a tile: two cache lines of each of its rows.
+const TILE: usize = 8 * TILE_ROWS;
 
 /// Multiplies the spectrum of a field by a real symbol that is even in the wave vector.
 ///
@@ -22,8 +25,9 @@ pub struct Convolution<T: Float> {
     padded: [usize; 2],
     tile_columns: usize,
     plans: Plans<T>,
-    /// Tile (group of columns, block of rows) at `group * blocks + block`, column-major inside.
-    tiles: Vec<Mutex<Vec<Complex<T>>>>,
+    /// Tile (group of columns, block of rows) at `group * blocks + block`, column-major inside. In one piece: thousands
+    /// of small ones take longer to allocate than a transform.
+    tiles: Vec<Mutex<[Complex<T>; TILE]>>,
     /// One per thread.
     scratch: Vec<Mutex<Scratch<T>>>,
 }
@@ -74,15 +78,9 @@ impl<T: Float> Convolution<T> {
         let nq = px / 2 + 1;
         let plans = T::plan(padded);
         let zero = Complex::new(T::zero(), T::zero());
-        let tile_columns = (128 / size_of::<Complex<T>>()).max(1);
-        let mut tiles = Vec::with_capacity(ny.div_ceil(TILE_ROWS) * nq.div_ceil(tile_columns));
-        for first_column in (0..nq).step_by(tile_columns) {
-            for first_row in (0..ny).step_by(TILE_ROWS) {
-                let rows = TILE_ROWS.min(ny - first_row);
-                let columns = tile_columns.min(nq - first_column);
-                tiles.push(Mutex::new(vec![zero; rows * columns]));
-            }
-        }
+        let tile_columns = TILE / TILE_ROWS.min(ny);
+        let tiles = ny.div_ceil(TILE_ROWS) * nq.div_ceil(tile_columns);
+        let tiles = (0..tiles).map(|_| Mutex::new([zero; TILE])).collect();
         let fft_scratch = plans.column_scratch_len();
         let scratch = (0..threads())
             .map(|_| {
@@ -201,13 +199,18 @@ impl<T: Float> Convolution<T> {
         self.shape[0].div_ceil(TILE_ROWS)
     }
 
-    /// The tiles of a block of rows, with the first of their columns.
+    /// The tiles of a block of rows, with their columns.
     fn tiles_of(
         &self,
         block: usize,
-    ) -> impl Iterator<Item = (usize, MutexGuard<'_, Vec<Complex<T>>>)> {
+    ) -> impl Iterator<Item = (Range<usize>, MutexGuard<'_, [Complex<T>; TILE]>)> {
         let tiles = self.tiles.iter().skip(block).step_by(self.blocks());
-        tiles.enumerate().map(|(group, tile)| (group * self.tile_columns, lock(tile)))
+        tiles.enumerate().map(|(group, tile)| (self.columns_of(group), lock(tile)))
+    }
+
+    fn columns_of(&self, group: usize) -> Range<usize> {
+        let first = group * self.tile_columns;
+        first..(first + self.tile_columns).min(self.padded[1] / 2 + 1)
     }
 
     fn scratch(&self) -> MutexGuard<'_, Scratch<T>> {
@@ -221,10 +224,10 @@ impl<T: Float> Convolution<T> {
         let Scratch { rows: scratch, waves, .. } = &mut *self.scratch();
         let height = rows.len() / nx;
         self.plans.rows.forward(rows, &mut waves[..height * nq], scratch);
-        for (first, mut tile) in self.tiles_of(block) {
-            for (c, column) in tile.chunks_exact_mut(height).enumerate() {
+        for (columns, mut tile) in self.tiles_of(block) {
+            for (c, column) in columns.zip(tile.chunks_exact_mut(height)) {
                 for (r, value) in column.iter_mut().enumerate() {
-                    *value = waves[r * nq + first + c];
+                    *value = waves[r * nq + c];
                 }
             }
         }
@@ -234,28 +237,27 @@ impl<T: Float> Convolution<T> {
     fn filter(
         &self,
         group: usize,
-        tiles: &[Mutex<Vec<Complex<T>>>],
+        tiles: &[Mutex<[Complex<T>; TILE]>],
         write_symbol: &impl Fn(usize, &mut [T]),
         factor: T,
     ) {
         let ny = self.shape[0];
         let [py, px] = self.padded;
-        let first = group * self.tile_columns;
-        let width = self.tile_columns.min(px / 2 + 1 - first);
+        let waves = self.columns_of(group);
         let Scratch { columns, symbol, fft, .. } = &mut *self.scratch();
-        let columns = &mut columns[..width * py];
+        let columns = &mut columns[..waves.len() * py];
+        let rows = |block: usize| block * TILE_ROWS..ny.min((block + 1) * TILE_ROWS);
         for (block, tile) in tiles.iter().enumerate() {
-            let tile = lock(tile);
-            let height = tile.len() / width;
-            for (from, to) in tile.chunks_exact(height).zip(columns.chunks_exact_mut(py)) {
-                to[block * TILE_ROWS..][..height].copy_from_slice(from);
+            let (tile, rows) = (lock(tile), rows(block));
+            for (from, to) in tile.chunks_exact(rows.len()).zip(columns.chunks_exact_mut(py)) {
+                to[rows.clone()].copy_from_slice(from);
             }
         }
         let scale = factor / T::from_usize(py * px).expect("a pixel count fits a float");
-        for (c, column) in columns.chunks_exact_mut(py).enumerate() {
+        for (kx, column) in waves.zip(columns.chunks_exact_mut(py)) {
             column[ny..].fill(Complex::new(T::zero(), T::zero()));
             self.plans.column_forward.process_with_scratch(column, fft);
-            write_symbol(first + c, symbol);
+            write_symbol(kx, symbol);
             let (rising, falling) = column.split_at_mut(py / 2 + 1);
             for (wave, s) in rising.iter_mut().zip(symbol.iter()) {
                 *wave = *wave * (*s * scale);
@@ -266,10 +268,9 @@ impl<T: Float> Convolution<T> {
             self.plans.column_inverse.process_with_scratch(column, fft);
         }
         for (block, tile) in tiles.iter().enumerate() {
-            let mut tile = lock(tile);
-            let height = tile.len() / width;
-            for (to, from) in tile.chunks_exact_mut(height).zip(columns.chunks_exact(py)) {
-                to.copy_from_slice(&from[block * TILE_ROWS..][..height]);
+            let (mut tile, rows) = (lock(tile), rows(block));
+            for (to, from) in tile.chunks_exact_mut(rows.len()).zip(columns.chunks_exact(py)) {
+                to.copy_from_slice(&from[rows.clone()]);
             }
         }
     }
@@ -280,10 +281,10 @@ impl<T: Float> Convolution<T> {
         let nq = self.padded[1] / 2 + 1;
         let height = rows.len() / nx;
         let Scratch { rows: scratch, waves, .. } = &mut *self.scratch();
-        for (first, tile) in self.tiles_of(block) {
-            for (c, column) in tile.chunks_exact(height).enumerate() {
+        for (columns, tile) in self.tiles_of(block) {
+            for (c, column) in columns.zip(tile.chunks_exact(height)) {
                 for (r, value) in column.iter().enumerate() {
-                    waves[r * nq + first + c] = *value;
+                    waves[r * nq + c] = *value;
                 }
             }
         }
