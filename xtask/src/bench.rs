@@ -9,7 +9,7 @@ use std::path::Path;
 use std::process::Command;
 
 /// The benchmarks that the book shows; the others are for who changes the code.
-const SHOWN: [&str; 5] = ["curve/", "kernels/transform", "read/", "solve/", "statistics/of/"];
+const SHOWN: [&str; 4] = ["curve/", "kernels/transform", "read/", "solve/"];
 
 const PAGE: &str = "docs/src/benchmarks.md";
 
