@@ -165,7 +165,7 @@ fn choices(
     if !matches!(surface.origin, Origin::Recipe(_)) && is_levelled {
         add(
             ChoiceKind::Paraboloid,
-            effect(Level::Quadratic.taken_off(used).ok().map(|found| found.1)),
+            effect(Level::Quadratic.taken_off(used.clone()).ok().map(|found| found.1)),
         );
     }
     let [dy, dx] = used.grid().pixel();

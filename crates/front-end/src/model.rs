@@ -176,18 +176,16 @@ impl ModelSubject {
         let pair = origin.pair().cloned();
         let spikes = Spikes::left(&heights, &cleaned, pair.as_ref());
         let rows = row_warning(&heights);
-        let (form, map) = origin.level(asked).taken_off(&heights).map_err(refused)?;
+        let (form, map) = origin.level(asked).taken_off(heights).map_err(refused)?;
         let edges = edges.unwrap_or_else(|| origin.edges());
         let mut inputs = Inputs::new(modulus);
-        inputs.nominal_area = Some(heights.grid().area());
+        inputs.nominal_area = Some(map.grid().area());
         // Every model has the moments that a study gives it; only Persson's mean gap needs more.
         inputs.is_measured = true;
         inputs.moments = Some(moments(&map, edges).map_err(refused)?);
         if card.takes(Input::MeanSlope) {
             inputs.mean_slope = Some(mean_slope(&map));
         }
-        // Spectra take several times the memory of the map: what was not levelled goes before.
-        drop(heights);
         match card.of_map {
             OfMap::Fractal => {
                 ([_, inputs.dimension], inputs.fractal) =

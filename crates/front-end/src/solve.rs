@@ -118,8 +118,7 @@ impl SolveRequest {
         let largest = heights.heights().iter().fold(0.0, |most: f64, h| most.max(h.abs()));
         // Before levelling, as they are removed.
         let spikes = Spikes::left(&heights, &cleaned, pair);
-        let (level, surface) = asked.taken_off(&heights).map_err(refused)?;
-        drop(heights);
+        let (level, surface) = asked.taken_off(heights).map_err(refused)?;
         let (scene, moments) = scene(&surface, modulus, self.plane_strain).map_err(refused)?;
         solved.scene = Scene { spacing: largest * f64::EPSILON, ..scene };
         if self.boundary == Boundary::Periodic {

@@ -42,7 +42,7 @@ pub(crate) fn psd<'py>(
     let (surface, facts) = surface_of(&heights, facts)?;
     let form = form(level)?;
     let rings = quietly(py, threads, move || {
-        let (_, levelled) = surface.origin.level(form).taken_off(&surface.heights)?;
+        let (_, levelled) = surface.origin.level(form).taken_off(surface.heights)?;
         Ok::<_, StatsError>(PowerSpectrum::of(&levelled, surface.origin.edges())?.rings())
     })?;
     let rings = rings.map_err(|e| raise(&Failure::in_file(facts.path(), &e)))?;

@@ -292,7 +292,7 @@ pub(crate) fn reshape<'py>(
         Origin::Given(given) => given.repeats,
         made => (made.edges() == Edges::Periodic).then_some(true),
     };
-    let levelled = quietly(py, threads, move || form.taken_off(&surface.heights))?;
+    let levelled = quietly(py, threads, move || form.taken_off(surface.heights))?;
     let (form, map) = levelled.map_err(|e| raise(&Failure::in_file(facts.path(), &e)))?;
     let note = format!("{} with its {} taken off", facts.name, form.name());
     let mut origin = GivenOrigin::of(&map, note);

@@ -39,7 +39,7 @@ impl Convert {
         };
         let (missing, cleaned) = (surface.origin.missing(), surface.origin.cleaned());
         let refused = |e| Failure::in_file(&self.file, &e);
-        let (form, map) = self.level.taken_off(&surface.heights).map_err(refused)?;
+        let (form, map) = self.level.taken_off(surface.heights).map_err(refused)?;
         let steps: Vec<String> = cleaned.iter().map(ToString::to_string).collect();
         let comment = format!(
             "rough-contact convert {shown}: {missing} points filled; level {}; cleaned: {}",

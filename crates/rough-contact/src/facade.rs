@@ -32,7 +32,7 @@ pub fn solve(
 /// # Errors
 /// [`LadderError`].
 pub fn ladder(map: &HeightMap, modulus: ContactModulus) -> Result<Ladder, LadderError> {
-    Ladder::new(Level::Auto.taken_off(map)?.1, Setup::new(Solver::builder(), modulus))
+    Ladder::new(Level::Auto.taken_off(map.clone())?.1, Setup::new(Solver::builder(), modulus))
 }
 
 /// Every model of a registry beside the solution of a map.

@@ -85,7 +85,7 @@ impl DirectionalMoments {
         let heights = map.heights();
         let row = |iy: usize| &heights[(iy % ny) * nx..(iy % ny + 1) * nx];
         let periodic = edges == Edges::Periodic;
-        let mut sums = [(0.0, 0); 7];
+        let mut sums = [(); 7].map(|()| no_terms(nx));
         let mut line = Vec::with_capacity(nx + 2); // a row with what lies beyond its ends
         for iy in 0..ny {
             let (here, next, above) = (row(iy), row(iy + 1), row(iy + ny - 1));
@@ -113,8 +113,7 @@ impl DirectionalMoments {
                 add(&mut sums[6], line.windows(3).zip(rise).map(|(z, n)| (z[2] - z[0]) * n));
             }
         }
-        let [m2_x, m2_x_central, m4_x, m2_y, m2_y_central, m4_y, m2_xy] =
-            sums.map(|(sum, count)| sum / count as f64);
+        let [m2_x, m2_x_central, m4_x, m2_y, m2_y_central, m4_y, m2_xy] = sums.map(mean);
         Ok(Self {
             m2_x: m2_x / (dx * dx),
             m2_y: m2_y / (dy * dy),
@@ -150,14 +149,21 @@ fn square(x: f64) -> f64 {
     x * x
 }
 
-/// Adds the terms of a row to a sum and counts them.
-fn add((sum, count): &mut (f64, usize), terms: impl Iterator<Item = f64>) {
-    let mut of_row = 0.0;
-    for term in terms {
-        of_row += term;
-        *count += 1;
-    }
-    *sum += of_row;
+/// Sums of terms for each column, of which the processor takes several at a time, and how many terms there are.
+type Terms = (Vec<f64>, usize);
+
+pub(crate) fn no_terms(nx: usize) -> Terms {
+    (vec![0.0; nx], 0)
+}
+
+/// Adds the terms of a row.
+pub(crate) fn add((sums, count): &mut Terms, terms: impl ExactSizeIterator<Item = f64>) {
+    *count += terms.len();
+    sums.iter_mut().zip(terms).for_each(|(sum, term)| *sum += term);
+}
+
+pub(crate) fn mean((sums, count): Terms) -> f64 {
+    sums.iter().sum::<f64>() / count as f64
 }
 
 #[cfg(test)]

@@ -1,7 +1,7 @@
 //! Form removal before statistics.
 
 use crate::polynomial::Polynomial;
-use crate::seam::{MOST_SEAM_JUMP, seam_jump};
+use crate::seam::{MOST_SEAM_JUMP, seam_jump_on};
 use crate::{HeightStatistics, StatsError, Warning};
 use contact_types::{HeightMap, Named};
 
@@ -45,22 +45,19 @@ impl Level {
     /// let grid = Grid::new([64, 64], [1e-6, 1e-6])?;
     /// let wave = HeightMap::from_fn(grid, |_, x| 1e-8 * (TAU * x / 64e-6).cos())?;
     /// let tilted = HeightMap::from_fn(grid, |_, x| 1e-8 * (TAU * x / 64e-6).cos() + 0.01 * x)?;
-    /// assert_eq!(Level::Auto.taken_off(&wave)?.0, Level::Mean);
-    /// assert_eq!(Level::Auto.taken_off(&tilted)?.0, Level::Plane);
+    /// assert_eq!(Level::Auto.taken_off(wave)?.0, Level::Mean);
+    /// assert_eq!(Level::Auto.taken_off(tilted)?.0, Level::Plane);
     /// # Ok::<(), Box<dyn std::error::Error>>(())
     /// ```
-    pub fn taken_off(self, map: &HeightMap) -> Result<(Self, HeightMap), StatsError> {
-        match (self, self.degree()) {
-            (Self::Auto, _) => {
-                let without_plane = without_form(map, 1)?;
-                if meets(map, &without_plane) {
-                    return Self::Mean.taken_off(map);
-                }
-                Ok((Self::Plane, without_plane))
-            }
-            (_, Some(degree)) => Ok((self, without_form(map, degree)?)),
-            (_, None) => Ok((self, map.clone())),
-        }
+    pub fn taken_off(self, map: HeightMap) -> Result<(Self, HeightMap), StatsError> {
+        let Some(degree) = self.degree() else { return Ok((self, map)) };
+        let form = Polynomial::fit(map.grid(), map.heights(), degree)?;
+        let (level, form) = match self {
+            Self::Auto if meets(&map, &form) => (Self::Mean, form.mean()),
+            Self::Auto => (Self::Plane, form),
+            _ => (self, form),
+        };
+        Ok((level, form.taken_off(map)?))
     }
 
     /// Total degree of the polynomial taken off; `None` if nothing is. Of [`Auto`](Self::Auto) that of a profile, the line.
@@ -84,14 +81,6 @@ impl Named for Level {
     ];
 }
 
-/// The map without its least-squares polynomial of this total degree.
-pub(crate) fn without_form(map: &HeightMap, degree: usize) -> Result<HeightMap, StatsError> {
-    let form = Polynomial::fit(map.grid(), map.heights(), degree)?;
-    let mut heights = map.heights().to_vec();
-    form.remove_from(&mut heights);
-    Ok(HeightMap::new(map.grid(), heights)?)
-}
-
 /// The warning of a map asked to keep its plane, where that explains a good part of the height variance.
 ///
 /// # Errors
@@ -100,18 +89,19 @@ pub fn tilted(map: &HeightMap, asked: Level) -> Result<Option<Warning>, StatsErr
     if !matches!(asked, Level::None | Level::Mean) {
         return Ok(None);
     }
-    let without_plane = without_form(map, 1)?;
+    let plane = Polynomial::fit(map.grid(), map.heights(), 1)?;
     let rms = |map: &HeightMap| HeightStatistics::of(map).rms_height;
-    let explained = 1.0 - (rms(&without_plane) / rms(map)).powi(2); // no number for a flat map
+    let without = rms(&plane.taken_off(map.clone())?);
+    let explained = 1.0 - (without / rms(map)).powi(2); // no number for a flat map
     // A map that repeats has no tilt, whatever a plane explains of it.
-    let is_tilted = explained > 0.05 && !meets(map, &without_plane);
+    let is_tilted = explained > 0.05 && !meets(map, &plane);
     Ok(is_tilted.then_some(Warning::Tilted { explained }))
 }
 
 /// True if opposite edges meet, and no better without the plane.
-fn meets(map: &HeightMap, without_plane: &HeightMap) -> bool {
-    let jump = seam_jump(map);
-    jump <= MOST_SEAM_JUMP && jump <= seam_jump(without_plane)
+fn meets(map: &HeightMap, plane: &Polynomial) -> bool {
+    let jump = seam_jump_on(map, [0.0; 2]);
+    jump <= MOST_SEAM_JUMP && jump <= seam_jump_on(map, plane.rises())
 }
 
 #[cfg(test)]
@@ -136,7 +126,7 @@ mod tests {
             let grid = Grid::new([ny, nx], [2e-6, 1e-6]).unwrap();
             let form = |y: f64, x: f64| offset + a * x + b * y + 40.0 * x * y - 30.0 * x * x;
             let map = HeightMap::from_fn(grid, |y, x| form(y, x) + ripple(y, x)).unwrap();
-            let (_, flat) = Level::Quadratic.taken_off(&map).unwrap();
+            let (_, flat) = Level::Quadratic.taken_off(map).unwrap();
             let rounding = 4.0 * f64::EPSILON * (offset.abs() + 1e-5);
             let terms: [fn(f64, f64) -> f64; 6] =
                 [|_, _| 1.0, |_, x| x, |y, _| y, |_, x| x * x, |y, x| x * y, |y, _| y * y];
@@ -152,7 +142,7 @@ mod tests {
             }
             // The form costs only the digits that it took: the same residual as without it.
             let bare = HeightMap::from_fn(grid, ripple).unwrap();
-            let (_, bare) = Level::Quadratic.taken_off(&bare).unwrap();
+            let (_, bare) = Level::Quadratic.taken_off(bare).unwrap();
             for (p, q) in flat.heights().iter().zip(bare.heights()) {
                 assert_abs_diff_eq!(p, q, epsilon = rounding);
             }
@@ -166,11 +156,11 @@ mod tests {
         for shift in 0..64 {
             let wave = |_: f64, x: f64| (TAU * (x + f64::from(shift)) / 64.0).sin();
             let wave = HeightMap::from_fn(grid, wave).unwrap();
-            assert_eq!(Level::Auto.taken_off(&wave).unwrap().0, Level::Mean, "{shift}");
+            assert_eq!(Level::Auto.taken_off(wave).unwrap().0, Level::Mean, "{shift}");
         }
         let noise = |y: f64, x: f64| (1e4 * (x + 64.0 * y).powi(2)).sin() + 0.01 * x;
         let noise = HeightMap::from_fn(grid, noise).unwrap();
-        assert_eq!(Level::Auto.taken_off(&noise).unwrap().0, Level::Plane);
+        assert_eq!(Level::Auto.taken_off(noise).unwrap().0, Level::Plane);
     }
 
     #[test]
@@ -179,7 +169,7 @@ mod tests {
             let grid = Grid::new(shape, [1e-6, 1e-6]).unwrap();
             let map = HeightMap::from_fn(grid, |y, x| 1.0 + 3.0 * x - 2.0 * y).unwrap();
             for kind in [Level::Plane, Level::Quadratic] {
-                let (_, flat) = kind.taken_off(&map).unwrap();
+                let (_, flat) = kind.taken_off(map.clone()).unwrap();
                 assert!(flat.heights().iter().all(|h| h.abs() < 1e-15), "{shape:?} {kind:?}");
             }
         }

@@ -5,7 +5,7 @@
 
 use crate::linear::NormalEquations;
 use crate::{StatsError, scale};
-use contact_types::Grid;
+use contact_types::{Grid, HeightMap};
 use grid_fft::parallel::{self, prelude::*};
 
 pub(crate) const MAX_DEGREE: usize = 12;
@@ -41,6 +41,25 @@ impl Polynomial {
             }
         }
         Ok(fit)
+    }
+
+    /// The form of degree 0 of a map without missing points.
+    pub(crate) fn mean(&self) -> Self {
+        Self { degree: 0, coefficients: vec![self.coefficients[0]], ..*self }
+    }
+
+    /// Rise of a plane from point to point along `[y, x]` (m).
+    pub(crate) fn rises(&self) -> [f64; 2] {
+        let [ny, nx] = self.grid.shape();
+        let rise = |coefficient: f64, n: usize| coefficient * (scaled(1, n) - scaled(0, n));
+        [rise(self.coefficients[2], ny), rise(self.coefficients[1], nx)]
+    }
+
+    /// The map that was fitted without the polynomial.
+    pub(crate) fn taken_off(&self, map: HeightMap) -> Result<HeightMap, StatsError> {
+        let mut heights = map.into_heights();
+        self.remove_from(&mut heights);
+        Ok(HeightMap::new(self.grid, heights)?)
     }
 
     /// Replaces every valid height of the grid that was fitted by its distance above the polynomial.
@@ -79,12 +98,10 @@ impl Polynomial {
             let (rows, mut sums) = (legendre(scaled(iy, ny)), [0.0; MAX_DEGREE + 1]);
             row.copy_from_slice(&heights[iy * nx..(iy + 1) * nx]);
             self.remove_from_row(row, &rows, &columns);
-            for (sum, column) in sums.iter_mut().zip(&columns) {
-                let valid = column.iter().zip(&*row).filter(|(_, z)| !z.is_nan());
-                *sum = valid.map(|(p, z)| p * z).sum();
-            }
             let valid = (0..nx).filter(|&ix| !row[ix].is_nan());
             let own = row.iter().any(|z| z.is_nan()).then(|| products(&columns, &valid));
+            row.iter_mut().filter(|z| z.is_nan()).for_each(|z| *z = 0.0);
+            sums.iter_mut().zip(&columns).for_each(|(sum, column)| *sum = dot(column, row));
             (rows, sums, own)
         };
         let blocks: Vec<usize> = (0..ny).step_by(TILE).collect();
@@ -108,6 +125,15 @@ impl Polynomial {
 /// Legendre polynomials of x by degree and pixel.
 fn columns(nx: usize, degree: usize) -> Vec<Vec<f64>> {
     (0..=degree).map(|k| (0..nx).map(|ix| legendre(scaled(ix, nx))[k]).collect()).collect()
+}
+
+/// Sum of products, of which the processor takes several at a time.
+fn dot(a: &[f64], b: &[f64]) -> f64 {
+    let mut sums = [0.0; 8];
+    for (a, b) in a.chunks(8).zip(b.chunks(8)) {
+        sums.iter_mut().zip(a.iter().zip(b)).for_each(|(sum, (a, b))| *sum += a * b);
+    }
+    sums.iter().sum()
 }
 
 /// `sum_ix P_i(u) P_j(u)` over the pixels given, as a square matrix.

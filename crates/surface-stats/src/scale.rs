@@ -16,14 +16,20 @@ pub(crate) fn check(map: &HeightMap) -> Result<(), StatsError> {
     check_lengths(map.grid(), map.range())
 }
 
-/// The same for heights in which NaN marks a missing point; also refuses infinite ones and
-/// a number of heights that does not fit the grid.
-pub(crate) fn check_measured(grid: Grid, heights: &[f64]) -> Result<(), StatsError> {
+/// The same for heights in which NaN marks a missing point, whose lowest and highest one it returns, 0 if there is none;
+/// also refuses infinite ones and a number of heights that does not fit the grid.
+pub(crate) fn check_measured(grid: Grid, heights: &[f64]) -> Result<(f64, f64), StatsError> {
     if heights.len() != grid.len() {
         let (expected, found) = (grid.len(), heights.len());
         return Err(StatsError::Shape { what: "heights", expected, found });
     }
-    if let Some(first) = heights.iter().position(|h| h.is_infinite()) {
+    // `min` and `max` pass over NaN.
+    let extent = |(low, high): (f64, f64), &h: &f64| (low.min(h), high.max(h));
+    let (low, high) = heights.iter().fold((f64::INFINITY, f64::NEG_INFINITY), extent);
+    let range = if low <= high { (low, high) } else { (0.0, 0.0) };
+    if !(range.1 - range.0).is_finite()
+        && let Some(first) = heights.iter().position(|h| h.is_infinite())
+    {
         let nx = grid.shape()[1];
         return Err(StatsError::Surface(SurfaceError::NotFinite {
             iy: first / nx,
@@ -32,10 +38,8 @@ pub(crate) fn check_measured(grid: Grid, heights: &[f64]) -> Result<(), StatsErr
             count: heights.iter().filter(|h| h.is_infinite()).count(),
         }));
     }
-    // `min` and `max` pass over NaN.
-    let extent = |(low, high): (f64, f64), &h: &f64| (low.min(h), high.max(h));
-    let (low, high) = heights.iter().fold((f64::INFINITY, f64::NEG_INFINITY), extent);
-    check_lengths(grid, if low <= high { (low, high) } else { (0.0, 0.0) })
+    check_lengths(grid, range)?;
+    Ok(range)
 }
 
 fn check_lengths(grid: Grid, (low, high): (f64, f64)) -> Result<(), StatsError> {

@@ -1,5 +1,6 @@
 //! Whether the opposite edges of a map meet.
 
+use crate::differences::{add, mean, no_terms};
 use contact_types::HeightMap;
 
 /// Jump across the seam over those inside up to which a map counts as one that repeats.
@@ -13,23 +14,28 @@ pub fn repeats(map: &HeightMap) -> bool {
 /// Rms jump between opposite edges over that between neighbours inside, the larger of the two
 /// axes; 0 for a flat map.
 pub fn seam_jump(map: &HeightMap) -> f64 {
+    seam_jump_on(map, [0.0; 2])
+}
+
+/// The same of the map without a plane that rises so much from point to point along `[y, x]` (m).
+pub(crate) fn seam_jump_on(map: &HeightMap, rise: [f64; 2]) -> f64 {
     let [ny, nx] = map.grid().shape();
     let row = |iy: usize| &map.heights()[iy * nx..(iy + 1) * nx];
-    let squares = |from: &[f64], to: &[f64]| -> f64 {
-        from.iter().zip(to).map(|(a, b)| (b - a).powi(2)).sum()
-    };
-    let across = [
-        squares(row(ny - 1), row(0)),
-        (0..ny).map(|iy| squares(&row(iy)[nx - 1..], row(iy))).sum(),
-    ];
-    let inside = [
-        (1..ny).map(|iy| squares(row(iy - 1), row(iy))).sum::<f64>() / (ny as f64 - 1.0),
-        (0..ny).map(|iy| squares(row(iy), &row(iy)[1..])).sum::<f64>() / (nx as f64 - 1.0),
-    ];
-    let ratio = |axis: usize| {
-        if inside[axis] > 0.0 { (across[axis] / inside[axis]).sqrt() } else { 0.0 }
-    };
-    ratio(0).max(ratio(1))
+    let back = [rise[0] * (1.0 - ny as f64), rise[1] * (1.0 - nx as f64)];
+    let mut sums = [(); 4].map(|()| no_terms(nx));
+    for (iy, here) in (0..ny).map(|iy| (iy, row(iy))) {
+        let mut jumps = |k: usize, from: &[f64], to: &[f64], rise: f64| {
+            add(&mut sums[k], from.iter().zip(to).map(|(a, b)| (b - a - rise).powi(2)));
+        };
+        let (k, rise_y) = if iy + 1 < ny { (0, rise[0]) } else { (1, back[0]) };
+        jumps(k, here, row((iy + 1) % ny), rise_y);
+        jumps(2, here, &here[1..], rise[1]);
+        jumps(3, &here[nx - 1..], here, back[1]);
+    }
+    let [inside_y, across_y, inside_x, across_x] = sums.map(mean);
+    let ratio =
+        |across: f64, inside: f64| if inside > 0.0 { (across / inside).sqrt() } else { 0.0 };
+    ratio(across_y, inside_y).max(ratio(across_x, inside_x))
 }
 
 #[cfg(test)]

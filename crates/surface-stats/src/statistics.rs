@@ -248,9 +248,9 @@ impl SurfaceStatistics {
         check_range(options.fractal_range)?;
         let (grid, periodic) = (map.grid(), options.edges == Edges::Periodic);
         let (level, surface) = match options.level {
-            Level::None => (Level::None, Level::Mean.taken_off(map)?.1),
-            Level::Auto if periodic => Level::Mean.taken_off(map)?,
-            level => level.taken_off(map)?,
+            Level::None => (Level::None, Level::Mean.taken_off(map.clone())?.1),
+            Level::Auto if periodic => Level::Mean.taken_off(map.clone())?,
+            level => level.taken_off(map.clone())?,
         };
         let tilted = if periodic { None } else { tilted(map, options.level)? };
         let height_step = options.height_step.or_else(|| steps::height_step(map.heights()));

@@ -1,13 +1,13 @@
 //! The height step of data stored as integers or in single precision.
 
 /// Heights looked at; enough to see a step, few enough to sort at no cost.
-const SAMPLE: usize = 100_000;
+const SAMPLE: usize = 30_000;
 /// Spacing of the numbers themselves over the range of the heights from which it counts as a step.
 const COARSE: f64 = 1e-3;
 
 /// The step that all heights are multiples of (from the lowest), or `None` if there is none.
 ///
-/// Sorted distinct heights must lie whole multiples of their smallest distance apart, each to
+/// Sorted distinct heights must lie whole multiples of one distance apart, each to
 /// 5 % of it; with four heights or more, some of them repeated, or sixteen or more, this does not
 /// happen by chance. NaN is skipped. Heights so far from zero that double precision rounds them by
 /// more than a thousandth of their range have its spacing for a step.
@@ -32,13 +32,18 @@ pub fn height_step(heights: &[f64]) -> Option<f64> {
     }
     let gaps = || sample.windows(2).map(|z| z[1] - z[0]);
     let smallest = gaps().fold(f64::INFINITY, f64::min);
-    let whole = |gap: f64| {
-        let steps = gap / smallest;
-        ((steps - steps.round()).abs() <= 0.05 + 0.01 * steps).then(|| steps.round())
+    // The average of a step over the gaps of fewer than `most`, by a first guess of it.
+    let average = |guess: f64, most: f64| {
+        let near = || gaps().filter(move |gap| *gap < most * guess);
+        let whole = |gap: f64| {
+            let steps = gap / guess;
+            ((steps - steps.round()).abs() <= 0.05 + 0.01 * steps).then(|| steps.round())
+        };
+        let steps: Option<f64> = near().map(whole).sum();
+        Some(near().sum::<f64>() / steps?)
     };
-    let steps: Option<f64> = gaps().map(whole).sum();
-    let step = (sample[distinct - 1] - sample[0]) / steps?;
-    // Once more with the average step, whose error no longer grows with the gap.
+    // Over few steps first: the error of a guess grows with the gap.
+    let step = average(average(smallest, 8.0)?, f64::INFINITY)?;
     let fits = |gap: f64| (gap / step - (gap / step).round()).abs() <= 0.05;
     (gaps().all(fits) && step > rounding).then_some(step)
 }

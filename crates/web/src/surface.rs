@@ -51,7 +51,7 @@ pub(crate) fn prepared(measured: &Measurement, request: &Request) -> Result<Heig
 }
 
 pub(crate) fn levelled(map: &HeightMap, level: Level) -> Result<HeightMap, Trouble> {
-    Ok(level.taken_off(map).map_err(|e| Failure::from(&e))?.1)
+    Ok(level.taken_off(map.clone()).map_err(|e| Failure::from(&e))?.1)
 }
 
 /// Of these Sq and Sdq are said, as in the statistics of the report.

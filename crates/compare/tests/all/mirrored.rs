@@ -71,7 +71,7 @@ fn the_intervals_hold() {
             let heights = (0..grid.len())
                 .map(|i| eighths.at(at(i / (factor * n)), at(i % (factor * n))))
                 .collect();
-            Level::Plane.taken_off(&HeightMap::new(grid, heights).unwrap()).unwrap().1
+            Level::Plane.taken_off(HeightMap::new(grid, heights).unwrap()).unwrap().1
         };
         let (map, finer) = (crop(1), crop(4));
         let mut ladder = ladder(map, 1e-4);

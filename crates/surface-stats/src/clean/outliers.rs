@@ -2,6 +2,8 @@
 
 use crate::{StatsError, height_step, scale};
 use contact_types::Grid;
+use grid_fft::parallel;
+use std::ops::Range;
 
 /// Half width of the square window of neighbours (pixels): it sees spikes up to 3 x 3.
 const REACH: usize = 2;
@@ -50,42 +52,58 @@ fn spread(distances: &mut [f64]) -> f64 {
 /// [`StatsError::Shape`]; [`StatsError::Surface`] for infinite heights; [`StatsError::OutOfRange`];
 /// [`StatsError::BadSetting`] for a threshold that is not positive.
 pub fn find_outliers(grid: Grid, heights: &[f64], threshold: f64) -> Result<Outliers, StatsError> {
-    scale::check_measured(grid, heights)?;
+    let (low, high) = scale::check_measured(grid, heights)?;
     let positive = threshold.is_finite() && threshold > 0.0;
     let requirement = "must be finite and greater than 0";
     StatsError::require("outlier threshold", threshold, positive, requirement)?;
-    let (window, mut scratch) = (Neighbourhood::new(grid, heights), Vec::new());
+    let [ny, nx] = grid.shape();
+    let blocks: Vec<_> = (0..ny).step_by(BLOCK).map(|y| y..ny.min(y + BLOCK)).collect();
+    let window = |rows: &Range<usize>| Neighbourhood::new(grid, heights, rows.clone());
     // An odd stride, so that the sample does not run down a few columns.
     let stride = (heights.len() / SAMPLE) | 1;
-    let sampled = || (0..heights.len()).step_by(stride);
-    let mut sample: Vec<f64> = sampled().filter_map(|i| window.distance(i, &mut scratch)).collect();
-    let mut deviation = spread(&mut sample);
+    let sample = |distance: fn(&Neighbourhood, usize, &mut Vec<f64>) -> Option<f64>| {
+        let of_block = |rows: &Range<usize>| -> Vec<f64> {
+            let (window, mut scratch) = (window(rows), Vec::new());
+            let first = (rows.start * nx).next_multiple_of(stride);
+            let points = (first..rows.end * nx).step_by(stride);
+            points.filter_map(|i| distance(&window, i, &mut scratch)).collect()
+        };
+        spread(&mut parallel::map(&blocks, of_block).concat())
+    };
+    let mut deviation = sample(Neighbourhood::distance);
     // Neither a height step nor rounding is a spike, where the relief is flat.
-    let magnitude = heights.iter().fold(0.0f64, |m, h| m.max(h.abs())); // `max` passes over NaN
-    let rounding = 16.0 * f64::EPSILON * magnitude;
+    let rounding = 16.0 * f64::EPSILON * low.abs().max(high.abs());
     if deviation <= rounding {
         // On ridges all but the crests are their neighbours' median.
-        sample = sampled().filter_map(|i| window.distance_from_pairs(i, &mut scratch)).collect();
-        deviation = spread(&mut sample);
+        deviation = sample(Neighbourhood::distance_from_pairs);
     }
     let limit = (threshold * deviation).max(height_step(heights).unwrap_or(0.0)).max(rounding);
-    let (mut indices, mut largest) = (Vec::new(), 0.0f64);
-    let mut is_within = vec![false; window.nx];
-    for first in (0..heights.len()).step_by(window.nx) {
-        window.find_within(first, limit, &mut is_within);
-        for index in (0..window.nx).filter(|ix| !is_within[*ix]).map(|ix| first + ix) {
-            if let Some(distance) = window.distance(index, &mut scratch).filter(|d| *d > limit) {
-                indices.push(index);
-                largest = largest.max(distance);
+    let found = parallel::map(&blocks, |rows| -> Vec<_> {
+        let (window, mut scratch) = (window(rows), Vec::new());
+        let mut is_within = vec![false; nx];
+        let mut found = Vec::new();
+        for first in rows.clone().map(|y| y * nx) {
+            window.find_within(first, limit, &mut is_within);
+            for index in (0..nx).filter(|ix| !is_within[*ix]).map(|ix| first + ix) {
+                let distance = window.distance(index, &mut scratch);
+                found.extend(distance.filter(|d| *d > limit).map(|d| (index, d)));
             }
         }
-    }
-    Ok(Outliers { indices, limit, largest })
+        found
+    });
+    let (indices, distances): (Vec<_>, Vec<_>) = found.into_iter().flatten().unzip();
+    Ok(Outliers { indices, limit, largest: distances.into_iter().fold(0.0, f64::max) })
 }
 
+/// Rows looked at together.
+const BLOCK: usize = 64;
+
+/// Rows of a map with what is around them.
 struct Neighbourhood {
-    /// The map with a rim of missing points, as wide as two neighbours in line are away.
+    /// The rows and a rim as wide as two neighbours in line are away; beyond the map missing points.
     heights: Vec<f64>,
+    /// First of the rows.
+    first: usize,
     /// Columns of the map.
     nx: usize,
     /// How far on in `heights` one of every two opposite neighbours is, the nearest first.
@@ -95,12 +113,13 @@ struct Neighbourhood {
 impl Neighbourhood {
     const RIM: usize = 2 * REACH;
 
-    fn new(grid: Grid, heights: &[f64]) -> Self {
-        let [ny, nx] = grid.shape();
+    fn new(grid: Grid, heights: &[f64], rows: Range<usize>) -> Self {
+        let (nx, first) = (grid.shape()[1], rows.start);
         let width = nx + 2 * Self::RIM;
-        let mut padded = vec![f64::NAN; (ny + 2 * Self::RIM) * width];
-        let rows = padded.chunks_exact_mut(width).skip(Self::RIM);
-        for (row, own) in rows.zip(heights.chunks_exact(nx)) {
+        let mut padded = vec![f64::NAN; (rows.len() + 2 * Self::RIM) * width];
+        let above = first.saturating_sub(Self::RIM);
+        let rim = padded.chunks_exact_mut(width).skip(Self::RIM + above - first);
+        for (row, own) in rim.zip(heights.chunks_exact(nx).skip(above)) {
             row[Self::RIM..Self::RIM + nx].copy_from_slice(own);
         }
         let (reach, width) = (REACH.cast_signed(), width.cast_signed());
@@ -108,13 +127,13 @@ impl Neighbourhood {
         let mut half: Vec<_> = offsets.filter(|&[y, x]| y > 0 || x > 0).collect();
         half.sort_by_key(|[y, x]| y * y + x * x);
         let half = half.into_iter().map(|[y, x]| y * width + x).collect();
-        Self { heights: padded, nx, half }
+        Self { heights: padded, first, nx, half }
     }
 
     /// Heights from `step` after a point of the map on; NaN where missing or outside.
     fn from<'a>(&'a self, index: usize) -> impl Fn(isize) -> &'a [f64] {
-        let (row, column) = (index / self.nx + Self::RIM, index % self.nx + Self::RIM);
-        let index = row * (self.nx + 2 * Self::RIM) + column;
+        let (row, column) = (index / self.nx - self.first, index % self.nx + Self::RIM);
+        let index = (row + Self::RIM) * (self.nx + 2 * Self::RIM) + column;
         move |step| &self.heights[index.wrapping_add_signed(step)..]
     }
 
@@ -217,7 +236,7 @@ mod tests {
         let (grid, heights) = rough(None);
         let nx = grid.shape()[1];
         let rank = |mut values: Vec<f64>, rank: usize| select(&mut values, rank).unwrap();
-        let window = Neighbourhood::new(grid, &heights);
+        let window = Neighbourhood::new(grid, &heights, 0..90);
         for index in (2..88).flat_map(|iy| (2..118).map(move |ix| iy * nx + ix)) {
             let around: Vec<f64> =
                 (0..25).map(|k| heights[index + k / 5 * nx + k % 5 - 2 * nx - 2]).collect();

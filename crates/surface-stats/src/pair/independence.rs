@@ -27,8 +27,9 @@ impl Independence {
     /// # Errors
     /// [`StatsError::TooSmall`] below 3 x 3 points, [`StatsError::OutOfRange`].
     pub fn of(pair: &Composite, form: Level, edges: Edges) -> Result<Self, StatsError> {
-        let (form, sum) = form.taken_off(&pair.map)?; // the same for all three: they add
-        let [(_, a), (_, b)] = [form.taken_off(&pair.parts[0])?, form.taken_off(&pair.parts[1])?];
+        let (form, sum) = form.taken_off(pair.map.clone())?; // the same for all three: they add
+        let [(_, a), (_, b)] =
+            [form.taken_off(pair.parts[0].clone())?, form.taken_off(pair.parts[1].clone())?];
         let seam = if repeats(&a) && repeats(&b) { Edges::Periodic } else { Edges::Open };
         let spread = if a.is_flat() || b.is_flat() {
             [0.0; 3]

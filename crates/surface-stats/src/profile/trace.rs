@@ -2,7 +2,7 @@
 
 use crate::StatsError;
 use crate::clean::{gaussian_filter, short_waves};
-use crate::level::without_form;
+use crate::polynomial::Polynomial;
 use contact_types::{Grid, HeightMap};
 use std::ops::Deref;
 
@@ -42,7 +42,8 @@ impl Trace {
 
     /// Without the least-squares polynomial of this degree: 0 the mean, 1 the line.
     pub(super) fn levelled(&self, degree: usize) -> Result<Self, StatsError> {
-        Ok(Self(without_form(&self.0, degree)?))
+        let form = Polynomial::fit(self.grid(), self.heights(), degree)?;
+        Ok(Self(form.taken_off(self.0.clone())?))
     }
 
     /// Without the waves shorter than `short` and those longer than `long` (m), where given: the Gaussian filter of ISO
