@@ -117,8 +117,8 @@ pub fn materials() -> &'static [Material] {
     })
 }
 
-/// Relative half widths of contact modulus and hardness that the table leaves, of what was taken from it: half of
-/// the logarithm of the range, of one source alone the median of the others. The least known modulus counts, and the
+/// Relative half widths of contact modulus and hardness that the table leaves, of what was taken from it: the logarithm
+/// to the farther end of the range, of one source alone the median of the others. The least known modulus counts, and the
 /// hardness of the softest.
 pub(crate) fn spreads(used: &[MaterialUse]) -> [f64; 2] {
     let taken = |property: Property| {
@@ -132,7 +132,8 @@ pub(crate) fn spreads(used: &[MaterialUse]) -> [f64; 2] {
 }
 
 fn spread(listed: &Listed, property: Property) -> f64 {
-    let own = |listed: &Listed| 0.5 * (listed.range[1] / listed.range[0]).ln();
+    let own =
+        |Listed { value, range: [low, high], .. }: &Listed| (high / value).max(value / low).ln();
     if own(listed) > 0.0 {
         return own(listed);
     }

@@ -85,7 +85,7 @@ mod tests {
         for (i, theory) in registry.iter().enumerate() {
             let card = theory.card();
             let model = Inputs::examples().iter().find_map(|i| theory.build(i).ok()).unwrap();
-            assert!(card.citation.year > 1950 && card.citation == model.citation(), "{card:?}");
+            assert!(card.citation == model.citation(), "{card:?}");
             let state = model.at_pressure(1e6).unwrap();
             assert!(state.area_fraction > 0.0 && state.area_fraction < 1.0, "{card:?}");
             let before = || registry.iter().take(i).map(Theory::card);

@@ -20,7 +20,7 @@ pub struct Budget {
     pub area: Estimate,
     /// Mean gap (m).
     pub mean_gap: Option<Estimate>,
-    /// Stiffness of the contact set (Pa/m), if it was asked for and there is one. Of elastic contact that is −dp/d(mean gap).
+    /// Stiffness of the contact set (Pa/m), if it was asked for and there is one. Of elastic contact that is dp over the approach.
     pub stiffness: Option<Estimate>,
     /// Conductance over conductivity of a gas in the gap (1/m), if that was asked for.
     pub gas: Option<Estimate>,

@@ -122,7 +122,8 @@ pub struct Reached {
 impl Reached {
     /// Points per side over those of the given map: ½, 1 or 2.
     pub fn factor(&self) -> f64 {
-        self.given.pixel()[1] / self.grid.pixel()[1]
+        let longer = usize::from(self.given.shape()[0] <= self.given.shape()[1]);
+        self.given.pixel()[longer] / self.grid.pixel()[longer]
     }
 
     /// With the rung above of so many points per side over those of the map, and the time since `start`.

@@ -60,7 +60,7 @@ impl Numbers {
 /// Mean of `1/(g + M)` over the points, 0 where one carries pressure.
 fn gas(pressure: &[f64], gap: &[f64], jump: f64) -> f64 {
     let open = pressure.iter().zip(gap).filter(|(p, _)| **p <= 0.0);
-    open.map(|(_, gap)| 1.0 / (gap.max(0.0) + jump)).sum::<f64>() / gap.len().max(1) as f64
+    open.fold(0.0, |sum, (_, gap)| sum + 1.0 / (gap.max(0.0) + jump)) / gap.len().max(1) as f64
 }
 
 /// Every second row and column, from the row and column of `first` (0 or 1) on: half of them, so that of an odd number the

@@ -99,8 +99,8 @@ fn scatter([ny, nx]: [usize; 2], field: &[f64]) -> Option<f64> {
 /// a map is its power at long waves, here of `h²` at the twelve longest. Widened by Student's quantile, since they
 /// are few.
 fn height_scatter(surface: &HeightMap) -> (f64, f64) {
-    const LONGEST: [[usize; 2]; 6] = [[0, 1], [0, 2], [1, 0], [2, 0], [1, 1], [1, 2]];
     let [ny, nx] = surface.grid().shape();
+    let longest = [[0, 1], [0, 2], [1, 0], [2, 0], [1, 1], [ny - 1, 1]];
     let mean = surface.mean();
     let turns = |n: usize| -> Vec<[f64; 2]> {
         (0..n).map(|i| (TAU * i as f64 / n as f64).sin_cos().into()).collect()
@@ -120,7 +120,7 @@ fn height_scatter(surface: &HeightMap) -> (f64, f64) {
             }
         }
         all += periods[0][0];
-        for ([ky, kx], sum) in LONGEST.iter().zip(&mut sums) {
+        for ([ky, kx], sum) in longest.iter().zip(&mut sums) {
             let ([sin, cos], [re, im]) = (along_y[ky * iy % ny], periods[*kx]);
             *sum = [sum[0] + re * cos - im * sin, sum[1] + re * sin + im * cos];
         }
@@ -130,7 +130,7 @@ fn height_scatter(surface: &HeightMap) -> (f64, f64) {
         return (rms_height, 0.0);
     }
     let power = sums.iter().map(|[re, im]| (re * re + im * im) / (all * all)).sum::<f64>();
-    let h = 0.5 * (power / LONGEST.len() as f64).sqrt(); // a root scatters by half of what is under it
+    let h = 0.5 * (power / longest.len() as f64).sqrt(); // a root scatters by half of what is under it
     (rms_height, h * students(0.5 * (0.5 / h).powi(2)))
 }
 

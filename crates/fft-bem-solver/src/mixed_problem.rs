@@ -26,8 +26,8 @@ const MOST_ITERATIONS: usize = 500;
 #[cfg_attr(feature = "serde", derive(serde::Serialize))]
 #[non_exhaustive]
 pub struct SetStiffness {
-    /// Incremental normal stiffness per nominal area, `-dp/dg` with the mean gap g (Pa/m): 0 without contact,
-    /// infinite where everything is in contact and the map repeats.
+    /// Incremental normal stiffness per nominal area, dp over the approach (Pa/m), which is what the mean
+    /// gap of a map that repeats falls by: 0 without contact, infinite where all of such a map is in contact.
     pub per_area: f64,
     /// Estimated relative error of the stiffness.
     pub residual: f64,

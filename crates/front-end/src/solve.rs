@@ -26,6 +26,9 @@ const NO_SEAL: &str = "a leak is that of a map which touches all over, from one 
                        way around its contacts, and around an isolated contact everything is open; solve a map with a \
                        periodic boundary, or leave the leak out";
 
+const NO_PART: &str = "an isolated contact is the whole part: no area but that of its map carries a force or has a \
+                       resistance; leave the area out, or solve with a periodic boundary";
+
 /// What is asked, and how it is to be solved.
 #[derive(Clone, Debug, Deserialize)]
 #[serde(deny_unknown_fields)]
@@ -99,6 +102,11 @@ impl SolveRequest {
         let settings = &self.settings;
         if settings.leak.is_some() && (self.plane_strain || self.boundary == Boundary::Free) {
             return Err(Failure::refused("leak", NO_SEAL));
+        }
+        let is_part =
+            settings.joint().area.is_some() || self.spread.as_ref().is_some_and(|s| !s.is_of_map);
+        if is_part && self.boundary == Boundary::Free {
+            return Err(Failure::refused("area", NO_PART));
         }
         let modulus =
             ContactModulus::from_pascals(settings.modulus).map_err(|e| Failure::from(&e))?;

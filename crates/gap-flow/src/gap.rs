@@ -33,7 +33,7 @@ impl<'a> Gap<'a> {
 
     /// Mean gap ⟨g⟩ (m), contact counted as 0.
     pub fn mean(&self) -> f64 {
-        self.open().sum::<f64>() / self.heights.len() as f64
+        self.open().fold(0.0, |sum, g| sum + g) / self.heights.len() as f64
     }
 
     /// Permeability (m³) by Bruggeman's effective medium in two dimensions: the K at which

@@ -28,6 +28,7 @@ pub fn digest(surface: &Value) -> Value {
     if surface["headline_load"].is_number() {
         row.insert("load".into(), at("/headline_load"));
     }
+    row.insert("against".into(), at("/pair/second/name"));
     row.insert("modulus".into(), at("/deterministic/modulus"));
     row.insert("contact_spots".into(), at("/contact_spots/count"));
     row.insert("median_spot_area".into(), at("/contact_spots/median_area"));

@@ -1,5 +1,6 @@
 //! Numbers with their uncertainty, to the digits that it supports.
 
+use contact_types::Grid;
 pub use surface_stats::numbers::{
     METRES, SPACE, Unit, counted, fixed, percent, plain, power_of_ten, quantity, significant,
     unit_for,
@@ -168,6 +169,13 @@ pub const NEWTONS: &[Unit] = &[
     unit(1e3, "kN"),
     unit(1e6, "MN"),
 ];
+
+/// "96 × 128 points of 1 µm × 3 µm", rows and columns, dy and dx; of square pixels one side.
+pub(crate) fn points_of(grid: Grid) -> String {
+    let ([ny, nx], [dy, dx]) = (grid.shape(), grid.pixel().map(|d| chosen(d, METRES)));
+    let pixel = if dy == dx { dx } else { format!("{dy} × {dx}") };
+    format!("{ny} × {nx} points of {pixel}")
+}
 
 /// "10 MPa", "2.5 kPa": a value that was chosen, with as many digits as it needs up to four.
 pub fn chosen(value: f64, units: &[Unit]) -> String {

@@ -24,6 +24,7 @@ impl PerFile for Compare {
     const NAME: &'static str = "compare";
     const SHOWN: &'static [Shown] = &[
         Shown { head: "points", at: &["/shape"], how: How::Shape },
+        Shown { head: "against", at: &["/against"], how: How::Word },
         Shown { head: "Sq", at: &["/rms_height"], how: How::Length },
         Shown { head: "rms gradient", at: &["/rms_gradient"], how: How::Number },
         Shown { head: "load", at: &["/load"], how: How::Force },

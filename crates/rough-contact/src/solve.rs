@@ -63,9 +63,9 @@ pub(crate) struct Solve {
 }
 
 const PLANE_STRAIN: &str = "plane strain: the trace is the cross-section of parallel ridges that are \
-infinitely long and repeat with its length; a surface that is rough in both directions touches \
-differently. Mean pressure is load per length of ridge over the length of the trace. If the two ends \
-of the trace differ in height, --edges mirrored takes the jump between them out.\n";
+infinitely long; a surface that is rough in both directions touches differently. Mean pressure is load \
+per length of ridge over the length of the trace. Ends of unequal height make a step, unless with \
+--edges mirrored.\n";
 
 const CHOSEN_GRID: &str = "--fields heights and displacement are on the grid of the file, and --accuracy and \
                            --fast choose a grid of their own; leave them out, or give --tolerance";
@@ -128,17 +128,16 @@ impl PerFile for Solve {
         let settings = self.contact.settings(self.bodies()?, &self.loads.forces)?;
         let count = self.loads.count()?;
         let is_free = self.boundary == Boundary::Free;
-        if is_free && self.loads.gap.is_some() {
-            return Err(Failure::refused("combination", FREE_GAP));
-        }
         let mirrored = self.contact.edges == EdgesName::Mirrored;
-        if is_free && mirrored {
-            return Err(Failure::refused("combination", FREE_MIRRORED));
+        let unfit = [
+            (is_free && self.loads.gap.is_some(), FREE_GAP),
+            (is_free && mirrored, FREE_MIRRORED),
+            (self.contact.chooses_grid() && self.fields.needs(Field::Heights), CHOSEN_GRID),
+        ];
+        if let Some((_, why)) = unfit.into_iter().find(|(is_unfit, _)| *is_unfit) {
+            return Err(Failure::refused("combination", why));
         }
         let repeats = !is_free && !mirrored;
-        if self.contact.chooses_grid() && self.fields.needs(Field::Heights) {
-            return Err(Failure::refused("combination", CHOSEN_GRID));
-        }
         let surface = self.section(path, &settings)?;
         let maps =
             FieldFolder::prepare(self.fields.to(self.maps_of(path)), count, repeats, common.force)?;

@@ -50,7 +50,7 @@ pub(crate) fn level(asked: Level, used: Level) -> String {
     match (asked, used) {
         (_, Level::None) => "level: none, the heights as they are\n".to_owned(),
         (Level::Auto, Level::Mean) => {
-            "level: mean taken off; the map repeats as it is (--level)\n".to_owned()
+            "level: mean taken off; opposite edges meet as they are (--level)\n".to_owned()
         }
         (_, form) => format!("level: {} taken off (--level)\n", form.name()),
     }

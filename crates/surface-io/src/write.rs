@@ -67,8 +67,8 @@ pub fn sdf(out: &mut impl Write, map: &HeightMap) -> io::Result<()> {
 }
 
 /// Writes a matrix of heights in metres as text, rows of `nx` numbers between tabs, with the size and the
-/// unit in a header as Gwyddion writes it. Every height reads back to the same bits, the pixel size
-/// to the last place.
+/// unit in a header as Gwyddion writes it. Every height of two columns or more reads back to the
+/// same bits, the pixel size to the last place.
 ///
 /// # Errors
 /// Whatever `out` reports.

@@ -25,7 +25,7 @@ pub struct ByDistance {
 pub fn by_distance(map: &HeightMap) -> [Vec<ByDistance>; 2] {
     let ([ny, nx], [dy, dx]) = (map.grid().shape(), map.grid().pixel());
     let z = map.heights();
-    let mean = z.iter().sum::<f64>() / z.len() as f64;
+    let mean = map.mean();
     let variance = z.iter().map(|z| (z - mean).powi(2)).sum::<f64>() / z.len() as f64;
     let at = |y: usize, x: usize| z[y * nx + x] - mean;
     let along_x = steps(nx).map(|lag| line(ny, nx, lag, dx, variance, at));

@@ -85,7 +85,7 @@ impl DirectionalMoments {
         let heights = map.heights();
         let row = |iy: usize| &heights[(iy % ny) * nx..(iy % ny + 1) * nx];
         let periodic = edges == Edges::Periodic;
-        let mut sums = [(); 7].map(|()| no_terms(nx));
+        let mut sums: [Terms; 7] = Default::default();
         let mut line = Vec::with_capacity(nx + 2); // a row with what lies beyond its ends
         for iy in 0..ny {
             let (here, next, above) = (row(iy), row(iy + 1), row(iy + ny - 1));
@@ -150,15 +150,12 @@ fn square(x: f64) -> f64 {
 }
 
 /// Sums of terms for each column, of which the processor takes several at a time, and how many terms there are.
-type Terms = (Vec<f64>, usize);
-
-pub(crate) fn no_terms(nx: usize) -> Terms {
-    (vec![0.0; nx], 0)
-}
+pub(crate) type Terms = (Vec<f64>, usize);
 
 /// Adds the terms of a row.
 pub(crate) fn add((sums, count): &mut Terms, terms: impl ExactSizeIterator<Item = f64>) {
     *count += terms.len();
+    sums.resize(terms.len().max(sums.len()), 0.0);
     sums.iter_mut().zip(terms).for_each(|(sum, term)| *sum += term);
 }
 

@@ -226,13 +226,15 @@ fn radial_points(rings: &[Ring], [short, long]: [f64; 2]) -> Vec<LogBin> {
     log_bins(rings.map(|r| (r.wavenumber / TAU, r.psd, r.waves as f64 / 2.0)))
 }
 
-/// Averages over logarithmic bins; bins without waves, or with nothing but rounding, are left
-/// out.
+/// Averages over logarithmic bins, counted from the first frequency, so that they are the same in any unit; bins without
+/// waves, or with nothing but rounding, are left out.
 fn log_bins(spectrum: impl Iterator<Item = (f64, f64, f64)>) -> Vec<LogBin> {
     let mut bins = std::collections::BTreeMap::<i64, [f64; 3]>::new();
+    let mut first = None;
     for (frequency, psd, waves) in spectrum {
         let ln = frequency.ln();
-        let sums = bins.entry((ln * PER_OCTAVE / 2f64.ln()).floor() as i64).or_default();
+        let octaves = (frequency / *first.get_or_insert(frequency)).log2();
+        let sums = bins.entry((octaves * PER_OCTAVE).round() as i64).or_default();
         for (sum, part) in sums.iter_mut().zip([waves, waves * psd, waves * ln]) {
             *sum += part;
         }

@@ -13,8 +13,8 @@ const COARSE: f64 = 1e-3;
 /// more than a thousandth of their range have its spacing for a step.
 pub fn height_step(heights: &[f64]) -> Option<f64> {
     let stride = heights.len().div_ceil(SAMPLE).max(1);
-    let mut sample = Vec::with_capacity(heights.len().div_ceil(stride));
-    sample.extend(heights.iter().step_by(stride).copied().filter(|h| h.is_finite()));
+    let sample = heights.iter().step_by(stride).copied();
+    let mut sample: Vec<f64> = sample.filter(|h| h.is_finite()).collect();
     sample.sort_unstable_by(f64::total_cmp);
     let points = sample.len();
     // Two computations of one integer may differ in the last bits.
@@ -35,11 +35,8 @@ pub fn height_step(heights: &[f64]) -> Option<f64> {
     // The average of a step over the gaps of fewer than `most`, by a first guess of it.
     let average = |guess: f64, most: f64| {
         let near = || gaps().filter(move |gap| *gap < most * guess);
-        let whole = |gap: f64| {
-            let steps = gap / guess;
-            ((steps - steps.round()).abs() <= 0.05 + 0.01 * steps).then(|| steps.round())
-        };
-        let steps: Option<f64> = near().map(whole).sum();
+        let whole = |n: f64| ((n - n.round()).abs() <= 0.05 + 0.01 * n).then(|| n.round());
+        let steps: Option<f64> = near().map(|gap| whole(gap / guess)).sum();
         Some(near().sum::<f64>() / steps?)
     };
     // Over few steps first: the error of a guess grows with the gap.

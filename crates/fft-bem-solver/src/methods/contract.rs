@@ -120,8 +120,6 @@ pub(crate) struct Outcome {
     pub(crate) transforms: f64,
     /// Estimated relative rms pressure error of the state returned.
     pub(crate) residual: f64,
-    /// Steps of the chord iteration of another kind.
-    pub(crate) fallbacks: usize,
 }
 
 impl Outcome {
@@ -132,7 +130,6 @@ impl Outcome {
         iterations: 0,
         transforms: 0.0,
         residual: f64::INFINITY,
-        fallbacks: 0,
     };
 
     /// Of an exact answer.
@@ -145,7 +142,6 @@ impl Outcome {
     pub(crate) fn add(&mut self, other: &Self) {
         self.iterations += other.iterations;
         self.transforms += other.transforms;
-        self.fallbacks += other.fallbacks;
     }
 }
 

@@ -185,6 +185,7 @@ fn load_notes<'a>(
         let whole = loads.len() == lines.pressures.len();
         let range = match (first, last + 1 == lines.pressures.len()) {
             _ if whole => "at every load".into(),
+            _ if first == last => format!("at {}", at(first)),
             (0, _) => format!("up to {}", at(last)),
             (_, true) => format!("from {}", at(first)),
             _ => format!("between {} and {}", at(first), at(last)),

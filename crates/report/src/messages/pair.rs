@@ -1,7 +1,7 @@
 //! Two bodies pressed together, in words.
 
 use crate::numbers::{
-    METRES, PASCALS, SPACE, chosen, percent, quantity, signed_percent, significant,
+    METRES, PASCALS, SPACE, chosen, percent, points_of, quantity, signed_percent, significant,
 };
 use contact_compare::{Body, Flip, Independence, PairOrigin, Settings};
 
@@ -36,10 +36,7 @@ pub(crate) fn lying(pair: &PairOrigin) -> String {
         let [dy, dx] = pair.placing.shift;
         text += &format!("; {} and {} were asked for", moved(dx), moved(dy));
     }
-    let [ny, nx] = placed.common.shape();
-    let [py, px] = placed.common.pixel().map(|d| chosen(d, METRES));
-    let pixel = if px == py { px } else { format!("{px} × {py}") };
-    text += &format!("; {nx} × {ny} points of {pixel} in common");
+    text += &format!("; {} in common", points_of(placed.common));
     let shares = placed.shares;
     if shares.iter().any(|share| *share < 0.999) {
         let [a, b] = shares.map(percent);

@@ -43,6 +43,10 @@ pub(crate) fn sources(
     let of_stiffness = "stiffness −d<i>p</i>/d(mean gap) at fixed contact area";
     rows.push_str(&row("Value", values, &why(of_stiffness)));
     let mut add = |name: &str, part: &dyn Fn(&Estimate) -> Option<[f64; 2]>, how: &str| {
+        // No source moves a number farther than it can go.
+        let within =
+            |([low, high], [least, most]): ([f64; 2], [f64; 2])| [low.max(least), high.min(most)];
+        let part = |e: &Estimate| part(e).zip(e.stated()).map(within);
         let of = |e: Option<Estimate>| e.map_or("–".into(), |e| shares(e.value, part(&e)));
         let turned = part(&budget.area).map(|[low, high]| [1.0 / high, 1.0 / low]);
         let pressure = shares(1.0 / budget.area.value, turned);

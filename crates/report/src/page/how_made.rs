@@ -5,7 +5,7 @@ use crate::messages::loads::loads_line;
 use crate::messages::materials::material_line;
 use crate::messages::pair::{bodies, lying, moments, of_body};
 use crate::messages::plan as plan_messages;
-use crate::numbers::{METRES, PASCALS, SPACE, chosen, counted, duration, significant};
+use crate::numbers::{METRES, PASCALS, SPACE, chosen, counted, duration, points_of, significant};
 use crate::page::shared::{levelled, terms, tolerance_words};
 use crate::provenance::Provenance;
 use contact_accuracy::{PERIMETER_CORRECTION, Reached};
@@ -20,10 +20,8 @@ pub(crate) fn section(comparison: &Comparison, made: &Provenance) -> String {
     let program = program_words(made, settings, comparison.seconds);
     let mut rows = vec![("Program".to_owned(), program)];
     for surface in surfaces {
-        let (grid, taken_off) = (surface.surface.grid(), levelled(surface));
-        let ([ny, nx], [dy, dx]) = (grid.shape(), grid.pixel().map(|d| chosen(d, METRES)));
-        let origin = origin_words(&surface.origin);
-        let map = format!("{origin}. {nx} × {ny} points of {dx} × {dy}; {taken_off}");
+        let (origin, points) = (origin_words(&surface.origin), points_of(surface.surface.grid()));
+        let map = format!("{origin}. {points}; {}", levelled(surface));
         rows.push((if several { escape(&surface.name) } else { "Input".into() }, map));
         let cleaned = surface.origin.cleaned().iter().enumerate();
         let step =
@@ -118,7 +116,7 @@ pub(crate) fn origin_words(origin: &Origin) -> String {
             let FileOrigin { sha256, format, fill, missing, crop, channel, .. } = file;
             let channel = channel.iter().map(|name| format!(", channel {}", escape(name)));
             let part = crop.map(|[y0, x0, ny, nx]| {
-                format!(", cut to {nx} × {ny} points from column {x0}, row {y0}")
+                format!(", cut to {ny} × {nx} points from column {x0}, row {y0}")
             });
             let points = counted(*missing, "missing point");
             let filled = (*missing > 0).then(|| format!(", {points} filled ({})", escape(fill)));

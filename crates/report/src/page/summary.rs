@@ -332,7 +332,8 @@ fn listed(summary: &Summary<'_>) -> String {
             of("area_fraction", &percent),
             check.map_or("–".into(), |n| n.to_string()),
         ];
-        row(&escape(name), numbers, "")
+        let other = map["against"].as_str().map_or(String::new(), |b| format!(" against {b}"));
+        row(&escape(&format!("{name}{other}")), numbers, "")
     };
     let rows: String = summary.maps.iter().map(line).collect();
     let columns = "Map|#<i>Sq</i>|#<i>Sdq</i>|#Headline|#Area|#To check";

@@ -5,7 +5,7 @@ use crate::draw::svg::{Canvas, escape};
 use crate::lines::{ELASTIC, Reference, references};
 use crate::messages::{self, reason_of};
 use crate::numbers::{
-    AREAS, METRES, NEWTONS, PASCALS, SPACE, chosen, duration, quantity, signed_percent,
+    AREAS, METRES, NEWTONS, PASCALS, SPACE, chosen, duration, points_of, quantity, signed_percent,
     signed_range, significant, unit_for,
 };
 use crate::page::how_made::modulus_in_head;
@@ -41,19 +41,17 @@ pub(crate) fn key_numbers(part: &SurfacePart<'_>) -> String {
         escape(&names) + &modulus_in_head(settings),
         hardness.or(limit).unwrap_or_default(),
     ]);
-    let grid = surface.surface.grid();
-    let ([ny, nx], [dy, dx]) = (grid.shape(), grid.pixel());
-    let cutoff = surface.statistics.cutoff;
+    let wave = |l: f64| format!("shortest wavelength {}", quantity(l, METRES, 2));
     rows.push([
         "Resolution".into(),
-        format!("{nx} × {ny} points of {}", chosen(dx.max(dy), METRES)),
-        cutoff.map_or(String::new(), |l| format!("shortest wavelength {}", quantity(l, METRES, 2))),
+        points_of(surface.surface.grid()),
+        surface.statistics.cutoff.map_or(String::new(), wave),
     ]);
     let area = surface.headline_answer().map(|a| &a.budget.area);
     if let Some(area) = area.filter(|area| area.half_width().is_ok()) {
         let of = if area.sampling.is_some() { "map and sampling" } else { "this map alone" };
         let materials = if area.materials > 0.0 { "and materials" } else { "" };
-        rows.push([format!("± covers, 95{SPACE}%"), of.into(), materials.into()]);
+        rows.push([format!("± of the area covers, 95{SPACE}%"), of.into(), materials.into()]);
     }
     let [name, how] = messages::published(surface);
     rows.push(["Best published closed form".into(), name, how]);

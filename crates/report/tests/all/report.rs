@@ -318,5 +318,6 @@ fn words(page: &str) -> usize {
 #[test]
 fn the_page_is_short() {
     let count = [&*ONE, &*YIELDING].map(|study| words(&html(study)));
-    assert!(count[0] <= 1200 && count[1] <= 1450, "{count:?} words");
+    let most = [1104, 1354].map(|page| page + 12 * ONE.surfaces[0].models.len());
+    assert!(count[0] <= most[0] && count[1] <= most[1], "{count:?} words");
 }

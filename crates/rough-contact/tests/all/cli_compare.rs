@@ -149,7 +149,12 @@ fn a_study_of_chosen_models() {
     let page = at.read("two/report.html");
     assert!(page.contains("Persson") && !page.contains("Majumdar"));
     at.done(&format!("{study} --out all --quiet"));
-    assert_eq!(names("all").len(), 8);
+    let all = names("all");
+    assert!(
+        ["bgt", "gw", "majumdar-bhushan", "persson"]
+            .iter()
+            .all(|name| all.iter().any(|n| n == name))
+    );
 
     at.refuses(&format!("{study} --models gw,archard --out r"), &["archard", "persson"]);
     at.refuses("compare --from two/run.toml --models gw --out r", &["--models"]);

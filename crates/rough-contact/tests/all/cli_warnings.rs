@@ -123,7 +123,7 @@ fn every_command_takes_the_same_form_off_and_says_so() {
         let said = at.run(line).out;
         assert!(!said.contains("plane explains") && !said.contains("Edges do not"), "{said}");
     }
-    has(&at.run(&solve).out, &["the map repeats as it is"]);
+    has(&at.run(&solve).out, &["opposite edges meet as they are"]);
 }
 
 /// Rows that jump are no lay: every command says so, and names a step that takes it away.

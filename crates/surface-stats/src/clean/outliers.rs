@@ -80,8 +80,7 @@ pub fn find_outliers(grid: Grid, heights: &[f64], threshold: f64) -> Result<Outl
     let limit = (threshold * deviation).max(height_step(heights).unwrap_or(0.0)).max(rounding);
     let found = parallel::map(&blocks, |rows| -> Vec<_> {
         let (window, mut scratch) = (window(rows), Vec::new());
-        let mut is_within = vec![false; nx];
-        let mut found = Vec::new();
+        let (mut is_within, mut found) = (vec![false; nx], Vec::new());
         for first in rows.clone().map(|y| y * nx) {
             window.find_within(first, limit, &mut is_within);
             for index in (0..nx).filter(|ix| !is_within[*ix]).map(|ix| first + ix) {

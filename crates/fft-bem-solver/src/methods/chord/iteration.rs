@@ -131,9 +131,9 @@ impl<T: Real> Chord<T> {
             run.end_drift();
         }
         let residual = run.memory.residual.max(run.level_error());
-        let Run { transforms, fallbacks, .. } = run;
+        let transforms = run.transforms;
         state.level = certificate::level(state, &task.problem.heights, task.ceiling);
-        Outcome { exact: None, end, iterations: iteration, transforms, residual, fallbacks }
+        Outcome { exact: None, end, iterations: iteration, transforms, residual }
     }
 }
 
@@ -225,9 +225,6 @@ impl<T: Real, C: Ceiling<T>> Run<'_, T, C> {
             }
             kind = StepKind::Gradient; // the chord does not descend: projected gradients always do
         };
-        if kind != StepKind::Chord {
-            self.fallbacks += 1;
-        }
         self.advance(kind, &products, proposal.level);
     }
 }

@@ -26,7 +26,6 @@ pub(crate) struct Run<'a, T: Real, C: Ceiling<T>> {
     pub(super) first_level: Option<f64>,
     /// Pairs spent.
     pub(super) transforms: f64,
-    pub(super) fallbacks: usize,
 }
 
 impl<'a, T: Real, C: Ceiling<T>> Run<'a, T, C> {
@@ -57,7 +56,6 @@ impl<'a, T: Real, C: Ceiling<T>> Run<'a, T, C> {
             memory: Memory::new(forced),
             first_level: None,
             transforms: 0.0,
-            fallbacks: 0,
         }
     }
 
