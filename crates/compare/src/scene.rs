@@ -49,10 +49,8 @@ pub struct Scene {
     pub rms_height: Option<f64>,
     /// Radius of asperities (m), if they have one.
     pub radius: Option<f64>,
-    /// That its rows jump, where no statistics say it.
-    pub rows: Option<Warning>,
-    /// That it is tilted, where no statistics say it.
-    pub tilted: Option<Warning>,
+    /// What it strains, where no statistics say it.
+    pub warned: Vec<Warning>,
     /// Spacing of doubles at the heights as they were given (m), where no statistics say it.
     pub spacing: f64,
     /// Answers by rising load.
@@ -91,7 +89,7 @@ impl Scene {
     /// What is said before any number: units, yield, slopes.
     pub(crate) fn findings(&self) -> Vec<Finding> {
         let found = [self.unit(), self.rounding(), self.beyond_yield(), self.steep()];
-        let warned = self.tilted.into_iter().chain(self.rows).map(Finding::warned);
+        let warned = self.warned.iter().copied().map(Finding::warned);
         found.into_iter().flatten().chain(warned).collect()
     }
 

@@ -28,6 +28,12 @@ pub struct Budget {
     pub indicator: Option<f64>,
 }
 
+/// The change of an area (-) per relative change of the load, slope or modulus, at most: by Persson's erf it is less than
+/// this at every area, the area itself where little touches and nothing where all does.
+fn answering(area: f64) -> f64 {
+    area * (1.0 - area * area).max(0.0).sqrt()
+}
+
 impl Budget {
     /// Of a solution for `given`, the set that was asked for its stiffness and a gas of this temperature jump (m), on a
     /// map of which `map` tells.
@@ -58,7 +64,7 @@ impl Budget {
         if let Some([of_area, of_gap, of_stiffness]) =
             goes_on.then(|| sampling(solution, map.height_scatter)).flatten()
         {
-            area.sampling = Some(of_area * area.value);
+            area.sampling = Some(of_area * answering(area.value));
             // Where the gap is wide beside the temperature jumps the gas scatters as it does, elsewhere less.
             let others =
                 [(&mut mean_gap, of_gap), (&mut gas, of_gap), (&mut stiffness, of_stiffness)];
@@ -110,7 +116,8 @@ impl Budget {
         let yielded = solution.diagnostics.yielded.filter(|_| touching > 0.0);
         let [load, area] =
             yielded.map_or([0.0; 2], |y| [y.load_share, (y.area_fraction / touching).min(1.0)]);
-        self.area.materials = self.area.value * ((1.0 - area) * modulus).hypot(load * hardness);
+        let of_modulus = (1.0 - area) * modulus * answering(self.area.value);
+        self.area.materials = of_modulus.hypot(load * hardness * self.area.value);
         self.area.least[1] = self.area.least[0] * (-hardness).exp();
         self
     }

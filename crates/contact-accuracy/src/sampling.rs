@@ -8,7 +8,8 @@
 //! r_K = \sqrt{(1.8 l)^2 + (3.7 b)^2}
 //! ```
 //!
-//! and `r + r²/2` to the upper side, as for a count (Garwood 1936, doi:10.1093/biomet/28.3-4.437).
+//! and `r + r²/2` to the upper side, as for a count (Garwood 1936, doi:10.1093/biomet/28.3-4.437). The area answers to them
+//! less as the contact closes.
 
 use contact_types::HeightMap;
 use fft_bem_solver::Solution;

@@ -3,7 +3,6 @@
 use crate::complete::Subject;
 use crate::failure::{Failure, variant};
 use crate::loads::Spread;
-use crate::statistics::row_warning;
 use crate::work::extend;
 use contact_accuracy::round_to_digits;
 use contact_compare::survey::gaussian_errors;
@@ -113,11 +112,11 @@ fn results(
 }
 
 /// What is asked of elasticity, with the results by rising load.
-fn scene(card: &Card, inputs: &Inputs, points: &[ModelPoint], rows: Option<Warning>) -> Scene {
+fn scene(card: &Card, inputs: &Inputs, points: &[ModelPoint], warned: Vec<Warning>) -> Scene {
     // Bodies that yield bear what presses them.
     let answers = points.iter().filter_map(|p| p.answer.as_ref().ok()).filter(|_| !card.yields);
     let hardness = inputs.hardness;
-    Scene { rows, hardness, ..Scene::of(inputs, answers.map(|said| &said.state)) }
+    Scene { warned, hardness, ..Scene::of(inputs, answers.map(|said| &said.state)) }
 }
 
 /// What is known of the surface that a model is asked about.
@@ -125,7 +124,7 @@ fn scene(card: &Card, inputs: &Inputs, points: &[ModelPoint], rows: Option<Warni
 pub struct ModelSubject {
     /// Numbers for its inputs. What no surface says is added by who asks.
     pub inputs: Inputs,
-    rows: Option<Warning>,
+    warned: Vec<Warning>,
     spikes: Spikes,
     cleaned: Vec<Record>,
     level: Option<Level>,
@@ -155,8 +154,8 @@ pub struct ModelReply {
 impl ModelSubject {
     /// Numbers typed in.
     pub fn typed(inputs: Inputs) -> Self {
-        let (spikes, cleaned) = (Spikes::default(), Vec::new());
-        Self { inputs, rows: None, spikes, cleaned, level: None, pair: None, profile: None }
+        let (spikes, warned, cleaned) = (Spikes::default(), Vec::new(), Vec::new());
+        Self { inputs, warned, spikes, cleaned, level: None, pair: None, profile: None }
     }
 
     /// What a model needs of a map, and nothing else; edges that are not given are those of its origin.
@@ -175,14 +174,14 @@ impl ModelSubject {
         let (origin, heights) = (surface.origin, surface.heights);
         let pair = origin.pair().cloned();
         let spikes = Spikes::left(&heights, &cleaned, pair.as_ref());
-        let rows = row_warning(&heights);
         let (form, map) = origin.level(asked).taken_off(heights).map_err(refused)?;
         let edges = edges.unwrap_or_else(|| origin.edges());
         let mut inputs = Inputs::new(modulus);
         inputs.nominal_area = Some(map.grid().area());
         // Every model has the moments that a study gives it; only Persson's mean gap needs more.
         inputs.is_measured = true;
-        inputs.moments = Some(moments(&map, edges).map_err(refused)?);
+        let (found, warned) = moments(&map, edges).map_err(refused)?;
+        inputs.moments = Some(found);
         if card.takes(Input::MeanSlope) {
             inputs.mean_slope = Some(mean_slope(&map));
         }
@@ -195,7 +194,7 @@ impl ModelSubject {
             OfMap::Amplitudes => inputs.amplitudes = Some(amplitudes(&map).map_err(refused)?),
             OfMap::Moments => {}
         }
-        Ok(Self { inputs, rows, spikes, cleaned, level: Some(form), pair, profile: None })
+        Ok(Self { inputs, warned, spikes, cleaned, level: Some(form), pair, profile: None })
     }
 
     /// The isotropic surface with the moments of these traces.
@@ -236,7 +235,7 @@ impl ModelSubject {
         spread: Option<&Spread>,
         ways: [&str; 2],
     ) -> Result<ModelReply, Failure> {
-        let Self { inputs, rows, spikes, cleaned, level, pair, profile } = self;
+        let Self { inputs, warned, spikes, cleaned, level, pair, profile } = self;
         let card = theory.card();
         let (asked, is_load) = match questions {
             ModelLoads::Pressures(all) => (all, true),
@@ -246,7 +245,11 @@ impl ModelSubject {
         let of_map = inputs.nominal_area.filter(|_| profile.is_none());
         let area = joint.area.or(spread.map(|s| s.area)).or(of_map);
         let joint = Joint { area, hardness: inputs.hardness, ..*joint };
-        let answers = results(theory, (&inputs, &joint), questions, ways)?;
+        let mut answers = results(theory, (&inputs, &joint), questions, ways)?;
+        // An interval is that of Gaussian surfaces.
+        for said in answers.iter_mut().flatten() {
+            said.area_interval = said.area_interval.filter(|_| warned.is_empty());
+        }
         let point = |(&value, answer): (&f64, Result<Said, ModelError>)| {
             let state = answer.as_ref().ok().map(|said| &said.state);
             ModelPoint {
@@ -258,7 +261,7 @@ impl ModelSubject {
             }
         };
         let mut points: Vec<ModelPoint> = asked.iter().zip(answers).map(point).collect();
-        let scene = scene(card, &inputs, &points, rows);
+        let scene = scene(card, &inputs, &points, warned);
         let objects: Vec<Value> = points.iter().map(point_object).collect();
         let mut json = json!({
             "model": card.name,

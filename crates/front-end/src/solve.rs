@@ -4,7 +4,7 @@ use crate::complete::Subject;
 use crate::failure::Failure;
 use crate::loads::Spread;
 use crate::shown::unusual_hardness;
-use crate::statistics::{row_warning, with_spectrum};
+use crate::statistics::with_spectrum;
 use crate::study::unmet;
 use crate::work::{Point, SolvedLoads, Watch};
 use contact_accuracy::{Aim, Ladder, LadderError, Task, climb};
@@ -19,7 +19,7 @@ use serde_json::{Value, json};
 use std::iter;
 use surface_stats::clean::Record;
 use surface_stats::profile::{self, Trace};
-use surface_stats::{Edges, StatsError, moments, spectral_scales};
+use surface_stats::{Edges, StatsError, Warning, moments, spectral_scales};
 
 /// Why a contact has no leak.
 const NO_SEAL: &str = "a leak is that of a map which touches all over, from one edge to the other: a profile has no \
@@ -130,7 +130,7 @@ impl SolveRequest {
         let (scene, moments) = scene(&surface, modulus, self.plane_strain).map_err(refused)?;
         solved.scene = Scene { spacing: largest * f64::EPSILON, ..scene };
         if self.boundary == Boundary::Periodic {
-            solved.scene.tilted = surface_stats::tilted(&surface, asked).map_err(refused)?;
+            solved.scene.warned.extend(surface_stats::tilted(&surface, asked).map_err(refused)?);
         }
         watch.levelled(&surface);
         let sticking = settings.adhesion.map(|given| {
@@ -266,6 +266,7 @@ fn scene(
         let gradient = Some(moments.m2.sqrt());
         return Ok((Scene { gradient, radius: None, ..of(moments) }, moments));
     }
-    let moments = moments(map, Edges::Open)?;
-    Ok((Scene { rows: row_warning(map), ..of(moments) }, moments))
+    let (moments, mut warned) = moments(map, Edges::Open)?;
+    warned.retain(|w| matches!(w, Warning::RowsJump { .. })); // no model is asked
+    Ok((Scene { warned, ..of(moments) }, moments))
 }

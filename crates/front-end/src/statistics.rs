@@ -10,12 +10,11 @@ use serde::Deserialize;
 use serde_json::{Value, json};
 use std::path::Path;
 use surface_io::Measurement;
-use surface_stats::clean::row_offsets;
 use surface_stats::iso25178::{self, IsoParameter};
 use surface_stats::profile::ProfileStatistics;
 use surface_stats::spectrum::radial;
 use surface_stats::{
-    ByDistance, Edges, Spectra, StatsError, StatsOptions, SurfaceStatistics, Warning, by_distance,
+    ByDistance, Edges, Spectra, StatsError, StatsOptions, SurfaceStatistics, by_distance,
 };
 
 /// What is asked of a map.
@@ -137,11 +136,6 @@ pub fn info(m: &Measurement) -> Value {
         "ambiguity": m.ambiguity.map(|a| a.what),
         "metadata": m.metadata,
     })
-}
-
-/// That the rows of a map jump; `None` also where levelling took heights beyond the range in which rows are compared.
-pub(crate) fn row_warning(map: &HeightMap) -> Option<Warning> {
-    row_offsets(map.grid(), map.heights()).ok()?.warning
 }
 
 /// What adhesion depends on, of a levelled map with these moments.

@@ -38,7 +38,7 @@ pub(crate) fn with_interval(value: f64, [low, high]: [f64; 2]) -> String {
     let sides = [value - low, high - value];
     let half = sides[0].max(sides[1]);
     match (low > 0.0, high.is_finite()) {
-        _ if half.is_nan() || half <= 0.0 => significant(value, 3),
+        _ if half.is_nan() || half <= 1e-12 * value => significant(value, 3), // none, or rounding
         (false, false) => significant(value, 3),
         (false, true) => format!("at most {}", end(high, f64::ceil, 1 - exponent(high, 2))),
         (true, false) => format!("at least {}", end(low, f64::floor, 1 - exponent(low, 2))),

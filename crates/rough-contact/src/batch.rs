@@ -152,13 +152,11 @@ pub(crate) fn outcomes<C: PerFile>(
 
 /// A refusal that is the same for all files is one of the command.
 fn alike(outcomes: Vec<FileOutcome>) -> Result<Vec<FileOutcome>, Failure> {
-    let reason = outcomes.first().and_then(FileOutcome::why);
-    let same = |o: &FileOutcome| o.result.is_err() && o.why() == reason;
+    let failure = |o: &FileOutcome| o.result.as_ref().err().cloned();
+    let Some(first) = outcomes.first().and_then(failure) else { return Ok(outcomes) };
+    let same = |o: &FileOutcome| failure(o).is_some_and(|other| other.message == first.message);
     let is_one = outcomes.len() > 1 && outcomes.iter().all(same);
-    match outcomes.first().and_then(|first| first.result.as_ref().err()) {
-        Some(failure) if is_one => Err(failure.clone()),
-        _ => Ok(outcomes),
-    }
+    if is_one { Err(first) } else { Ok(outcomes) }
 }
 
 fn said(outcome: &FileOutcome) -> String {

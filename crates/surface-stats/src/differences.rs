@@ -1,6 +1,7 @@
 //! Slopes and curvatures by finite differences.
 
-use crate::{HeightStatistics, StatsError};
+use crate::clean::row_offsets;
+use crate::{HeightStatistics, StatsError, Warning};
 use contact_types::{HeightMap, Named, SpectralMoments};
 
 /// What lies beyond the edges of the map.
@@ -52,15 +53,23 @@ pub(crate) struct DirectionalMoments {
 /// m2 comes out low by `dx² m4 / 12` and m4 by `dx² m6 / 6`, at the shortest wavelength by 59 %
 /// and 84 %.
 ///
+/// With what speaks against an isotropic Gaussian surface: rows that jump or a lay, and heights that are not normal.
+///
 /// # Errors
 /// [`StatsError::TooSmall`] below 3 x 3 pixels.
 ///
 /// # Source
 /// McCool (1986), doi:10.1016/0043-1648(86)90045-1, for moments from differences of neighbouring
 /// heights; the transfer functions follow from the difference of two shifted waves.
-pub fn moments(map: &HeightMap, edges: Edges) -> Result<SpectralMoments, StatsError> {
-    let rms = HeightStatistics::of(map).rms_height;
-    Ok(DirectionalMoments::of(map, edges)?.isotropic(rms * rms))
+pub fn moments(
+    map: &HeightMap,
+    edges: Edges,
+) -> Result<(SpectralMoments, Vec<Warning>), StatsError> {
+    let (heights, differences) = (HeightStatistics::of(map), DirectionalMoments::of(map, edges)?);
+    let moments = differences.isotropic(heights.rms_height.powi(2));
+    let bandwidth = Some(moments.bandwidth()).filter(|b| b.is_finite());
+    let shape = Warning::of_distribution(heights.skewness, heights.kurtosis, bandwidth);
+    Ok((moments, [differences.uneven(map)].into_iter().chain(shape).flatten().collect()))
 }
 
 /// Mean absolute slope of a map along both axes \[-\], by differences of neighbours; of an isotropic Gaussian surface
@@ -142,6 +151,14 @@ impl DirectionalMoments {
         let half = 0.5 * (self.m2_x_central - self.m2_y_central);
         let spread = half.hypot(self.m2_xy).min(mean);
         (mean > 0.0).then(|| (mean + spread) / (mean - spread))
+    }
+
+    /// That the rows of this map jump, whose slopes are then no lay; or that there is one.
+    pub(crate) fn uneven(&self, map: &HeightMap) -> Option<Warning> {
+        // Levelling may take heights at the end of the range beyond it: then rows are not compared.
+        let rows = row_offsets(map.grid(), map.heights()).ok().and_then(|rows| rows.warning);
+        let lay = self.anisotropy().filter(|r| *r > 2.0);
+        rows.or(lay.map(|ratio| Warning::Anisotropic { ratio }))
     }
 }
 

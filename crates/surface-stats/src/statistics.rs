@@ -1,6 +1,5 @@
 //! The one call most users need.
 
-use crate::clean::row_offsets;
 use crate::fractal::{SpectralScales, check_range};
 use crate::level::tilted;
 use crate::seam::{MOST_SEAM_JUMP, seam_jump};
@@ -259,16 +258,14 @@ impl SurfaceStatistics {
             join(|| HeightStatistics::of(&surface), differences)
         });
         let differences = differences?;
-        let (of_points, ((edge_jump, rows), ((spectral, power), of_power))) = join(
+        let (of_points, ((edge_jump, uneven), ((spectral, power), of_power))) = join(
             || join(|| Summits::of(&surface, options.edges), || timed(|| amplitudes(&surface))),
             || {
                 let waves = || {
                     let power = PowerSpectrum::of_field(grid, surface.heights());
                     (power.moments(), power)
                 };
-                // Levelling may take heights at the end of the range beyond it: then rows are not compared.
-                let rows = || row_offsets(grid, surface.heights()).ok()?.warning;
-                join(|| (seam_jump(&surface), rows()), || timed(waves))
+                join(|| (seam_jump(&surface), differences.uneven(&surface)), || timed(waves))
             },
         );
         let (summits, (amplitudes, of_amplitudes)) = of_points;
@@ -332,10 +329,9 @@ impl SurfaceStatistics {
         };
         let (low, high) = map.range();
         let spacing = f64::EPSILON * low.abs().max(high.abs());
-        let noisy = Warning::of_noise(moments, grid.pixel(), height_step, scales.noise);
-        let lay = differences.anisotropy().filter(|&ratio| ratio > 2.0);
-        // Slopes across rows that jump are those of the jumps: no lay is known.
-        let uneven = rows.or(lay.map(|ratio| Warning::Anisotropic { ratio }));
+        // Rows that jump are in the spectrum too: no noise besides is known.
+        let noisy = Warning::of_noise(moments, grid.pixel(), height_step, scales.noise)
+            .filter(|_| !matches!(uneven, Some(Warning::RowsJump { .. })));
         let jump = (edge_jump > MOST_SEAM_JUMP).then_some(Warning::EdgeJump { ratio: edge_jump });
         let unresolved = Warning::of_resolution(resolved);
         statistics.warnings = statistics.judge([noisy, tilted, unresolved, uneven, jump], spacing);
@@ -372,7 +368,8 @@ impl SurfaceStatistics {
             Some(rolloff) => {
                 (side < 4.0 * rolloff).then(|| Warning::FewWaves { count: Some(side / rolloff) })
             }
-            None => self.hurst.map(|_| Warning::FewWaves { count: None }),
+            // A spectrum that does not fall has no long waves to miss.
+            None => self.hurst.filter(|h| *h > 0.0).map(|_| Warning::FewWaves { count: None }),
         };
         let [not_gaussian, narrow] =
             Warning::of_distribution(self.skewness, self.kurtosis, self.bandwidth);

@@ -177,7 +177,7 @@ impl Warning {
                 "The closed forms assume an isotropic surface; none of them is safe.",
             ),
             Self::Anisotropic { ratio: r } => worded(
-                format!("The surface has a lay: slope anisotropy {}.", ratio(r)),
+                format!("The surface has a lay: slope anisotropy {}.", significant(r, 3)),
                 "The closed forms assume an isotropic surface; beyond 2 none of them is safe.",
             ),
             Self::NotGaussian { skewness, kurtosis } => worded(
@@ -189,7 +189,7 @@ impl Warning {
                 "The closed forms assume 0 and 3; beyond ±0.2 and ±0.3 none of them is safe.",
             ),
             Self::NarrowBand { bandwidth } => worded(
-                format!("Bandwidth α = {} is below 1.5.", ratio(bandwidth)),
+                format!("Bandwidth α = {} is below 1.5.", significant(bandwidth, 4)),
                 "No isotropic Gaussian surface has that; the summit models do not apply.",
             ),
             Self::Unresolved { ratio: r } => worded(

@@ -82,7 +82,7 @@ async function areas() {
   if (!answer || of !== now.read) return;
   of.areas = true;
   if (answer.kind !== 'done') { all('[data-area]').forEach(cell => cell.replaceChildren()); return; }
-  if (answer.cut) $('defects-area').textContent = ` Area: of the middle ${answer.cut} × ${answer.cut} points, at a light load, 0.01\u202fE* Sdq.`;
+  if (answer.cut) $('defects-area').textContent = ` Area: of the middle, at most ${answer.cut} points a side, at a light load, 0.01\u202fE* Sdq.`;
 }
 
 // Lines of text, one below the other.

@@ -51,7 +51,6 @@ fn read(request: &Request, file: &[u8], measured: Measurement) -> Result<Value, 
     let channels: Vec<Value> = measured.channels.iter().map(channel).collect();
     let parts = parts(&measured, request.reading.part()?);
     let about = format!("{} · {} · {}", request.name, measured.format, bytes(file.len()));
-    let ambiguity = measured.ambiguity.map(|a| a.what);
     let [ly, lx] = measured.grid().size();
     let spikes = defects::spikes(&measured)?;
     let mut pictures = before(&measured, &spikes.indices)?;
@@ -76,7 +75,7 @@ fn read(request: &Request, file: &[u8], measured: Measurement) -> Result<Value, 
             ["A height map of ", false], [format!("{} × {}", length(lx), length(ly)), true], [". ", false],
             [claim, checks > 0],
         ],
-        "facts": facts, "channels": channels, "parts": parts, "ambiguity": ambiguity,
+        "facts": facts, "channels": channels, "parts": parts,
         "pictures": pictures,
         "numbers": [
             ["rms height Sq", length(statistics.rms_height)],
@@ -137,6 +136,7 @@ fn facts(measured: &Measurement) -> Vec<[String; 2]> {
         }
     };
     facts.push(["Missing points".to_owned(), missing]);
+    facts.extend(measured.ambiguity.map(|a| ["Read as".to_owned(), a.what.to_owned()]));
     for (name, value) in measured.metadata.iter().take(6) {
         facts.push([short(name, 40), short(value, 80)]);
     }

@@ -5,7 +5,7 @@ use crate::place::Host;
 use contact_compare::{Cleaning, EdgesName, FileOrigin, Level, SPIKE_THRESHOLD, STEEL, Settings};
 use contact_front_end::Failure;
 use contact_front_end::bodies::{Bodies, BodyInput, BothBodies};
-use contact_front_end::loads::Spread;
+use contact_front_end::loads::{Spread, positive};
 use contact_front_end::quantity;
 use contact_front_end::units::Dimension;
 use serde::Deserialize;
@@ -269,6 +269,7 @@ impl Request {
                 (Some(spread.pressures), Some(spread.area))
             }
         };
+        positive("pressure", pressures.as_deref().unwrap_or_default(), "Pa", "that presses")?;
         let resistivities = match &self.resistivities {
             both if both.iter().all(|t| t.trim().is_empty()) => None,
             [one, two] => {

@@ -56,5 +56,5 @@ pub(crate) fn levelled(map: &HeightMap, level: Level) -> Result<HeightMap, Troub
 
 /// Of these Sq and Sdq are said, as in the statistics of the report.
 pub(crate) fn roughness(map: &HeightMap) -> Result<SpectralMoments, Trouble> {
-    surface_stats::moments(map, Edges::Open).map_err(|e| Failure::from(&e).into())
+    Ok(surface_stats::moments(map, Edges::Open).map_err(|e| Failure::from(&e))?.0)
 }

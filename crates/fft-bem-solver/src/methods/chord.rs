@@ -9,5 +9,3 @@ mod trial;
 mod work;
 
 pub(crate) use iteration::Chord;
-#[cfg(test)]
-pub(crate) use run::StepKind;

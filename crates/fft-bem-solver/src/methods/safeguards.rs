@@ -1,7 +1,7 @@
 //! Tests that force each safeguard of the chord iteration.
 
 use super::baseline::Baseline;
-use super::chord::{Chord, StepKind};
+use super::chord::Chord;
 use super::contract::{ContactMethod, ContactTask, Means, Outcome, Start, State, Target};
 use super::polonsky_keer::PolonskyKeer;
 use super::stanley_kato::StanleyKato;
@@ -66,27 +66,22 @@ fn exact(problem: &Problem<f64>, load: f64) -> State<f64> {
     run(&mut method, problem, 1e-11, load).1
 }
 
-/// Each kind of step alone, and all of them, with the step before and, as on grids on which memory is what limits,
-/// without.
+/// With the step before and, as on grids on which memory is what limits, without.
 #[test]
-fn each_kind_of_step_alone_finds_the_solution() {
+fn steps_find_the_solution_with_and_without_the_one_before() {
     let (problem, grid) = surface();
     for load in [0.003, 0.05, 0.2] {
         let exact = exact(&problem, load);
-        let kinds = [StepKind::Chord, StepKind::Gradient].map(Some);
-        for kind in kinds.into_iter().chain([None]) {
-            for has_room in [true, false] {
-                let mut chord = Chord::new(grid, false);
-                chord.force = kind;
-                if !has_room {
-                    chord.work.pairs.before = State::new(0);
-                }
-                let (outcome, found) = run(&mut chord, &problem, 1e-8, load);
-                assert_eq!(outcome.end, End::Converged, "{kind:?} at {load}");
-                let error = difference(&found, &exact);
-                assert!(error < 1e-7, "{kind:?} at {load}: {error:e}");
-                assert_eq!(chord.work.pairs.has_room(), has_room);
+        for has_room in [true, false] {
+            let mut chord = Chord::new(grid, false);
+            if !has_room {
+                chord.work.pairs.before = State::new(0);
             }
+            let (outcome, found) = run(&mut chord, &problem, 1e-8, load);
+            assert_eq!(outcome.end, End::Converged, "{load}");
+            let error = difference(&found, &exact);
+            assert!(error < 1e-7, "{load}: {error:e}");
+            assert_eq!(chord.work.pairs.has_room(), has_room);
         }
     }
 }

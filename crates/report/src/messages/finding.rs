@@ -216,39 +216,33 @@ const MANY_SPIKES: f64 = 0.01;
 
 /// Claim and text: what `count` spikes of `of` points say, after `taken` were taken out.
 fn spikes([count, taken, of]: [usize; 3], largest: f64, share: Option<f64>) -> Words {
-    let (who, stand, are) = match count {
-        1 => ("It carries", "stands", "is a spike"),
-        _ => ("They carry", "stand", "are spikes"),
-    };
+    let (who, stand) = if count == 1 { ("It carries", "stands") } else { ("They carry", "stand") };
     let carried = share.map_or_else(String::new, |s| format!("{who} {} of the load. ", percent(s)));
-    let [part, ever] = [count, count + taken].map(|n| n as f64 / of.max(1) as f64);
-    let (part, up_to) = (percent(part), quantity(largest, METRES, 2));
+    let (part, up_to) = (count as f64 / of.max(1) as f64, quantity(largest, METRES, 2));
     let points = if count == 1 { "1 point".to_owned() } else { format!("{count} points") };
-    let many = "So many are seldom spikes of an instrument: a surface of smooth ground with peaks, grains or walls on it \
-                looks so too";
-    match (taken > 0, ever > MANY_SPIKES) {
-        (true, is_many) => [
+    match (taken > 0, part > MANY_SPIKES) {
+        (true, _) => [
             format!(
                 "{points} still {stand} far from the neighbours, up to {up_to}, after {taken} {} taken out.",
                 if taken == 1 { "was" } else { "were" }
             ),
-            if is_many {
-                format!(
-                    "{carried}{many}, and taking them out takes peaks from it. Look at the map."
-                )
-            } else {
-                format!(
-                    "{carried}Another round would find others again: rims of wide spikes, peaks and edges of the surface \
-                     itself. Look at the map; what is an error of the instrument can be made a missing point in the file."
-                )
-            },
+            format!(
+                "{carried}Another round would find others again: rims of wide spikes, peaks and edges of the surface \
+                 itself. Look at the map; what is an error of the instrument can be made a missing point in the file."
+            ),
         ],
         (false, true) => [
-            format!("{part} of the points stand far from their neighbours, up to {up_to}."),
-            format!("{carried}{many}. Look at the map before you take all out."),
+            format!(
+                "{} of the points stand far from their neighbours, up to {up_to}.",
+                percent(part)
+            ),
+            format!(
+                "{carried}So many are seldom spikes of an instrument: a surface of smooth ground with peaks, grains or \
+                 walls on it looks so too. Look at the map before you take all out."
+            ),
         ],
         (false, false) => [
-            format!("{points} {are}, up to {up_to} from the neighbours."),
+            format!("{points} {stand} far from the neighbours, up to {up_to}."),
             format!(
                 "{carried}If they are errors of the instrument, take them out and fill: outliers {SPIKE_THRESHOLD}, \
                  fill harmonic."
@@ -385,14 +379,14 @@ mod tests {
             let [claim, text] = spikes([count, taken, 1000], 1e-6, None);
             (claim + " " + &text).replace(SPACE, " ")
         };
-        assert!(told(9, 0).contains("9 points are spikes") && told(9, 0).contains("fill harmonic"));
+        assert!(told(9, 0).contains("9 points stand far") && told(9, 0).contains("fill harmonic"));
         let half = told(500, 0);
-        assert!(!half.contains("are spikes") && half.contains("50 % of the points"), "{half}");
+        assert!(half.contains("50 % of the points"), "{half}");
         // What was done is not advised again.
         for left in [told(1, 8), told(9, 1), told(500, 40)] {
             assert!(left.contains("still stand") && !left.contains("fill harmonic"), "{left}");
         }
         assert!(told(9, 1).contains("Another round"));
-        assert!(told(9, 40).contains("takes peaks from it"));
+        assert!(told(9, 40).contains("peaks and edges of the surface itself"));
     }
 }

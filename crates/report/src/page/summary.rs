@@ -362,8 +362,8 @@ fn how_made(summary: &Summary<'_>, provenance: &Provenance) -> String {
         "<h2>How this was made</h2>\n<dl><dt>Program</dt><dd>{program}</dd>\n\
          <dt>Material</dt><dd>{bodies}{hardness}{materials}</dd>\n<dt>Surface</dt><dd>level: {level}; edges: \
          {edges}</dd>\n<dt>Solver</dt><dd>{solver}; area corrected for the contact line</dd></dl>\n<p>Made \
-         with</p><pre>{repeat}</pre>\n<p class=\"why\">One row for each file is in <code>table.csv</code>, complete \
-         results in <code>results.json</code>. <code>compare</code> with one of the files alone writes its \
+         with</p><pre>{repeat}</pre>\n<p class=\"why\">One row for each file is in <code>table.csv</code>, its results \
+         in <code>results.json</code>. <code>compare</code> with one of the files alone writes its \
          report, with a closer look at its accuracy.</p>\n"
     )
 }

@@ -100,7 +100,7 @@ pub(crate) fn cells<const N: usize>(all: [(&str, &str, String); N]) -> String {
 
 /// A cell: whether something holds on the surface, and why not.
 pub(crate) fn applies(answer: Applies, reason: &str) -> String {
-    let (answer, reason) = (answer.name(), escape(reason));
+    let (answer, reason) = (answer.name(), escape(reason).replace(" %", &format!("{SPACE}%")));
     format!("<td data-l=\"Applies\" class=\"dom\"><b class=\"{answer}\">{answer}</b> {reason}</td>")
 }
 

@@ -174,7 +174,7 @@ fn statistics_carry_the_findings_of_their_map() {
     let json = at.answer(&line);
     let claims_of_stats = claims(&json);
     let said = at.run(&line).out;
-    for begins in ["Slopes are too steep", "A plane explains", "1 point is a spike"] {
+    for begins in ["Slopes are too steep", "A plane explains", "1 point stands far"] {
         let claim = claims_of_stats.iter().find(|c| c.starts_with(begins));
         let claim = claim.unwrap_or_else(|| panic!("{begins}: {claims_of_stats:?}"));
         has(&said, &[&claim.replace('\u{202F}', " ")]);
@@ -192,7 +192,7 @@ fn a_spike_that_carries_the_load_is_named() {
     });
     let file = format!("{FILE} {STEEL} 100kPa");
     let spike = |of: &Value| {
-        let is = |f: &&Value| f["claim"].as_str().unwrap().starts_with("1 point is a spike");
+        let is = |f: &&Value| f["claim"].as_str().unwrap().starts_with("1 point stands far");
         list(&of["findings"]).iter().find(is).cloned()
     };
     let found = spike(&at.answer(&format!("solve {file}"))).unwrap();

@@ -29,7 +29,7 @@ const LEAST_RATIO: f64 = 4.0;
 /// rows resolve: 1 is a wave of six rows, 2 independent jumps, 3 independent rows.
 const LEAST_ROUGHNESS: f64 = 1.0;
 
-/// Rows that must jump at least, (Σ jump²)² / Σ jump⁴: fewer are edges of the surface, steps or terraces.
+/// Rows that must jump at least: fewer are edges of the surface, steps or terraces.
 const LEAST_JUMPING: f64 = 6.0;
 
 /// Rows and columns below which medians say nothing.
@@ -60,14 +60,13 @@ pub fn row_offsets(grid: Grid, heights: &[f64]) -> Result<RowOffsets, StatsError
     Ok(RowOffsets { offsets, jump, warning })
 }
 
-/// How many jumps make up the sum of their squares.
+/// How many jumps make up the sum of their squares, (Σ jump²)² / Σ jump⁴, where they go both ways; none of a staircase, no
+/// number without a jump.
 fn how_many(jumps: &[f64]) -> f64 {
     let largest = jumps.iter().fold(0.0, |a: f64, j| a.max(j.abs()));
-    if largest <= 0.0 {
-        return 0.0;
-    }
-    let squares = || jumps.iter().map(|j| (j / largest).powi(2));
-    squares().sum::<f64>().powi(2) / squares().map(|s| s * s).sum::<f64>()
+    let sum = |term: fn(f64) -> f64| jumps.iter().map(|j| term(j / largest)).sum::<f64>();
+    let one_way = sum(|j| j) / sum(f64::abs);
+    sum(|j| j * j).powi(2) / sum(|j| j.powi(4)) * (1.0 - one_way * one_way)
 }
 
 /// Takes the line of least squares off.
@@ -183,12 +182,13 @@ mod tests {
     fn surfaces_are_no_scan_lines() {
         for seed in 0..5 {
             let (grid, relief) = relief(seed);
-            let shapes: [fn(f64, f64) -> f64; 6] = [
+            let shapes: [fn(f64, f64) -> f64; 7] = [
                 |y, _| 60e-9 * (0.5 * y).sin() + 30e-9 * (0.23 * y).cos(),
                 |_, x| 60e-9 * (0.5 * x).sin(),
                 |y, x| 4e-9 * y - 2e-9 * x,
                 |y, _| if y < 60.0 { 0.0 } else { 2e-6 },
                 |y, _| 4e-7 * (y / 30.0).floor(),
+                |y, _| 4e-7 * (y / 5.0).floor(),
                 |y, x| 1e-6 * (0.02 * (y + x)).sin(),
             ];
             for (k, shape) in shapes.iter().enumerate() {

@@ -1,9 +1,10 @@
 //! Whether two surfaces know of each other.
 
 use super::Composite;
+use crate::differences::DirectionalMoments;
 use crate::spectrum::PowerSpectrum;
-use crate::{Edges, Level, StatsError, moments, repeats};
-use contact_types::SpectralMoments;
+use crate::{Edges, HeightStatistics, Level, StatsError, repeats};
+use contact_types::{HeightMap, SpectralMoments};
 
 /// Moments of two bodies and of their sum. Those of independent surfaces add.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -37,9 +38,13 @@ impl Independence {
             let powers = [PowerSpectrum::of(&a, seam)?, PowerSpectrum::of(&b, seam)?];
             spread(&powers, a.grid().pixel())
         };
-        let bodies = [moments(&a, edges)?, moments(&b, edges)?];
+        let of = |map: &HeightMap| {
+            let rms = HeightStatistics::of(map).rms_height;
+            Ok::<_, StatsError>(DirectionalMoments::of(map, edges)?.isotropic(rms * rms))
+        };
+        let bodies = [of(&a)?, of(&b)?];
         drop([a, b]);
-        let composite = moments(&sum, edges)?;
+        let composite = of(&sum)?;
         let parts = |m: SpectralMoments| [m.m0, m.m2, m.m4];
         let sums = [0, 1, 2].map(|k| parts(bodies[0])[k] + parts(bodies[1])[k]);
         let share = |k: usize, of: f64| if sums[k] > 0.0 { of / sums[k] } else { 0.0 };

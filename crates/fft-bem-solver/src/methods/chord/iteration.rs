@@ -42,8 +42,6 @@ use contact_types::Grid;
 
 pub(crate) struct Chord<T: Real> {
     pub(crate) work: Work<T>,
-    /// Tests: make every step of this kind.
-    pub(crate) force: Option<StepKind>,
 }
 
 impl<T: Real> Chord<T> {
@@ -55,7 +53,7 @@ impl<T: Real> Chord<T> {
         if !is_large(scaled.len()) {
             work.pairs.before = State::new(scaled.len());
         }
-        Self { work, force: None }
+        Self { work }
     }
 }
 
@@ -89,8 +87,7 @@ impl<T: Real> Chord<T> {
         means: Means<'_, '_, T>,
     ) -> Outcome {
         let Means { operator, state, watch } = means;
-        let Self { work, force } = self;
-        let mut run = Run::new(ceiling, work, task, operator, *force, state);
+        let mut run = Run::new(ceiling, &mut self.work, task, operator, state);
         match task.start {
             Start::Cold => run.begin_constant(),
             Start::Warm => run.begin_scaled(),

@@ -29,13 +29,12 @@ pub(crate) struct Run<'a, T: Real, C: Ceiling<T>> {
 }
 
 impl<'a, T: Real, C: Ceiling<T>> Run<'a, T, C> {
-    /// A run that has not begun. Tests force a kind of step.
+    /// A run that has not begun.
     pub(crate) fn new(
         ceiling: C,
         work: &'a mut Work<T>,
         task: &ContactTask<'a, T>,
         operator: &'a mut dyn Compliance<T>,
-        forced: Option<StepKind>,
         iterate: &'a mut State<T>,
     ) -> Self {
         let (load, control) = match task.target {
@@ -53,7 +52,7 @@ impl<'a, T: Real, C: Ceiling<T>> Run<'a, T, C> {
             iterate,
             load,
             control,
-            memory: Memory::new(forced),
+            memory: Memory::new(),
             first_level: None,
             transforms: 0.0,
         }
@@ -167,12 +166,11 @@ pub(super) struct Memory {
     best: f64,
     since: usize,
     kind: StepKind,
-    is_forced: bool,
 }
 
 impl Memory {
-    /// Before the first step. Tests force a kind.
-    pub(super) fn new(forced: Option<StepKind>) -> Self {
+    /// Before the first step.
+    pub(super) fn new() -> Self {
         Self {
             tau: 1.0,
             alpha: 1.5,
@@ -184,8 +182,7 @@ impl Memory {
             residual: f64::INFINITY,
             best: f64::INFINITY,
             since: 0,
-            kind: forced.unwrap_or(StepKind::Chord),
-            is_forced: forced.is_some(),
+            kind: StepKind::Chord,
         }
     }
 
@@ -202,12 +199,10 @@ impl Memory {
         } else {
             self.since += 1;
         }
-        if !self.is_forced {
-            match self.since {
-                0 => self.kind = StepKind::Chord,
-                STALL => self.kind = StepKind::Gradient,
-                _ => {}
-            }
+        match self.since {
+            0 => self.kind = StepKind::Chord,
+            STALL => self.kind = StepKind::Gradient,
+            _ => {}
         }
         self.kind
     }
