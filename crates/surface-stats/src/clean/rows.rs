@@ -29,8 +29,8 @@ const LEAST_RATIO: f64 = 4.0;
 /// rows resolve: 1 is a wave of six rows, 2 independent jumps, 3 independent rows.
 const LEAST_ROUGHNESS: f64 = 1.0;
 
-/// Rows that must jump at least: fewer are edges of the surface, steps or terraces.
-const LEAST_JUMPING: f64 = 6.0;
+/// Rows that must jump at least, up and down, or the part of all: fewer are edges of the surface, steps or terraces.
+const LEAST_JUMPING: [f64; 2] = [6.0, 0.125];
 
 /// Rows and columns below which medians say nothing.
 const FEWEST: usize = 32;
@@ -53,20 +53,20 @@ pub fn row_offsets(grid: Grid, heights: &[f64]) -> Result<RowOffsets, StatsError
     let rows_jump = ny >= FEWEST
         && share >= LEAST_SHARE
         && change >= LEAST_ROUGHNESS * square
-        && how_many(&jumps_of_rows) >= LEAST_JUMPING
+        && are_many(&jumps_of_rows)
         && share >= LEAST_RATIO * jumps(nx, ny, |line, i| heights[i * nx + line]).1;
     let jump = (square / jumps_of_rows.len().max(1) as f64).sqrt();
     let warning = rows_jump.then_some(Warning::RowsJump { jump, share });
     Ok(RowOffsets { offsets, jump, warning })
 }
 
-/// How many jumps make up the sum of their squares, (Σ jump²)² / Σ jump⁴, where they go both ways; none of a staircase, no
-/// number without a jump.
-fn how_many(jumps: &[f64]) -> f64 {
+/// Whether many jumps make up the sum of their squares, (Σ jump²)² / Σ jump⁴; more, if all go one way as of a staircase.
+fn are_many(jumps: &[f64]) -> bool {
     let largest = jumps.iter().fold(0.0, |a: f64, j| a.max(j.abs()));
     let sum = |term: fn(f64) -> f64| jumps.iter().map(|j| term(j / largest)).sum::<f64>();
     let one_way = sum(|j| j) / sum(f64::abs);
-    sum(|j| j * j).powi(2) / sum(|j| j.powi(4)) * (1.0 - one_way * one_way)
+    let (count, [both_ways, part]) = (sum(|j| j * j).powi(2) / sum(|j| j.powi(4)), LEAST_JUMPING);
+    count * (1.0 - one_way * one_way) >= both_ways || count >= part * jumps.len() as f64
 }
 
 /// Takes the line of least squares off.
@@ -188,7 +188,7 @@ mod tests {
                 |y, x| 4e-9 * y - 2e-9 * x,
                 |y, _| if y < 60.0 { 0.0 } else { 2e-6 },
                 |y, _| 4e-7 * (y / 30.0).floor(),
-                |y, _| 4e-7 * (y / 5.0).floor(),
+                |y, _| 4e-7 * (y / 9.0).floor(),
                 |y, x| 1e-6 * (0.02 * (y + x)).sin(),
             ];
             for (k, shape) in shapes.iter().enumerate() {
