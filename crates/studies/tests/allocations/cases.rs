@@ -177,7 +177,7 @@ fn statistics(map: &HeightMap) -> Vec<Case> {
         black_box(SurfaceStatistics::of(map, &options).expect("a surface"));
     };
     vec![
-        Case::on(package, "m2 and m4 (for GW, BGT, elliptical)", (map, 0.03), || {
+        Case::on(package, "m2 and m4 (for GW, BGT, elliptical)", (map, 0.01), || {
             black_box(moments(map, Edges::Open).expect("a surface"));
         }),
         Case::on(package, "radial spectrum (for Persson)", (map, 1.2), || {

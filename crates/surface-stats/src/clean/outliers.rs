@@ -97,7 +97,6 @@ pub fn find_outliers(grid: Grid, heights: &[f64], threshold: f64) -> Result<Outl
 /// Rows looked at together.
 const BLOCK: usize = 64;
 
-/// Rows of a map with what is around them.
 struct Neighbourhood {
     /// The rows and a rim as wide as two neighbours in line are away; beyond the map missing points.
     heights: Vec<f64>,
