@@ -1,6 +1,7 @@
 //! Slopes and curvatures by finite differences.
 
 use crate::clean::row_offsets;
+use crate::linear::sum;
 use crate::{HeightStatistics, StatsError, Warning};
 use contact_types::{HeightMap, Named, SpectralMoments};
 
@@ -63,11 +64,19 @@ pub fn moments(
     map: &HeightMap,
     edges: Edges,
 ) -> Result<(SpectralMoments, Vec<Warning>), StatsError> {
-    let (heights, differences) = (HeightStatistics::of(map), DirectionalMoments::of(map, edges)?);
-    let moments = differences.isotropic(heights.rms_height.powi(2));
+    let (moments, heights, differences) = by_differences(map, edges)?;
     let bandwidth = Some(moments.bandwidth()).filter(|b| b.is_finite());
     let shape = Warning::of_distribution(heights.skewness, heights.kurtosis, bandwidth);
     Ok((moments, [differences.uneven(map)].into_iter().chain(shape).flatten().collect()))
+}
+
+/// The moments alone, and what they are made of.
+pub(crate) fn by_differences(
+    map: &HeightMap,
+    edges: Edges,
+) -> Result<(SpectralMoments, HeightStatistics, DirectionalMoments), StatsError> {
+    let (heights, differences) = (HeightStatistics::of(map), DirectionalMoments::of(map, edges)?);
+    Ok((differences.isotropic(heights.rms_height.powi(2)), heights, differences))
 }
 
 /// Mean absolute slope of a map along both axes \[-\], by differences of neighbours; of an isotropic Gaussian surface
@@ -92,7 +101,7 @@ impl DirectionalMoments {
         let heights = map.heights();
         let row = |iy: usize| &heights[(iy % ny) * nx..(iy % ny + 1) * nx];
         let periodic = edges == Edges::Periodic;
-        let mut sums: [Terms; 7] = Default::default();
+        let mut sums = [(0.0, 0); 7];
         let mut line = Vec::with_capacity(nx + 2); // a row with what lies beyond its ends
         for iy in 0..ny {
             let (here, next, above) = (row(iy), row(iy + 1), row(iy + ny - 1));
@@ -164,20 +173,13 @@ fn square(x: f64) -> f64 {
     x * x
 }
 
-/// A sum of terms, and how many there are.
-pub(crate) type Terms = (f64, usize);
-
-/// Adds the terms of a row, eight at a time.
-pub(crate) fn add((sum, count): &mut Terms, mut terms: impl ExactSizeIterator<Item = f64>) {
+/// Adds the terms of a row and counts them.
+pub(crate) fn add((all, count): &mut (f64, usize), terms: impl ExactSizeIterator<Item = f64>) {
     *count += terms.len();
-    let mut sums = [0.0; 8];
-    while terms.len() > 0 {
-        sums.iter_mut().zip(&mut terms).for_each(|(sum, term)| *sum += term);
-    }
-    *sum += sums.iter().sum::<f64>();
+    *all += sum(terms);
 }
 
-pub(crate) fn mean((sum, count): Terms) -> f64 {
+pub(crate) fn mean((sum, count): (f64, usize)) -> f64 {
     sum / count as f64
 }
 

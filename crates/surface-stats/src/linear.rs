@@ -4,6 +4,15 @@
 /// their coefficients are 0.
 const RANK_TOLERANCE: f64 = 1e-12;
 
+/// Sum of terms, eight at a time: the processor need not wait for each.
+pub(crate) fn sum(mut terms: impl ExactSizeIterator<Item = f64>) -> f64 {
+    let mut sums = [0.0; 8];
+    while terms.len() > 0 {
+        sums.iter_mut().zip(&mut terms).for_each(|(sum, term)| *sum += term);
+    }
+    sums.iter().sum()
+}
+
 /// Sums `b bᵀ` and `b r` over points with basis values `b` and residuals `r`.
 pub(crate) struct NormalEquations {
     /// Rows of the lower triangle.

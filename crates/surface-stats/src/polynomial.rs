@@ -3,7 +3,7 @@
 //! In Legendre polynomials of coordinates scaled to -1..1, which condition the normal equations, and repeated on the
 //! residual, so that a form a million times higher than the roughness leaves no trace of its own rounding.
 
-use crate::linear::NormalEquations;
+use crate::linear::{NormalEquations, sum};
 use crate::{StatsError, scale};
 use contact_types::{Grid, HeightMap};
 use grid_fft::parallel::{self, prelude::*};
@@ -101,7 +101,8 @@ impl Polynomial {
             let valid = (0..nx).filter(|&ix| !row[ix].is_nan());
             let own = row.iter().any(|z| z.is_nan()).then(|| products(&columns, &valid));
             row.iter_mut().filter(|z| z.is_nan()).for_each(|z| *z = 0.0);
-            sums.iter_mut().zip(&columns).for_each(|(sum, column)| *sum = dot(column, row));
+            let dot = |column: &[f64]| sum(column.iter().zip(&*row).map(|(p, z)| p * z));
+            sums.iter_mut().zip(&columns).for_each(|(sum, column)| *sum = dot(column));
             (rows, sums, own)
         };
         let blocks: Vec<usize> = (0..ny).step_by(TILE).collect();
@@ -125,15 +126,6 @@ impl Polynomial {
 /// Legendre polynomials of x by degree and pixel.
 fn columns(nx: usize, degree: usize) -> Vec<Vec<f64>> {
     (0..=degree).map(|k| (0..nx).map(|ix| legendre(scaled(ix, nx))[k]).collect()).collect()
-}
-
-/// Sum of products, of which the processor takes several at a time.
-fn dot(a: &[f64], b: &[f64]) -> f64 {
-    let mut sums = [0.0; 8];
-    for (a, b) in a.chunks(8).zip(b.chunks(8)) {
-        sums.iter_mut().zip(a.iter().zip(b)).for_each(|(sum, (a, b))| *sum += a * b);
-    }
-    sums.iter().sum()
 }
 
 /// `sum_ix P_i(u) P_j(u)` over the pixels given, as a square matrix.

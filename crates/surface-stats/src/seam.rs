@@ -1,6 +1,6 @@
 //! Whether the opposite edges of a map meet.
 
-use crate::differences::{Terms, add, mean};
+use crate::differences::{add, mean};
 use contact_types::HeightMap;
 
 /// Jump across the seam over those inside up to which a map counts as one that repeats.
@@ -22,8 +22,9 @@ pub(crate) fn seam_jump_on(map: &HeightMap, rise: [f64; 2]) -> f64 {
     let [ny, nx] = map.grid().shape();
     let row = |iy: usize| &map.heights()[iy * nx..(iy + 1) * nx];
     let back = [rise[0] * (1.0 - ny as f64), rise[1] * (1.0 - nx as f64)];
-    let mut sums: [Terms; 4] = Default::default();
-    for (iy, here) in (0..ny).map(|iy| (iy, row(iy))) {
+    let mut sums = [(0.0, 0); 4];
+    for iy in 0..ny {
+        let here = row(iy);
         let mut jumps = |k: usize, from: &[f64], to: &[f64], rise: f64| {
             add(&mut sums[k], from.iter().zip(to).map(|(a, b)| (b - a - rise).powi(2)));
         };

@@ -1,10 +1,10 @@
 //! Whether two surfaces know of each other.
 
 use super::Composite;
-use crate::differences::DirectionalMoments;
+use crate::differences::by_differences;
 use crate::spectrum::PowerSpectrum;
-use crate::{Edges, HeightStatistics, Level, StatsError, repeats};
-use contact_types::{HeightMap, SpectralMoments};
+use crate::{Edges, Level, StatsError, repeats};
+use contact_types::SpectralMoments;
 
 /// Moments of two bodies and of their sum. Those of independent surfaces add.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -38,13 +38,9 @@ impl Independence {
             let powers = [PowerSpectrum::of(&a, seam)?, PowerSpectrum::of(&b, seam)?];
             spread(&powers, a.grid().pixel())
         };
-        let of = |map: &HeightMap| {
-            let rms = HeightStatistics::of(map).rms_height;
-            Ok::<_, StatsError>(DirectionalMoments::of(map, edges)?.isotropic(rms * rms))
-        };
-        let bodies = [of(&a)?, of(&b)?];
+        let bodies = [by_differences(&a, edges)?.0, by_differences(&b, edges)?.0];
         drop([a, b]);
-        let composite = of(&sum)?;
+        let composite = by_differences(&sum, edges)?.0;
         let parts = |m: SpectralMoments| [m.m0, m.m2, m.m4];
         let sums = [0, 1, 2].map(|k| parts(bodies[0])[k] + parts(bodies[1])[k]);
         let share = |k: usize, of: f64| if sums[k] > 0.0 { of / sums[k] } else { 0.0 };
