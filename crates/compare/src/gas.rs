@@ -3,15 +3,16 @@
 use asperity_models::thermal_conductance::temperature_jump;
 use contact_types::{ModelError, Named, require};
 use serde::{Deserialize, Serialize};
+use std::f64::consts::FRAC_PI_2;
 
 /// What of a gas the table has.
 #[derive(Debug, Clone, Copy)]
 struct GasProperties {
     /// Thermal conductivity at [`TEMPERATURES`] (W/m/K): Smirnov, *Fundamentals of Ionized Gases* (2012), table 4.6.
     conductivity: [f64; 7],
-    /// Mean free path at 298 K and 1 atm (m): Karniadakis, Beskok & Aluru, *Microflows and Nanoflows* (2005), table 1.1.
-    free_path: f64,
-    /// Prandtl number μ c_p/k, of viscosity, specific heat and conductivity in the same table.
+    /// Specific heat c_p (J/kg/K): Karniadakis, Beskok & Aluru, *Microflows and Nanoflows* (2005), table 1.1.
+    heat: f64,
+    /// Prandtl number μ c_p/k, of viscosity and conductivity at 298 K in the same table.
     prandtl: f64,
     /// Ratio of specific heats of an ideal gas: 7/5 of two atoms, 5/3 of one.
     heat_ratio: f64,
@@ -19,8 +20,6 @@ struct GasProperties {
 
 const TEMPERATURES: [f64; 7] = [100.0, 200.0, 300.0, 400.0, 600.0, 800.0, 1000.0];
 const ATMOSPHERE: f64 = 101_325.0;
-/// Temperature of the free paths (K).
-const OF_PATHS: f64 = 298.0;
 
 /// A gas of the table.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize)]
@@ -44,28 +43,20 @@ impl Named for Gas {
 
 impl Gas {
     fn row(self) -> GasProperties {
-        let (conductivity, free_path, prandtl, heat_ratio) = match self {
-            Self::Air => {
-                ([0.95, 1.83, 2.62, 3.28, 4.69, 5.73, 6.67], 61.11, 1.85e-5 * 1004.5 / 0.0261, 1.4)
+        let (conductivity, heat, viscosity, at_298, heat_ratio) = match self {
+            Self::Air => ([0.95, 1.83, 2.62, 3.28, 4.69, 5.73, 6.67], 1004.5, 1.85e-5, 0.0261, 1.4),
+            Self::Helium => {
+                ([7.2, 11.5, 15.1, 18.4, 25.0, 30.4, 35.4], 5233.5, 1.99e-5, 0.150, 5.0 / 3.0)
             }
-            Self::Helium => (
-                [7.2, 11.5, 15.1, 18.4, 25.0, 30.4, 35.4],
-                176.51,
-                1.99e-5 * 5233.5 / 0.150,
-                5.0 / 3.0,
-            ),
-            Self::Argon => (
-                [0.66, 1.26, 1.77, 2.22, 3.07, 3.74, 4.36],
-                64.41,
-                2.29e-5 * 515.0 / 0.0177,
-                5.0 / 3.0,
-            ),
+            Self::Argon => {
+                ([0.66, 1.26, 1.77, 2.22, 3.07, 3.74, 4.36], 515.0, 2.29e-5, 0.0177, 5.0 / 3.0)
+            }
             Self::Nitrogen => {
-                ([0.96, 1.83, 2.59, 3.27, 4.46, 5.48, 6.47], 60.44, 1.80e-5 * 1038.3 / 0.0260, 1.4)
+                ([0.96, 1.83, 2.59, 3.27, 4.46, 5.48, 6.47], 1038.3, 1.80e-5, 0.0260, 1.4)
             }
         };
         let conductivity = conductivity.map(|k| 0.01 * k);
-        GasProperties { conductivity, free_path: 1e-9 * free_path, prandtl, heat_ratio }
+        GasProperties { conductivity, heat, prandtl: viscosity * heat / at_298, heat_ratio }
     }
 }
 
@@ -119,10 +110,13 @@ impl GapGas {
         list[i - 1] * (list[i] / list[i - 1]).powf(part)
     }
 
-    /// Mean free path (m), as temperature over pressure.
+    /// Mean free path (m) by the viscosity `μ = Pr k/c_p`: `Λ = (μ/p) √(π R T/2)`, with which gas in a gap far below it
+    /// conducts as free molecules do.
     pub fn free_path(&self) -> f64 {
-        let row = self.gas.row();
-        row.free_path * (self.temperature / OF_PATHS) * (ATMOSPHERE / self.pressure)
+        let GasProperties { heat, prandtl, heat_ratio, .. } = self.gas.row();
+        let gas_constant = heat * (1.0 - 1.0 / heat_ratio);
+        let viscosity = prandtl * self.conductivity() / heat;
+        viscosity / self.pressure * (FRAC_PI_2 * gas_constant * self.temperature).sqrt()
     }
 
     /// Length of the temperature jumps at both walls, M (m); NaN of a gas that is refused.
@@ -151,6 +145,7 @@ fn full() -> [f64; 2] {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use std::f64::consts::PI;
 
     /// Air at 1 bar: M of about 0.4 µm at the usual accommodation; twice the gas, half the path.
     #[test]
@@ -161,10 +156,17 @@ mod tests {
         assert!((air.jump() / air.free_path() / 4.17 - 1.0).abs() < 0.01, "{}", air.jump());
         let dense = GapGas { pressure: 2.0 * ATMOSPHERE, ..air };
         assert!((dense.jump() * 2.0 / air.jump() - 1.0).abs() < 1e-14);
+        // 67.3 nm at 25 °C, Jennings (1988), doi:10.1016/0021-8502(88)90219-4
+        assert!((air.free_path() / 67.3e-9 - 1.0).abs() < 0.01, "{}", air.free_path());
         for (i, t) in TEMPERATURES.into_iter().enumerate() {
             for gas in Gas::all() {
-                let found = GapGas { temperature: t, ..GapGas::new(gas) }.conductivity();
-                assert!((found / gas.row().conductivity[i] - 1.0).abs() < 1e-14);
+                let found = GapGas { temperature: t, pressure: 1e-3, ..GapGas::new(gas) };
+                let row = gas.row();
+                assert!((found.conductivity() / row.conductivity[i] - 1.0).abs() < 1e-14);
+                // Free molecules between walls of full accommodation: (γ + 1)/(γ − 1) p √(R/(8 π T)), Kennard (1938).
+                let (ratio, r) = (row.heat_ratio, row.heat * (1.0 - 1.0 / row.heat_ratio));
+                let free = (ratio + 1.0) / (ratio - 1.0) * 1e-3 * (r / (8.0 * PI * t)).sqrt();
+                assert!((found.conductivity() / found.jump() / free - 1.0).abs() < 1e-13);
             }
         }
     }

@@ -95,7 +95,7 @@ pub fn joint_words(joint: &Joint, gaps: &[f64]) -> String {
             let k = significant(gas.conductivity(), 3);
             let radiation = significant(4.0 * STEFAN_BOLTZMANN * gas.temperature.powi(3), 2);
             format!(
-                "In the gap {name} at {temperature}{SPACE}K and {pressure}, {k}{SPACE}W/m/K, jumps of temperature M = {jump} (accommodation {a} and {b}; at 1 it conducts most){regime}. Radiation adds at most {radiation}{SPACE}W/m²/K."
+                "In the gap {name} at {temperature}{SPACE}K and {pressure}, {k}{SPACE}W/m/K, jumps of temperature M = {jump} (accommodation {a} and {b}; at 1 it conducts most){regime}. Far-field radiation adds at most {radiation}{SPACE}W/m²/K."
             )
         }
     };
