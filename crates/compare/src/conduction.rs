@@ -146,7 +146,10 @@ impl SurfaceComparison {
 impl Joint {
     /// What a contact set with this stiffness (Pa/m) conducts, and the gas beside it, with their uncertainties.
     pub fn of_budget(&self, stiffness: f64, budget: &Budget, modulus: ContactModulus) -> Conducted {
-        let estimate = budget.stiffness.filter(|_| stiffness > 0.0 && stiffness.is_finite());
+        let mut estimate = budget.stiffness.filter(|_| stiffness > 0.0 && stiffness.is_finite());
+        // At a load the conductance answers to E* and H as the area does, about.
+        let spread = budget.area.materials / budget.area.value;
+        estimate.iter_mut().for_each(|k| k.materials = stiffness * spread);
         let set = Conductance { value: stiffness, estimate }.times(1.0 / modulus.pascals());
         let gas = budget.gas.map(Conductance::from);
         self.conducted(set, gas, budget.mean_pressure.value)

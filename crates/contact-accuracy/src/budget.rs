@@ -34,6 +34,13 @@ fn answering(area: f64) -> f64 {
     area * (1.0 - area * area).max(0.0).sqrt()
 }
 
+/// Shares of load and touching area at the hardness.
+fn at_hardness(solution: &Solution) -> [f64; 2] {
+    let touching = solution.touching_fraction();
+    let yielded = solution.diagnostics.yielded.filter(|_| touching > 0.0);
+    yielded.map_or([0.0; 2], |y| [y.load_share, (y.area_fraction / touching).min(1.0)])
+}
+
 impl Budget {
     /// Of a solution for `given`, the set that was asked for its stiffness and a gas of this temperature jump (m), on a
     /// map of which `map` tells.
@@ -58,13 +65,14 @@ impl Budget {
         let mut gas = own.gas.map(|gas| uncertain.gas(gas, mean_gap.as_ref(), &area));
         let residual = set.map_or(0.0, |set| set.residual);
         let mut stiffness = own.stiffness.map(|k| uncertain.stiffness(k, residual, &area));
-        // An isolated contact is no sample of a surface that goes on; of one that yields it was not studied.
-        let yields = found.yielded.is_some_and(|yielded| yielded.area_fraction > 0.0);
-        let goes_on = found.boundary == Boundary::Periodic && !yields;
+        // An isolated contact is no sample of a surface that goes on.
+        let goes_on = found.boundary == Boundary::Periodic;
         if let Some([of_area, of_gap, of_stiffness]) =
             goes_on.then(|| sampling(solution, map.height_scatter)).flatten()
         {
-            area.sampling = Some(of_area * answering(area.value));
+            // What is at the hardness is its load over that on every map.
+            let [_, yielded] = at_hardness(solution);
+            area.sampling = Some(of_area * answering(area.value) * (1.0 - yielded));
             // Where the gap is wide beside the temperature jumps the gas scatters as it does, elsewhere less.
             let others =
                 [(&mut mean_gap, of_gap), (&mut gas, of_gap), (&mut stiffness, of_stiffness)];
@@ -112,10 +120,7 @@ impl Budget {
         [modulus, hardness]: [f64; 2],
         solution: &Solution,
     ) -> Self {
-        let touching = solution.touching_fraction();
-        let yielded = solution.diagnostics.yielded.filter(|_| touching > 0.0);
-        let [load, area] =
-            yielded.map_or([0.0; 2], |y| [y.load_share, (y.area_fraction / touching).min(1.0)]);
+        let [load, area] = at_hardness(solution);
         let of_modulus = (1.0 - area) * modulus * answering(self.area.value);
         self.area.materials = of_modulus.hypot(load * hardness * self.area.value);
         self.area.least[1] = self.area.least[0] * (-hardness).exp();

@@ -158,6 +158,10 @@ impl Estimate {
     #[must_use]
     pub fn plus(self, other: Self) -> Self {
         let both = |a: Option<f64>, b: Option<f64>| Some(a? + b?);
+        let lows = |e: &Self| {
+            [e.interval().ok(), e.prediction()].map(|ends| ends.map_or(0.0, |[low, _]| low))
+        };
+        let (own, others) = (lows(&self), lows(&other));
         Self {
             value: self.value + other.value,
             uncertainty: self
@@ -165,7 +169,7 @@ impl Estimate {
                 .and_then(|a| Ok(a.with(other.uncertainty?, |a, b| a + b))),
             sampling: both(self.sampling, other.sampling),
             materials: self.materials + other.materials,
-            least: [0, 1].map(|i| self.least[i] + other.least[i]),
+            least: [0, 1].map(|i| own[i] + others[i]),
             most: self.most + other.most,
         }
     }
@@ -192,5 +196,23 @@ impl Estimate {
         // Rounding may leave a number just below the least, where no end may follow.
         let low = (self.value - half).max(least).min(self.most);
         [low, (self.value + half).min(self.most).max(low)]
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// Where one of two may be nothing, the other is still there.
+    #[test]
+    fn a_sum_is_at_least_its_parts() {
+        let of = |value, coarser| {
+            let parts = Parts { coarser, ..Parts::default() };
+            Estimate { sampling: Some(0.0), ..Estimate::above_zero(value, Ok(parts)) }
+        };
+        for both in [of(1.0, 3.0).plus(of(10.0, 2.0)), of(10.0, 2.0).plus(of(1.0, 3.0))] {
+            assert_eq!(both.interval(), Ok([8.0, 16.0]));
+            assert_eq!(both.prediction(), Some([8.0, 16.0]));
+        }
     }
 }
