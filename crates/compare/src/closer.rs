@@ -73,7 +73,7 @@ impl SurfaceComparison {
         let load = Load::MeanPressure(self.headline_pressure());
         solver.take_surface(&whole).ok()?;
         let start = |i: usize| self.pressure[i];
-        let is_one = self.pressure.len() == whole.grid().len();
+        let is_one = whole.grid() == self.solved_map().grid() && !self.pressure.is_empty();
         let start = is_one.then_some(&start as &(dyn Fn(usize) -> f64 + Sync));
         let found = solver.solve_again(load, start, |now| watch.iteration(now));
         Some((solver, found.ok()?))

@@ -198,7 +198,7 @@ fn compare(
     if settings.hardness.is_some() {
         let elastic = settings.solver().hardness(f64::INFINITY).maps(Maps::Pressure);
         let elastic = Setup { mirrored, ..Setup::new(elastic, modulus) };
-        let mut ladder = Ladder::new(found.surface.clone(), elastic).map_err(refused)?;
+        let mut ladder = Ladder::new(found.solved_map().clone(), elastic).map_err(refused)?;
         found.elastic = elastic_beside(&found, &mut ladder, materials, progress)?;
     }
 

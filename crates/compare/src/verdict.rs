@@ -37,7 +37,7 @@ pub(crate) fn verdict(
         Ok(curve) => curve,
         Err(error) => {
             let dimension = match error {
-                BuildError::Missing { needs, .. } if needs.contains("fractal") => inputs.dimension,
+                BuildError::Missing { .. } if card.assumes == Assumes::Fractal => inputs.dimension,
                 _ => None,
             };
             let reasons = vec![Reason::Refused { error: error.clone(), dimension }];

@@ -48,6 +48,20 @@ fn model<'a>(surface: &'a SurfaceComparison, name: &str) -> &'a ModelComparison 
 
 const LOADS: [f64; 3] = [20e6, 100e6, 500e6];
 
+/// Bodies that yield and elastic ones on one grid.
+#[test]
+fn a_fast_study_stands_beside_the_fast_elastic_one() {
+    let fast = |hardness| {
+        let pressures = Some(LOADS.to_vec());
+        let settings = Settings { hardness, pressures, fast: true, ..Settings::default() };
+        study(settings).unwrap().surfaces.remove(0)
+    };
+    let (yielding, elastic) = (fast(Some(4e9)), fast(None));
+    for (beside, alone) in yielding.elastic.iter().zip(&elastic.deterministic) {
+        assert!((area(beside) / area(alone) - 1.0).abs() < 1e-3);
+    }
+}
+
 /// Theories of elastic bodies are judged by the elastic study.
 #[test]
 fn the_elastic_study_stands_beside_that_of_bodies_that_yield() {

@@ -72,7 +72,7 @@ pub(crate) fn or_yielded(surface: &SurfaceComparison) -> String {
 pub(crate) fn share(surface: &SurfaceComparison) -> String {
     let share = surface.headline_answer().and_then(|a| {
         let yielded = a.diagnostics.yielded?.area_fraction;
-        (yielded > 0.0).then(|| (yielded / a.area_fraction).min(1.0))
+        (yielded > 0.0).then(|| (yielded / a.touching_fraction).min(1.0))
     });
     share.map_or_else(String::new, |share| {
         format!(", <b>{}</b> of that at the hardness", percent(share))
