@@ -42,7 +42,7 @@ pub(crate) fn profile<'py>(
     });
     let given = given.transpose().map_err(|e| raise(&e))?;
     let level = form(level)?;
-    let found = quietly(py, threads, move || traces(&how, level, given))?;
+    let found = quietly(py, threads, move || traces(how, level, given))?;
     let (traces, json) = found.map_err(|e| e.raise(Path::new(path)))?;
     let ProfileSurface { name, origin, traces, uneven } = traces;
     let (count, points) = (traces.len(), traces.first().map_or(0, |trace| trace.heights().len()));
@@ -54,12 +54,12 @@ pub(crate) fn profile<'py>(
 }
 
 fn traces(
-    how: &FileReading,
+    mut how: FileReading,
     level: Level,
     given: Option<Vec<Measurement>>,
 ) -> Result<(ProfileSurface, String), Unread> {
+    let measurements = given.map_or_else(|| how.measurements(), Ok)?;
     let path = Path::new(&how.file.path);
-    let measurements = given.map_or_else(|| how.measurements(path), Ok)?;
     let refused = |why: &str| {
         Err(Unread::Other(Failure::refused("profile", format!("{}: {why}", path.display()))))
     };
@@ -78,7 +78,7 @@ fn traces(
     }
     let (_, fill) = contact_front_end::reading(&how.file)?;
     let traces = contact_front_end::traces(measurements, how.file.clone(), fill)
-        .map_err(|e| unmade(path, &e, how))?;
+        .map_err(|e| unmade(path, &e, &how))?;
     let (_, json) = contact_front_end::profile_statistics(path, &traces, level)?;
     Ok((traces, json.to_string()))
 }
@@ -118,22 +118,17 @@ pub(crate) fn profile_model(
     found.map_err(|e| raise(&e))
 }
 
-/// What `rough-contact compare` answers of profiles: its files. `hashes` are those of the files of the traces.
+/// What `rough-contact compare` answers of profiles: its files.
 #[pyfunction]
 pub(crate) fn profile_study(
     py: Python<'_>,
     profiles: Vec<(PyReadonlyArray2<'_, f64>, String, String)>,
     settings: &str,
-    hashes: Vec<String>,
 ) -> PyResult<BTreeMap<String, String>> {
     let settings: Settings = serde_json::from_str(settings).map_err(|e| bug(&e))?;
     let mut given = Vec::with_capacity(profiles.len());
-    for ((heights, facts, name), hash) in profiles.iter().zip(hashes) {
-        let mut traces = ProfileSurface { name: name.clone(), ..kept(heights, facts)? };
-        if let Origin::File(file) = &mut traces.origin {
-            file.sha256 = hash;
-        }
-        given.push(traces);
+    for (heights, facts, name) in &profiles {
+        given.push(ProfileSurface { name: name.clone(), ..kept(heights, facts)? });
     }
     let threads = settings.threads;
     let found = quietly(py, threads, move || -> Result<_, Failure> {

@@ -1,13 +1,13 @@
 //! What is said of a file before it is read, and why it may give no surface.
 
 use crate::failure::{bug, raise};
-use contact_compare::{FileOrigin, Surface};
+use contact_compare::{FileOrigin, Surface, sha256_hex};
 use contact_front_end::{Failure, Incomplete, reading};
 use pyo3::exceptions::PyOSError;
 use pyo3::{PyErr, PyResult};
 use serde::{Deserialize, Serialize};
 use std::path::Path;
-use surface_io::{Cut, FillError, Layout, Measurement, ReadError};
+use surface_io::{Cut, FillError, Layout, Measurement, ReadError, load, read_traces_bytes};
 
 #[derive(Debug, Clone, Default, Deserialize, Serialize)]
 #[serde(deny_unknown_fields)]
@@ -32,20 +32,19 @@ impl FileReading {
         Ok(Self { content, ..how })
     }
 
-    /// Every trace of a file of several; one measurement of any other file.
-    pub(crate) fn measurements(&self, path: &Path) -> Result<Vec<Measurement>, Unread> {
+    /// Every trace of a file of several; one measurement of any other file. The hash of what was read is kept.
+    pub(crate) fn measurements(&mut self) -> Result<Vec<Measurement>, Unread> {
         let (options, _) = reading(&self.file)?;
-        let all = match &self.content {
-            Some(bytes) => surface_io::read_traces_bytes(bytes, &options),
-            None => surface_io::read_traces(path, &options),
-        };
-        let all = all.map_err(Unread::File)?;
+        let bytes = self.content.take().map_or_else(|| load(&self.file.path, &options.limits), Ok);
+        let bytes = bytes.map_err(Unread::File)?;
+        self.file.sha256 = sha256_hex(&bytes);
+        let all = read_traces_bytes(&bytes, &options).map_err(Unread::File)?;
         all.into_iter().map(|m| self.part(m)).collect()
     }
 
     /// The one measurement of a file; of several traces the first.
-    pub(crate) fn measurement(&self, path: &Path) -> Result<Measurement, Unread> {
-        Ok(self.measurements(path)?.swap_remove(0))
+    pub(crate) fn measurement(&mut self) -> Result<Measurement, Unread> {
+        Ok(self.measurements()?.swap_remove(0))
     }
 
     fn part(&self, measurement: Measurement) -> Result<Measurement, Unread> {

@@ -156,28 +156,22 @@ pub(crate) fn study_pressures(settings: &str, rms_gradient: f64) -> PyResult<Vec
 /// Files by name; what went wrong, as kind and message; the exception that stopped it.
 type Studied = (BTreeMap<String, String>, Option<(String, String)>, Option<Py<PyAny>>);
 
-/// What `rough-contact compare` answers: its files. `hashes` are those of the files of the surfaces.
+/// What `rough-contact compare` answers: its files.
 #[pyfunction]
-#[pyo3(signature = (surfaces, settings, own, hashes, progress=None, against=None))]
+#[pyo3(signature = (surfaces, settings, own, progress=None, against=None))]
 pub(crate) fn study(
     py: Python<'_>,
     surfaces: Vec<(PyReadonlyArray2<'_, f64>, String, String)>,
     settings: &str,
     own: &str,
-    hashes: Vec<String>,
     progress: Option<Py<PyAny>>,
     against: Option<Second<'_>>,
 ) -> PyResult<Studied> {
     let settings: Settings = serde_json::from_str(settings).map_err(|e| bug(&e))?;
     let own: Vec<OwnModel> = serde_json::from_str(own).map_err(|e| bug(&e))?;
     let mut given = Vec::with_capacity(surfaces.len());
-    for ((heights, facts, name), hash) in surfaces.iter().zip(hashes) {
-        let (mut surface, _) = surface_of(heights, facts)?;
-        surface.name.clone_from(name);
-        if let Origin::File(file) = &mut surface.origin {
-            file.sha256 = hash;
-        }
-        given.push(surface);
+    for (heights, facts, name) in &surfaces {
+        given.push(Surface { name: name.clone(), ..surface_of(heights, facts)?.0 });
     }
     let laid = LaidBody::of(against.as_ref())?;
     let mut registry = contact_compare::built_in().clone();

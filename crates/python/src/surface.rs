@@ -87,7 +87,7 @@ pub(crate) fn surface_of(
     Ok((surface, facts))
 }
 
-/// A second body: heights, facts, and how it is laid on the first, as JSON.
+/// A second body: heights, facts, and where it lies on the first, as JSON.
 pub(crate) type Second<'py> = (PyReadonlyArray2<'py, f64>, String, String);
 
 /// A second body that is to be laid on another.
@@ -95,32 +95,18 @@ pub(crate) type Second<'py> = (PyReadonlyArray2<'py, f64>, String, String);
 pub(crate) struct LaidBody {
     second: Surface,
     placing: Placing,
-    /// SHA-256 of the files of both, empty where there is none.
-    hashes: [String; 2],
 }
 
 impl LaidBody {
     pub(crate) fn of(against: Option<&Second<'_>>) -> PyResult<Option<Self>> {
-        #[derive(Deserialize)]
-        struct LaidHow {
-            placing: Placing,
-            hashes: [String; 2],
-        }
-        let Some((heights, facts, how)) = against else { return Ok(None) };
-        let LaidHow { placing, hashes } = serde_json::from_str(how).map_err(|e| bug(&e))?;
+        let Some((heights, facts, placing)) = against else { return Ok(None) };
+        let placing = serde_json::from_str(placing).map_err(|e| bug(&e))?;
         let (second, _) = surface_of(heights, facts)?;
-        Ok(Some(Self { second, placing, hashes }))
+        Ok(Some(Self { second, placing }))
     }
 
     /// The first with the second on it. Not on a thread of Python: it computes.
-    pub(crate) fn on(mut self, mut first: Surface, level: Level) -> Result<Surface, Failure> {
-        for (body, hash) in [&mut first, &mut self.second].into_iter().zip(self.hashes) {
-            if let Origin::File(file) = &mut body.origin
-                && file.sha256.is_empty()
-            {
-                file.sha256 = hash;
-            }
-        }
+    pub(crate) fn on(self, first: Surface, level: Level) -> Result<Surface, Failure> {
         pressed(first, self.second, &self.placing, level)
     }
 }
@@ -185,10 +171,10 @@ pub(crate) fn read<'py>(
     threads: usize,
     content: Option<Vec<u8>>,
 ) -> PyResult<MadeSurface<'py>> {
-    let how = FileReading::of(path, request, content)?;
+    let mut how = FileReading::of(path, request, content)?;
     let found = quietly(py, threads, move || {
-        let (path, at) = (&how.file.path, Path::new(&how.file.path));
-        let measurement = how.measurement(at)?;
+        let measurement = how.measurement()?;
+        let path = &how.file.path;
         let said = contact_front_end::info(&measurement);
         if measurement.is_profile() {
             let message = format!(
@@ -197,13 +183,14 @@ pub(crate) fn read<'py>(
             );
             return Err(Unread::Other(Failure::refused("profile", message)));
         }
-        Ok((filled(at, measurement, &how)?, said))
+        Ok((filled(Path::new(path), measurement, &how)?, said, how.file.sha256))
     })?;
-    let (Surface { name, origin, heights }, said) = found.map_err(|e| e.raise(Path::new(path)))?;
+    let (Surface { name, origin, heights }, said, hash) =
+        found.map_err(|e| e.raise(Path::new(path)))?;
     let facts = HeightFacts::of(name, heights.grid().pixel(), origin);
     let said = json!({
         "format": said["format"], "channel": said["channel"], "channels": said["channels"],
-        "metadata": said["metadata"], "ambiguity": said["ambiguity"],
+        "metadata": said["metadata"], "ambiguity": said["ambiguity"], "sha256": hash,
     });
     made(py, heights, &facts, &said)
 }
@@ -217,11 +204,9 @@ pub(crate) fn info(
     request: &str,
     content: Option<Vec<u8>>,
 ) -> PyResult<String> {
-    let how = FileReading::of(path, request, content)?;
-    let found = quietly(py, 1, move || {
-        let file = Path::new(&how.file.path);
-        how.measurement(file).map(|m| contact_front_end::info(&m).to_string())
-    })?;
+    let mut how = FileReading::of(path, request, content)?;
+    let found =
+        quietly(py, 1, move || how.measurement().map(|m| contact_front_end::info(&m).to_string()))?;
     found.map_err(|e| e.raise(Path::new(path)))
 }
 

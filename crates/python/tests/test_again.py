@@ -29,8 +29,9 @@ def test_a_run_file_of_the_command(command, file, tmp_path):
 def test_what_cannot_be_repeated_is_refused(file, tmp_path):
     copy = tmp_path / "copy.x3p"
     copy.write_bytes(file.read_bytes())
-    rc.compare(rc.read(copy), modulus="110 GPa", pressure="100MPa", models=["gw"]).write(tmp_path / "a")
+    before = rc.read(copy)
     rc.synth((64, 48), pixel="1um", hurst=0.8, rolloff="20um", cutoff="4um", rms_height="0.4um", seed=8).write(copy, overwrite=True)
+    rc.compare(before, modulus="110 GPa", pressure="100MPa", models=["gw"]).write(tmp_path / "a")
     with pytest.raises(rc.SettingError, match="has changed since"):
         rc.rerun(tmp_path / "a" / "run.toml")
     array = rc.Surface(rc.read(file).heights, pixel="1um", height_unit="m", name="mine")

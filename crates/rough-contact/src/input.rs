@@ -118,7 +118,8 @@ impl ReadingOptions {
 
     /// Reads and crops; missing points stay missing. Of several traces the first.
     pub(crate) fn measurement(&self, path: &Path) -> Result<Measurement, Failure> {
-        measurements(path, &self.origin(path), self.crop).map(|(mut all, _)| all.swap_remove(0))
+        measurements(path, &mut self.origin(path), self.crop, false)
+            .map(|(mut all, _)| all.swap_remove(0))
     }
 }
 
@@ -138,11 +139,7 @@ pub(crate) fn from_file(
     crop: Option<Cut>,
     hashed: bool,
 ) -> Result<One, Failure> {
-    let (mut all, fill) = measurements(path, &file, crop)?;
-    if hashed {
-        let bytes = std::fs::read(path).map_err(|e| Failure::refused("io", e.to_string()))?;
-        file.sha256 = sha256_hex(&bytes);
-    }
+    let (mut all, fill) = measurements(path, &mut file, crop, hashed)?;
     if let Some(ambiguity) = all[0].ambiguity {
         tell_of(path, &reading(ambiguity));
     }
@@ -158,11 +155,16 @@ pub(crate) fn from_file(
 /// Every trace of a file of several, one measurement of any other, cropped; and how missing points are filled.
 fn measurements(
     path: &Path,
-    file: &FileOrigin,
+    file: &mut FileOrigin,
     crop: Option<Cut>,
+    hashed: bool,
 ) -> Result<(Vec<Measurement>, Fill), Failure> {
     let (options, fill) = front_end::reading(file)?;
-    let all = surface_io::read_traces(path, &options).map_err(|e| unread(path, &e))?;
+    let bytes = surface_io::load(path, &options.limits).map_err(|e| unread(path, &e))?;
+    if hashed {
+        file.sha256 = sha256_hex(&bytes);
+    }
+    let all = surface_io::read_traces_bytes(&bytes, &options).map_err(|e| unread(path, &e))?;
     let Some(measurement) = all.first() else {
         return Err(outcome::unfit(path, "empty", "nothing is there"));
     };

@@ -98,7 +98,7 @@ impl FormatSpec {
         finish(self.name, self.contents(bytes, options)?, options)
     }
 
-    /// Every trace in `bytes`, see [`read_traces`](crate::read_traces).
+    /// Every trace in `bytes`, see [`read_traces_bytes`](crate::read_traces_bytes).
     pub(crate) fn read_traces(
         &self,
         bytes: &[u8],

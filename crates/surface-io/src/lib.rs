@@ -52,5 +52,5 @@ pub use fill::Fill;
 pub use measurement::{ChannelInfo, Measurement};
 pub use need::{Ambiguity, DecimalMark, Layout, Need};
 pub use options::{HeightUnit, Limits, ReadOptions};
-pub use read::{read, read_bytes, read_traces, read_traces_bytes};
+pub use read::{load, read, read_bytes, read_traces_bytes};
 pub(crate) use units::metres_per;

@@ -14,7 +14,7 @@ use std::path::Path;
 /// [`ReadError`]: see its variants. A missing unit or pixel size is
 /// [`ReadError::MissingScale`], which tells what is needed.
 pub fn read(path: impl AsRef<Path>, options: &ReadOptions) -> Result<Measurement, ReadError> {
-    read_bytes(&load(path.as_ref(), &options.limits)?, options)
+    read_bytes(&load(path, &options.limits)?, options)
 }
 
 /// Reads a surface from the bytes of a file.
@@ -25,23 +25,12 @@ pub fn read_bytes(bytes: &[u8], options: &ReadOptions) -> Result<Measurement, Re
     recognised(bytes, options, FormatSpec::read)
 }
 
-/// Reads all traces of a file that holds several of one surface: columns of heights beside one
+/// Reads all traces from the bytes of a file that holds several of one surface: columns of heights beside one
 /// column of positions. Any other file, and any file of which a channel is asked for, gives the one
 /// measurement that [`read`] gives.
 ///
 /// # Errors
 /// As [`read`].
-pub fn read_traces(
-    path: impl AsRef<Path>,
-    options: &ReadOptions,
-) -> Result<Vec<Measurement>, ReadError> {
-    read_traces_bytes(&load(path.as_ref(), &options.limits)?, options)
-}
-
-/// The same from the bytes of a file.
-///
-/// # Errors
-/// As [`read_traces`].
 pub fn read_traces_bytes(
     bytes: &[u8],
     options: &ReadOptions,
@@ -62,7 +51,12 @@ fn recognised<T>(
     read(recognise(bytes)?, bytes, options)
 }
 
-fn load(path: &Path, limits: &Limits) -> Result<Vec<u8>, ReadError> {
+/// The bytes of a file within the limit.
+///
+/// # Errors
+/// [`ReadError::Io`].
+pub fn load(path: impl AsRef<Path>, limits: &Limits) -> Result<Vec<u8>, ReadError> {
+    let path = path.as_ref();
     let io = |source| ReadError::Io { path: path.to_owned(), source };
     let file = File::open(path).map_err(io)?;
     let facts = file.metadata().map_err(io)?;

@@ -15,7 +15,7 @@ from ._extras import extra
 from ._progress import ProgressArgument
 from ._solve import Method
 from ._study import Comparison, studied
-from ._surface import Surface, check, digest
+from ._surface import Surface, check
 from ._threads import count
 
 __all__ = ["Validation", "rerun", "validate"]
@@ -65,8 +65,8 @@ def rerun(
         at = beside if os.path.exists(beside) else at
         with of_file():
             heights, facts, said = _rust.read(at, dumped(reading), used)
-        made = Surface._made(heights, facts, dumped({**json.loads(said), "path": at}))
-        if digest(made) != content:
+        made = Surface._made(heights, facts, said)
+        if made._said["sha256"] != content:
             raise SettingError(f"{at} has changed since {os.fspath(path)} was written; compare it anew", "changed_file")
         named[surface["name"]] = made
     return studied(named, {**run["settings"], "threads": used}, ([], None), progress, on_failure)

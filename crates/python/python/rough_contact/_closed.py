@@ -349,7 +349,7 @@ def _asked(
     surface, roughness, second = None, None, None
     if isinstance(source, Surface):
         surface = (source._heights, source._facts)
-        second = laid(source, *laid_on)
+        second = laid(*laid_on)
     elif laid_on != (None, "columns", None):
         raise TypeError("against, flip and shift are for a second body on a surface; add the moments of two bodies that are typed in")
     elif isinstance(source, _Roughness):

@@ -15,7 +15,7 @@ from ._documents import Documents
 from ._errors import SettingError, dumped, sorted_as
 from ._profile import Profile
 from ._results import pressure as shown
-from ._surface import LEVELS, Level, check, digest_of
+from ._surface import LEVELS, Level, check
 from ._threads import count
 from ._units import Q
 
@@ -129,5 +129,5 @@ def compare_profiles(
         settings["fractal_range"] = _units.ends(fractal_range, "fractal_range")
     given = [(p.heights, p._facts, name) for name, p in named.items()]
     with sorted_as(SettingError):
-        files = _rust.profile_study(given, dumped(settings), [digest_of(p.path) for p in named.values()])
+        files = _rust.profile_study(given, dumped(settings))
     return ProfileComparison(files)

@@ -78,7 +78,7 @@ def profile_model(
     request: str, heights: _Heights, facts: str, threads: int
 ) -> tuple[str, tuple[str, str] | None]: ...
 def profile_study(
-    profiles: list[tuple[_Heights, str, str]], settings: str, hashes: list[str]
+    profiles: list[tuple[_Heights, str, str]], settings: str
 ) -> dict[str, str]: ...
 def run_file(text: str) -> str: ...
 def run_file_in(text: str, folder: str) -> str: ...
@@ -119,7 +119,6 @@ def study(
     surfaces: list[tuple[_Heights, str, str]],
     settings: str,
     own: str,
-    hashes: list[str],
     progress: Callable[[dict[str, Any]], object] | None = None,
     against: _Second | None = None,
 ) -> tuple[dict[str, str], tuple[str, str] | None, BaseException | None]: ...

@@ -305,7 +305,7 @@ def asked(
             surface._facts,
             dumped(request),
             _progress.listener(progress),
-            laid(surface, *second),
+            laid(*second),
             keep,
         )
     if stopped_by is not None and not text:

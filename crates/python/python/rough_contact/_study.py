@@ -26,7 +26,7 @@ from ._models import Citation, ContactModel, Inputs, curve, models
 from ._progress import ProgressArgument
 from ._results import flat, percent, pressure
 from ._statistics import Statistics
-from ._surface import LEVELS, Flip, Level, Surface, check, digest, laid
+from ._surface import LEVELS, Flip, Level, Surface, check, laid
 from ._threads import count
 from ._units import Q
 
@@ -376,7 +376,7 @@ def compare(
     if own and against is not None:
         raise SettingError("a model of one's own is asked about one surface, and against= makes two; leave one of them out", "combination")
     curves = [_own(model, named, settings, on_failure) for model in own]
-    second = laid(next(iter(named.values())), against, flip, shift)
+    second = laid(against, flip, shift)
     return studied(named, settings, (curves, second), progress, on_failure)
 
 
@@ -403,7 +403,6 @@ def studied(
             [(s._heights, s._facts, name) for name, s in named.items()],
             dumped(settings),
             dumped(curves),
-            [digest(s) for s in named.values()],
             listen,
             second,
         )

@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import copy
-import hashlib
 import json
 import operator
 import os
@@ -267,7 +266,7 @@ class Surface:
             "iso": _units.flag(iso, "iso"),
             "scales": _units.flag(scales, "scales"),
         }
-        return self._asked(request, laid(self, against, flip, shift))
+        return self._asked(request, laid(against, flip, shift))
 
     def _asked(self, request: dict[str, Any], second: Any = None) -> Statistics:
         """Statistics, taken once; what is handed out belongs to who asked."""
@@ -427,8 +426,7 @@ def read(
     with of_file():
         file, content = opened(path)
         heights, facts, said = _rust.read(file, dumped(request), count(None), content)
-    known = {} if content is not None else {"path": file}
-    return Surface._made(heights, facts, json.dumps({**json.loads(said), **known}))
+    return Surface._made(heights, facts, said)
 
 
 def info(
@@ -639,21 +637,8 @@ def length(metres: float) -> str:
     return f"{metres:g} m"
 
 
-def digest(surface: Surface) -> str:
-    """SHA-256 of the file a surface was read from; empty without one."""
-    return digest_of(surface._said.get("path"))
-
-
-def digest_of(path: str | None) -> str:
-    """SHA-256 of a file; empty without one."""
-    if not path or not os.path.isfile(path):
-        return ""
-    with open(path, "rb") as file:
-        return hashlib.sha256(file.read()).hexdigest()
-
-
 def laid(
-    first: Surface, against: Surface | None, flip: Flip, shift: Q | None
+    against: Surface | None, flip: Flip, shift: Q | None
 ) -> tuple[NDArray[np.float64], str, str] | None:
     """A second body, as the extension takes it; None without one."""
     check("flip", flip, ("columns", "rows", "none"))
@@ -664,8 +649,7 @@ def laid(
     if not isinstance(against, Surface):
         raise TypeError(f"against takes an rc.Surface, not {type(against).__name__}")
     placing = {"flip": flip, "shift": (0.0, 0.0) if shift is None else _units.shift(shift)}
-    how = {"placing": placing, "hashes": [digest(first), digest(against)]}
-    return against._heights, against._facts, dumped(how)
+    return against._heights, against._facts, dumped(placing)
 
 
 def cleaned_by(
