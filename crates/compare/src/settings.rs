@@ -308,6 +308,22 @@ pub struct RunSurface {
 }
 
 impl RunFile {
+    /// Of a study of these surfaces, by name and origin, with this program.
+    pub fn of<'a>(
+        settings: &Settings,
+        surfaces: impl IntoIterator<Item = (&'a String, &'a Origin)>,
+    ) -> Self {
+        let surface = |(name, origin): (&String, &Origin)| RunSurface {
+            name: name.clone(),
+            origin: origin.clone(),
+        };
+        Self {
+            program: env!("CARGO_PKG_VERSION").to_owned(),
+            settings: settings.clone(),
+            surfaces: surfaces.into_iter().map(surface).collect(),
+        }
+    }
+
     /// Reads a run file.
     ///
     /// # Errors

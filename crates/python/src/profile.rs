@@ -3,10 +3,12 @@
 use crate::failure::{bug, raise};
 use crate::model::{ModelAnswer, ModelArguments};
 use crate::reading::{FileReading, Unread, unmade};
-use crate::study::{REPEAT, run_file_of};
+use crate::study::REPEAT;
 use crate::surface::{HeightFacts, array, form, measurement};
 use crate::watched::quietly;
-use contact_compare::{Level, Origin, ProfileComparison, ProfileSurface, Settings, built_in};
+use contact_compare::{
+    Level, Origin, ProfileComparison, ProfileSurface, RunFile, Settings, built_in,
+};
 use contact_front_end::Failure;
 use contact_front_end::model::ModelSubject;
 use contact_report::Provenance;
@@ -132,7 +134,7 @@ pub(crate) fn profile_study(
     }
     let threads = settings.threads;
     let found = quietly(py, threads, move || -> Result<_, Failure> {
-        let run_file = run_file_of(&settings, given.iter().map(|s| (&s.name, &s.origin)));
+        let run_file = RunFile::of(&settings, given.iter().map(|s| (&s.name, &s.origin)));
         let study = |s| ProfileComparison::run(s, settings.clone(), built_in());
         let studies = given.into_iter().map(study).collect::<Result<Vec<_>, _>>();
         let studies = studies.map_err(|e| Failure::from(&e))?;

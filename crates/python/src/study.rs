@@ -5,8 +5,8 @@ use crate::surface::{LaidBody, Second, surface_of};
 use crate::watched::{News, watched};
 use contact_compare::{
     BuildError, Card, Citation, Comparison, ContactModel, ContactModulus, ContactState, CurvePoint,
-    Inputs, ModelError, Origin, Progress, Registry, RunFile, RunSurface, Settings, StudyError,
-    Surface, Tabulated, Theory, loads_of_study,
+    Inputs, ModelError, Progress, Registry, RunFile, Settings, StudyError, Surface, Tabulated,
+    Theory, loads_of_study,
 };
 use contact_front_end::Failure;
 use contact_report::Provenance;
@@ -241,7 +241,7 @@ fn run(
     listen: &mut contact_compare::Listener<'_>,
 ) -> Result<(BTreeMap<String, String>, Option<Failure>), Failure> {
     let failed = |e: StudyError| Failure::from(&e);
-    let run_file = run_file_of(&settings, surfaces.iter().map(|s| (&s.name, &s.origin)));
+    let run_file = RunFile::of(&settings, surfaces.iter().map(|s| (&s.name, &s.origin)));
     let mut found = Comparison::run(surfaces, settings, registry, listen).map_err(failed)?;
     contact_front_end::look_around(&mut found, listen)?;
     for surface in &mut found.surfaces {
@@ -260,15 +260,3 @@ fn run(
 
 /// The command that repeats a study from the file beside its report.
 pub(crate) const REPEAT: &str = "rough-contact compare --from run.toml --out again";
-
-pub(crate) fn run_file_of<'a>(
-    settings: &Settings,
-    surfaces: impl Iterator<Item = (&'a String, &'a Origin)>,
-) -> RunFile {
-    let surface = |(name, origin): (&String, &Origin)| RunSurface {
-        name: name.clone(),
-        origin: origin.clone(),
-    };
-    let (program, surfaces) = (env!("CARGO_PKG_VERSION").to_owned(), surfaces.map(surface));
-    RunFile { program, settings: settings.clone(), surfaces: surfaces.collect() }
-}

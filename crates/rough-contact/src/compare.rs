@@ -15,7 +15,7 @@ use crate::units::Dimension::{Number, Pressure};
 use clap::Args;
 use rough_contact::compare::{
     Comparison, EdgesName, ModelCurve, ProfileComparison, ProfileSurface, Refused, RunFile,
-    RunSurface, Settings, Surface, built_in, on_threads,
+    Settings, Surface, built_in, on_threads,
 };
 use rough_contact::contact_types::{ContactState, Named};
 pub(crate) use rough_contact::front_end::not_met;
@@ -89,15 +89,11 @@ impl Compare {
             (self.loaded(settings, surfaces.iter().filter_map(area))?, surfaces)
         };
         settings.threads = common.threads();
-        let named = |one: &mut One| {
+        let named = surfaces.iter_mut().map(|one| {
             let (name, origin) = one.named();
-            RunSurface { name: name.clone(), origin: origin.clone() }
-        };
-        let run_file = RunFile {
-            program: env!("CARGO_PKG_VERSION").to_owned(),
-            settings: settings.clone(),
-            surfaces: surfaces.iter_mut().map(named).collect(),
-        };
+            (&*name, origin)
+        });
+        let run_file = RunFile::of(&settings, named);
         let (run_file, repeat) = (run_file_in(run_file, &self.out), repeat_command(&self.out));
         let (surfaces, profiles) = parted(surfaces)?;
         if !profiles.is_empty() {

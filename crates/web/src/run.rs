@@ -5,9 +5,7 @@ use crate::numbers::pressure as shown_pressure;
 use crate::request::Request;
 use crate::surface;
 use crate::trouble::Trouble;
-use contact_compare::{
-    Comparison, Iteration, PressureMaps, Progress, RunFile, RunSurface, built_in,
-};
+use contact_compare::{Comparison, Iteration, PressureMaps, Progress, RunFile, built_in};
 use contact_front_end::{Failure, shown};
 use contact_report::Provenance;
 use serde_json::{Value, json};
@@ -28,11 +26,7 @@ pub(crate) fn answer(
     let begun = Instant::now();
     let surface = surface::of(request, file)?;
     let settings = request.settings(surface.heights.grid().area())?;
-    let run_file = RunFile {
-        program: env!("CARGO_PKG_VERSION").to_owned(),
-        settings: settings.clone(),
-        surfaces: vec![RunSurface { name: surface.name.clone(), origin: surface.origin.clone() }],
-    };
+    let run_file = RunFile::of(&settings, [(&surface.name, &surface.origin)]);
     out.tell("progress", json!({ "stage": "read", "seconds": begun.elapsed().as_secs_f64() }));
     let (mut told, mut loads) = (Instant::now(), 0);
     let mut found = {

@@ -1,8 +1,8 @@
 //! A study of two bodies: the sum of both, with what each was.
 
 use contact_compare::{
-    Comparison, Fact, Flip, GivenOrigin, Origin, Placing, RunFile, RunSurface, Settings,
-    StudyError, Surface, built_in, built_in_recipes, findings,
+    Comparison, Fact, Flip, GivenOrigin, Origin, Placing, RunFile, Settings, StudyError, Surface,
+    built_in, built_in_recipes, findings,
 };
 use std::ops::ControlFlow;
 use surface_stats::{Edges, Level};
@@ -56,8 +56,7 @@ fn a_run_file_with_heights_handed_over_is_refused() {
     if let Origin::Pair(pair) = &mut origin {
         pair.bodies[1] = Origin::Given(GivenOrigin::of(&heights, "handed over"));
     }
-    let surfaces = vec![RunSurface { name, origin }];
-    let run = RunFile { program: "0.1.0".into(), settings: Settings::default(), surfaces };
+    let run = RunFile::of(&Settings::default(), [(&name, &origin)]);
     let read = RunFile::parse(&run.to_toml().expect("text"));
     assert!(matches!(read, Err(StudyError::Given(_))));
 }
