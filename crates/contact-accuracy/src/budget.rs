@@ -101,7 +101,7 @@ impl Budget {
             .map(|half| pressure.value * (half / fall).min(5.0).exp_m1());
         self.area.sampling = match (self.area.sampling, pressure.sampling) {
             (Some(half), Some(load)) if pressure.value > 0.0 => {
-                Some(half.hypot(self.area.value * load / pressure.value))
+                Some(half.hypot(answering(self.area.value) * load / pressure.value))
             }
             _ => None,
         };
