@@ -152,7 +152,7 @@ impl SummitModel {
         let mean = 4.0 / (PI * self.bandwidth).sqrt();
         let deviation = (1.0 - 0.8968 / self.bandwidth).sqrt();
         let full = (self.dimensionless_scale() * self.law.full_overlap()).ln();
-        let alpha = inverse::from_ln(Order::ThreeHalves, target - full - 1.5 * deviation.ln());
+        let alpha = inverse::from_ln(target - full - 1.5 * deviation.ln());
         mean + deviation * alpha.unwrap_or(-1e205)
     }
 }

@@ -4,7 +4,7 @@
 //! # What is where
 //! - [`partial_moments`]: J_n(α) of the Gaussian, n = 0, 1/2, 1, 3/2: plain, scaled,
 //!   logarithm, derivative.
-//! - [`inverse`]: α from a load or an area, or the logarithm of one.
+//! - [`inverse`]: α from a load or its logarithm.
 #![cfg_attr(
     feature = "model",
     doc = "- [`GreenwoodWilliamson`]: the model with units: pressure, area, stiffness."

@@ -196,9 +196,9 @@ fn area_at(alpha: f64, load: f64) -> f64 {
 /// α where J_3/2(α) is the quotient, also where no double can hold that.
 fn alpha_of(load: Quotient) -> Result<f64, ModelError> {
     let found = if load.value.is_normal() {
-        inverse::from_value(Order::ThreeHalves, load.value)
+        inverse::from_value(load.value)
     } else {
-        inverse::from_ln(Order::ThreeHalves, load.logarithm)
+        inverse::from_ln(load.logarithm)
     };
     found.ok_or_else(|| {
         require::refused(MODEL, "ln of the dimensionless load", load.logarithm, "must be below 708")

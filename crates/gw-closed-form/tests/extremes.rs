@@ -14,9 +14,8 @@ fn cases() -> Vec<Case> {
             "area" => value(Order::One, x),
             "ln load" => ln(Order::ThreeHalves, x),
             "scaled load" => scaled(Order::ThreeHalves, x),
-            "alpha from load" => inverse::from_value(Order::ThreeHalves, x).expect("positive"),
-            "alpha from area" => inverse::from_value(Order::One, x).expect("positive"),
-            "alpha from ln load" => inverse::from_ln(Order::ThreeHalves, x).expect("in range"),
+            "alpha from load" => inverse::from_value(x).expect("positive"),
+            "alpha from ln load" => inverse::from_ln(x).expect("in range"),
             other => unreachable!("{other} in the table"),
         };
         let place = format!("{quantity} at {}", row.text("argument"));

@@ -19,10 +19,6 @@ pub enum Order {
 }
 
 impl Order {
-    pub(crate) fn exponent(self) -> f64 {
-        self.function().n
-    }
-
     fn function(self) -> &'static Function {
         match self {
             Self::Zero => &ZERO,
