@@ -1,6 +1,7 @@
 //! Scan lines: rows of a probe microscope that stand at heights of their own.
 
 use super::outliers::select;
+use crate::polynomial::Polynomial;
 use crate::{StatsError, Warning, scale};
 use contact_types::Grid;
 
@@ -47,7 +48,7 @@ pub fn row_offsets(grid: Grid, heights: &[f64]) -> Result<RowOffsets, StatsError
     for i in 1..ny {
         offsets[i] = offsets[i - 1] + jumps_of_rows[i - 1];
     }
-    take_line_off(&mut offsets);
+    line(&offsets)?.remove_from(&mut offsets);
     let change: f64 = jumps_of_rows.windows(2).map(|j| (j[1] - j[0]).powi(2)).sum();
     let square: f64 = jumps_of_rows.iter().map(|j| j * j).sum();
     let rows_jump = ny >= FEWEST
@@ -69,21 +70,9 @@ fn are_many(jumps: &[f64]) -> bool {
     count * (1.0 - one_way * one_way) >= both_ways || count >= part * jumps.len() as f64
 }
 
-/// Takes the line of least squares off.
-fn take_line_off(values: &mut [f64]) {
-    let middle = 0.5 * (values.len() as f64 - 1.0);
-    let (mut sum, mut moment, mut inertia) = (0.0, 0.0, 0.0);
-    for (i, v) in values.iter().enumerate() {
-        let x = i as f64 - middle;
-        sum += v;
-        moment += x * v;
-        inertia += x * x;
-    }
-    let mean = sum / values.len() as f64;
-    let slope = if inertia > 0.0 { moment / inertia } else { 0.0 };
-    for (i, v) in values.iter_mut().enumerate() {
-        *v -= mean + slope * (i as f64 - middle);
-    }
+/// The straight line through the offsets of rows.
+fn line(offsets: &[f64]) -> Result<Polynomial, StatsError> {
+    Polynomial::fit(Grid::new([1, offsets.len()], [1.0, 1.0])?, offsets, 1)
 }
 
 /// Median difference of each of `lines` lines of `points` points to the one before, less the median
@@ -164,7 +153,7 @@ mod tests {
         // What is left differs from the relief by a tilt, which is not ours to take.
         let left: Vec<f64> = (0..SHAPE[0]).map(|iy| heights[iy * nx] - wanted[iy * nx]).collect();
         let mut bent = left.clone();
-        take_line_off(&mut bent);
+        line(&bent).unwrap().remove_from(&mut bent);
         for (i, (h, w)) in heights.iter().zip(&wanted).enumerate() {
             if (5000..5100).contains(&i) {
                 assert!(h.is_nan());
