@@ -70,8 +70,9 @@ impl SelfAffine {
         let mut fft = GridFft::new(self.grid.shape());
         let mut waves = fft.new_spectrum();
         fft.forward(&heights, &mut waves);
-        for (wave, (q, _)) in waves.iter_mut().zip(self.half_plane()) {
-            *wave *= self.filter(q);
+        let nq = self.grid.shape()[1] / 2 + 1;
+        for (i, wave) in waves.iter_mut().enumerate() {
+            *wave *= self.filter(self.grid.wavenumber(i / nq, i % nq));
         }
         fft.inverse(&mut waves, &mut heights);
         drop(waves);
@@ -119,12 +120,10 @@ impl SelfAffine {
         if !(gradient.is_normal() && gradient > 0.0) {
             return refused("must be finite and greater than 0");
         }
-        let mut fft = GridFft::new(self.grid.shape());
-        let mut waves = fft.new_spectrum();
-        fft.forward(&self.white_noise(), &mut waves);
-        let noise = waves.iter().zip(self.half_plane());
-        let noise: Vec<[f64; 2]> =
-            noise.map(|(wave, (q, weight))| [q, weight * wave.norm_sqr()]).collect();
+        let mut noise: Vec<[f64; 2]> = Vec::new(); // |q| and the power of all waves of that kind
+        let spectrum = PowerSpectrum::of_field(self.grid, &self.white_noise());
+        spectrum.for_each(|[qy, qx], weight, s| noise.push([qy.hypot(qx), weight * s]));
+        drop(spectrum);
         // How many times too steep, as a logarithm: it rises with a shorter roll-off.
         let excess = |ln_rolloff: f64| {
             let trial = Self { rolloff: ln_rolloff.exp(), ..self };
@@ -161,17 +160,6 @@ impl SelfAffine {
             was_low = Some(is_low);
         }
         Ok(Self { rolloff: middle.exp(), ..self })
-    }
-
-    /// |q| (rad/m) of each wave of a half spectrum, and how many waves of the full plane it stands
-    /// for.
-    fn half_plane(&self) -> impl Iterator<Item = (f64, f64)> {
-        let [ny, nx] = self.grid.shape();
-        let waves = (0..ny).flat_map(move |iy| (0..=nx / 2).map(move |ix| (iy, ix)));
-        waves.map(move |(iy, ix)| {
-            let weight = if ix == 0 || 2 * ix == nx { 1.0 } else { 2.0 };
-            (self.grid.wavenumber(iy, ix), weight)
-        })
     }
 
     /// Square root of the PSD, 1 on its plateau.
