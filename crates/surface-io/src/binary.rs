@@ -1,7 +1,7 @@
 //! Checked access to bytes: every read either lies inside the file or is an error with its offset.
 
 use crate::encoding::decode;
-use crate::{Limits, ReadError};
+use crate::{ReadError, ReadOptions};
 use std::borrow::Cow;
 
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -100,13 +100,13 @@ impl Sample {
     }
 }
 
-/// A file in memory: its format (for messages), the order of its numbers, and what it may cost.
+/// A file in memory: its format (for messages), the order of its numbers, and what the caller says.
 #[derive(Debug, Clone, Copy)]
 pub(crate) struct Bytes<'a> {
     pub(crate) data: &'a [u8],
     pub(crate) format: &'static str,
     pub(crate) order: ByteOrder,
-    pub(crate) limits: Limits,
+    pub(crate) options: &'a ReadOptions,
 }
 
 /// A map of stored numbers in rows, all of which are in the file.
@@ -141,13 +141,13 @@ macro_rules! getter {
 }
 
 impl<'a> Bytes<'a> {
-    pub(crate) fn little(data: &'a [u8], format: &'static str, limits: Limits) -> Self {
-        Self { data, format, order: ByteOrder::Little, limits }
+    pub(crate) fn little(data: &'a [u8], format: &'static str, options: &'a ReadOptions) -> Self {
+        Self { data, format, order: ByteOrder::Little, options }
     }
 
     /// Other bytes of the same file: unpacked, or a part.
-    pub(crate) fn with<'b>(&self, data: &'b [u8]) -> Bytes<'b> {
-        Bytes { data, format: self.format, order: self.order, limits: self.limits }
+    pub(crate) fn with(self, data: &'a [u8]) -> Self {
+        Self { data, ..self }
     }
 
     getter!(u8 -> u8, i16 -> i16, u16 -> u16, i32 -> i32, u32 -> u32, u64 -> u64, f32 -> f32, f64 -> f64);
@@ -232,11 +232,11 @@ impl<'a> Bytes<'a> {
     }
 
     pub(crate) fn check_points(&self, shape: [usize; 2]) -> Result<(), ReadError> {
-        self.limits.check_points(self.format, shape)
+        self.options.limits.check_points(self.format, shape)
     }
 
     pub(crate) fn check_items(&self, count: u64) -> Result<(), ReadError> {
-        self.limits.check_items(self.format, count)
+        self.options.limits.check_items(self.format, count)
     }
 
     pub(crate) fn fault(&self, at: usize, what: impl Into<Cow<'static, str>>) -> ReadError {

@@ -44,8 +44,8 @@ pub const FORMATS: &[FormatSpec] = &[
     row("Olympus LEXT", formats::lext::sniff, formats::lext::parse, &["lext"], "height image, others are listed; not checked against a real file"),
     #[cfg(feature = "zip")]
     row("Olympus OIR", |b| b.starts_with(formats::oir::MAGIC) || formats::archive::holds(b, b".oir"), formats::oir::parse, &["oir", "poir"], "height images, also packed (POIR); not checked against a real file"),
-    row("Park Systems TIFF", |b| tiff::first_page(b).is_some_and(|page| page.has(formats::park::MAGIC)), formats::park::parse, &["tiff"], "maps and profiles of XEI and SmartScan"),
-    row("JPK image", |b| tiff::first_page(b).is_some_and(|page| page.has(formats::jpk::GRID_WIDTH)), formats::jpk::parse, &["jpk", "jpk-qi-image"], "all channels"),
+    row("Park Systems TIFF", |b| tiff::first_page_is(b, |page| page.has(formats::park::MAGIC)), formats::park::parse, &["tiff"], "maps and profiles of XEI and SmartScan"),
+    row("JPK image", |b| tiff::first_page_is(b, |page| page.has(formats::jpk::GRID_WIDTH)), formats::jpk::parse, &["jpk", "jpk-qi-image"], "all channels"),
     row("TIFF", tiff::is_tiff, formats::tiff_plain::parse, &["tif", "tiff"], "plain pictures of one number a point; pixel size and unit are to be given"),
     row("NT-MDT MDT", |b| b.starts_with(b"\x01\xb0\x93\xff"), formats::mdt::parse, &["mdt"], "general maps; scans, not checked against a real file"),
     row("Nanonis SXM", |b| b.starts_with(b":NANONIS_VERSION:"), formats::sxm::parse, &["sxm"], "all channels, both ways"),
@@ -111,16 +111,15 @@ impl FormatSpec {
     fn contents<'a>(
         &self,
         bytes: &'a [u8],
-        options: &ReadOptions,
+        options: &'a ReadOptions,
     ) -> Result<Contents<'a>, ReadError> {
         match options.layout {
-            _ if self.name == TEXT => formats::table::parse_as(bytes, options),
-            None => (self.parse)(Bytes::little(bytes, self.name, options.limits)),
-            Some(layout) => Err(ReadError::BadLayout {
+            Some(layout) if self.name != TEXT => Err(ReadError::BadLayout {
                 format: self.name,
                 layout,
                 reason: "only the columns of a text can be more than one thing",
             }),
+            _ => (self.parse)(Bytes::little(bytes, self.name, options)),
         }
     }
 }

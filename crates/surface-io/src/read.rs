@@ -45,7 +45,7 @@ fn recognised<T>(
     read: fn(&FormatSpec, &[u8], &ReadOptions) -> Result<T, ReadError>,
 ) -> Result<T, ReadError> {
     #[cfg(feature = "zip")]
-    let unpacked = crate::formats::archive::unwrap_single(bytes, &options.limits)?;
+    let unpacked = crate::formats::archive::unwrap_single(bytes, options)?;
     #[cfg(feature = "zip")]
     let bytes = &*unpacked;
     read(recognise(bytes)?, bytes, options)

@@ -18,7 +18,7 @@
 
 use crate::binary::{ByteOrder, Bytes, Sample};
 use crate::error::ReadError;
-use crate::options::Limits;
+use crate::options::{Limits, ReadOptions};
 use crate::unpack::{lzw, packbits, zlib};
 use std::borrow::Cow;
 use std::collections::BTreeMap;
@@ -29,11 +29,12 @@ pub(crate) fn is_tiff(bytes: &[u8]) -> bool {
     matches!(bytes, [b'I', b'I', 42 | 43, 0, ..] | [b'M', b'M', 0, 42 | 43, ..])
 }
 
-/// The first directory, if these bytes are a TIFF file.
-pub(crate) fn first_page(bytes: &[u8]) -> Option<Page<'_>> {
-    let few = Limits { items: 1 << 12, ..Limits::default() };
-    let pages = is_tiff(bytes).then(|| pages(Bytes::little(bytes, "TIFF", few), 1));
-    pages?.ok()?.pop()
+/// Whether these bytes are a TIFF file, with such a first directory.
+pub(crate) fn first_page_is(bytes: &[u8], such: impl FnOnce(&Page<'_>) -> bool) -> bool {
+    let limits = Limits { items: 1 << 12, ..Limits::default() };
+    let few = ReadOptions { limits, ..ReadOptions::default() };
+    let first = || pages(Bytes::little(bytes, "TIFF", &few), 1).ok()?.pop();
+    is_tiff(bytes) && first().is_some_and(|page| such(&page))
 }
 
 pub(crate) struct Page<'a> {
@@ -254,7 +255,7 @@ impl Image<'_> {
 
     /// Undoes predictor 2: every number is the difference to the one before, modulo its type.
     fn add_up(&self, block: &mut [f64], columns: usize) {
-        let modulus = (1u64 << (8 * self.sample.size().min(4))) as f64;
+        let modulus = (1u64 << (8 * self.sample.size())) as f64;
         let is_signed = matches!(self.sample, Sample::I8 | Sample::I16 | Sample::I32);
         for row in block.chunks_exact_mut(columns) {
             let mut sum = 0.0;

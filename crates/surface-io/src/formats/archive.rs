@@ -1,10 +1,10 @@
 //! ZIP containers: X3P, NPZ, PLUX and workbooks are archives, and users zip (and gzip) single files.
 //!
-//! Nothing is unpacked beyond [`Limits::unpacked_bytes`], whatever the archive claims.
+//! Nothing is unpacked beyond [`Limits::unpacked_bytes`](crate::Limits::unpacked_bytes), whatever the archive claims.
 
 use crate::binary::{Bytes, find};
 use crate::error::ZIP;
-use crate::{Limits, ReadError};
+use crate::{ReadError, ReadOptions};
 use std::borrow::Cow;
 use std::io::{Cursor, Read};
 use zip::ZipArchive;
@@ -37,7 +37,7 @@ impl<'a> Archive<'a> {
 
     /// Unpacks a member; all together may not have more bytes than the limit.
     pub(crate) fn unpack(&mut self, name: &str) -> Result<Vec<u8>, ReadError> {
-        let Bytes { data, format, limits, .. } = self.b;
+        let Bytes { data, format, options: &ReadOptions { limits, .. }, .. } = self.b;
         let member = self.zip.by_name(name);
         let member = member.map_err(|e| ReadError::at(format, "archive", e.to_string()))?;
         limits.check_unpacked(format, self.total.saturating_add(member.size()))?;
@@ -59,28 +59,29 @@ impl<'a> Archive<'a> {
 /// bytes as they are. Of a packed VK6 or VK7 the VK4 in it.
 pub(crate) fn unwrap_single<'a>(
     bytes: &'a [u8],
-    limits: &Limits,
+    options: &ReadOptions,
 ) -> Result<Cow<'a, [u8]>, ReadError> {
-    let inner = unwrap_one(bytes, limits)?;
+    let inner = unwrap_one(bytes, options)?;
     if !super::vk::is_packed(&inner) {
         return Ok(inner);
     }
-    let packed = Bytes::little(&inner, "Keyence VK", *limits);
+    let packed = Bytes::little(&inner, "Keyence VK", options);
     Archive::open(packed)?.unpack("Vk4File").map(Cow::Owned)
 }
 
-fn unwrap_one<'a>(bytes: &'a [u8], limits: &Limits) -> Result<Cow<'a, [u8]>, ReadError> {
+fn unwrap_one<'a>(bytes: &'a [u8], options: &ReadOptions) -> Result<Cow<'a, [u8]>, ReadError> {
     if bytes.starts_with(b"\x1f\x8b") {
         let gzip = flate2::read::MultiGzDecoder::new(bytes);
-        let unpacked = crate::unpack::read("", gzip, limits.unpacked_bytes.saturating_add(1))
-            .map_err(|what| ReadError::at(ZIP, "gzip data", what))?;
-        limits.check_unpacked(ZIP, unpacked.len() as u64)?;
+        let unpacked =
+            crate::unpack::read("", gzip, options.limits.unpacked_bytes.saturating_add(1))
+                .map_err(|what| ReadError::at(ZIP, "gzip data", what))?;
+        options.limits.check_unpacked(ZIP, unpacked.len() as u64)?;
         return Ok(Cow::Owned(unpacked));
     }
     if !bytes.starts_with(MAGIC) {
         return Ok(Cow::Borrowed(bytes));
     }
-    let Ok(mut archive) = Archive::open(Bytes::little(bytes, ZIP, *limits)) else {
+    let Ok(mut archive) = Archive::open(Bytes::little(bytes, ZIP, options)) else {
         return Ok(Cow::Borrowed(bytes)); // the reader of the inner format names the fault
     };
     let is_ours = |name: &String| {

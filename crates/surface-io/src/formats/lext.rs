@@ -20,8 +20,8 @@ const EXIF: u16 = 34665;
 const DEVICE: u16 = 41995;
 
 pub(crate) fn sniff(bytes: &[u8]) -> bool {
-    let about = tiff::first_page(bytes).and_then(|page| page.text(IMAGE_DESCRIPTION));
-    about.is_some_and(|text| text.contains("<TiffTagDescData"))
+    let is_ours = |text: String| text.contains("<TiffTagDescData");
+    tiff::first_page_is(bytes, |page| page.text(IMAGE_DESCRIPTION).is_some_and(is_ours))
 }
 
 pub(crate) fn parse(b: Bytes<'_>) -> Result<Contents<'_>, ReadError> {

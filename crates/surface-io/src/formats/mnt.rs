@@ -297,7 +297,7 @@ impl Blob {
         let b = part.bytes;
         let fault = |what: String| b.field(STREAM, format!("{what} at byte {}", part.at));
         let total = b.u64(0)?;
-        b.limits.check_unpacked(b.format, total)?;
+        b.options.limits.check_unpacked(b.format, total)?;
         if total != (points as u64).saturating_mul(sample.size() as u64) {
             return Err(fault(format!("{total} bytes for {points} points")));
         }

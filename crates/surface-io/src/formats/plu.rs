@@ -17,14 +17,15 @@
 //! Source: Sensofar, *PLu file format* (2009), as implemented by several free readers.
 
 use super::prelude::*;
-use crate::Limits;
+use crate::ReadOptions;
 
 const DATA: usize = 500;
 
 /// Without a magic number everything that can be checked is: the date is text, the two sizes
 /// agree, the spacings are lengths, and the data fit.
 pub(crate) fn sniff(bytes: &[u8]) -> bool {
-    let b = Bytes::little(bytes, "Sensofar PLU", Limits::default());
+    let options = ReadOptions::default();
+    let b = Bytes::little(bytes, "Sensofar PLU", &options);
     let plausible = || -> Result<bool, ReadError> {
         let date = b.slice(0, 128)?.split(|&byte| byte == 0).next().unwrap_or_default();
         let is_date = (6..128).contains(&date.len())

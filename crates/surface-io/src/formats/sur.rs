@@ -120,7 +120,7 @@ fn unpack(o: Bytes<'_>, at: usize) -> Result<(Vec<u8>, usize), ReadError> {
     let sizes = (0..streams)
         .map(|i| Ok([o.u32(at + 4 + 8 * i)?, o.u32(at + 8 + 8 * i)?]))
         .collect::<Result<Vec<_>, ReadError>>()?;
-    o.limits.check_unpacked(o.format, sizes.iter().map(|s| u64::from(s[0])).sum())?;
+    o.options.limits.check_unpacked(o.format, sizes.iter().map(|s| u64::from(s[0])).sum())?;
     let mut at = at + 4 + 8 * streams;
     let mut unpacked = Vec::new();
     for [plain, packed] in sizes {

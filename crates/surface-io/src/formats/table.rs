@@ -39,16 +39,9 @@ use crate::text::{self, NumberTable, NumberedLines, Title, is_monotone};
 use crate::units::metres_per;
 use crate::{Ambiguity, Layout, Need, ReadError, ReadOptions};
 
-pub(crate) fn parse(b: Bytes<'_>) -> Result<Contents<'_>, ReadError> {
-    parse_as(b.data, &ReadOptions { limits: b.limits, ..ReadOptions::default() })
-}
-
 /// Reads in the layout asked for, or in the one that header and columns say.
-pub(crate) fn parse_as<'a>(
-    bytes: &'a [u8],
-    options: &ReadOptions,
-) -> Result<Contents<'a>, ReadError> {
-    let text = text::decode(bytes);
+pub(crate) fn parse(b: Bytes<'_>) -> Result<Contents<'_>, ReadError> {
+    let (text, options) = (text::decode(b.data), b.options);
     let begins = |lines: &NumberedLines<'_>| {
         Header::parse(&NumberTable::empty(lines.clone())).says_channel()
     };
@@ -56,8 +49,8 @@ pub(crate) fn parse_as<'a>(
     let several = tables.len() > 1;
     let mut contents = Contents::default();
     for (number, table) in tables.into_iter().enumerate() {
-        options.limits.check_points(TEXT, [table.values.len(), 1])?;
-        options.limits.check_items(TEXT, table.header.len() as u64)?;
+        b.check_points([table.values.len(), 1])?;
+        b.check_items(table.header.len() as u64)?;
         if table.rows() == 0 {
             let start: String = text.trim_start().chars().take(24).collect();
             let obstacle = table.obstacle(options);

@@ -63,9 +63,9 @@ fn member(archive: &mut Archive<'_>, name: &'static str) -> Result<Vec<u8>, Read
     if !raw.starts_with(b"\x28\xb5\x2f\xfd") {
         return Ok(raw);
     }
-    let most = b.limits.unpacked_bytes.saturating_add(1);
+    let most = b.options.limits.unpacked_bytes.saturating_add(1);
     let unpacked = crate::unpack::zstd(&raw, most).map_err(|what| b.field(name, what))?;
-    b.limits.check_unpacked(b.format, unpacked.len() as u64)?;
+    b.options.limits.check_unpacked(b.format, unpacked.len() as u64)?;
     Ok(unpacked)
 }
 
