@@ -51,10 +51,7 @@ pub(crate) fn parse(b: Bytes<'_>) -> Result<Contents<'_>, ReadError> {
     let raster = b.raster(at, [ny, nx], sample)?;
     let ((lx, x_unit), (ly, y_unit)) =
         (measured("Control/X Amplitude")?, measured("Control/Y Amplitude")?);
-    let pixel = match (metres_per(y_unit), metres_per(x_unit)) {
-        (Some(y), Some(x)) => Pixel::Metres([ly * y / ny as f64, lx * x / nx as f64]),
-        _ => Pixel::Unknown,
-    };
+    let pixel = Pixel::in_units([ly / ny as f64, lx / nx as f64], [y_unit, x_unit]);
     let (amplitude, unit) = measured("General Info/Z Amplitude")?;
     let name = entries.get("General Info/Acquisition channel").unwrap_or("Topography");
     let channel = Channel::new(name, Some(unit), [ny, nx], pixel, move || {
