@@ -4,9 +4,9 @@
 
 use crate::binary::Bytes;
 use crate::error::ReadError;
-use quick_xml::Reader;
 use quick_xml::escape::resolve_predefined_entity;
 use quick_xml::events::Event;
+use quick_xml::{Reader, XmlVersion};
 use std::collections::BTreeMap;
 
 /// Elements nested deeper than this are refused.
@@ -52,9 +52,10 @@ pub(crate) fn walk(
                     return Err(broken(format!(": elements nested deeper than {DEEPEST}")));
                 }
                 path.push(tag.local_name().as_ref().to_owned());
-                let own = tag.attributes().filter_map(Result::ok);
-                let own =
-                    own.map(|a| (a.key.local_name().as_ref().to_owned(), a.value.into_owned()));
+                let own = tag.attributes().filter_map(Result::ok).filter_map(|a| {
+                    let value = a.normalized_value(XmlVersion::Implicit1_0).ok()?.into_owned();
+                    Some((a.key.local_name().as_ref().to_owned(), value))
+                });
                 attributes.push(own.collect());
                 value.clear();
             }

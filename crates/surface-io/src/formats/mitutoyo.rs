@@ -48,8 +48,9 @@ pub(crate) fn parse(b: Bytes<'_>) -> Result<Contents<'_>, ReadError> {
         }
         Ok(())
     })?;
-    if x.len() != z.len() || x.is_empty() {
-        let what = format!("{} positions in column E, {} heights in F", x.len(), z.len());
+    if x.keys().ne(z.keys()) || x.is_empty() {
+        let (x, z) = (x.len(), z.len());
+        let what = format!("{x} positions in column E, {z} heights in F: every row must have both");
         return Err(b.field("DATA", what));
     }
     let mut digits = Digits::NONE;

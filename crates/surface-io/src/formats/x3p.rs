@@ -39,8 +39,11 @@ pub(crate) fn parse(b: Bytes<'_>) -> Result<Contents<'_>, ReadError> {
     b.check_items(layers as u64)?;
 
     let pixel = Pixel::Metres(pixel(b, entries, ny)?);
-    let mut unpack = |link: &str| match entries.get(&format!("Record3/DataLink/{link}")) {
-        Some(link) => archive.unpack(&member(&archive, folder, link)?).map(Some),
+    let mut unpack = |name: &'static str| match entries.get(&format!("Record3/DataLink/{name}")) {
+        Some(link) => {
+            let fault = || b.field(name, format!("the archive has no member {link:?}"));
+            archive.unpack(&member(&archive, folder, link).ok_or_else(fault)?).map(Some)
+        }
         None => Ok(None),
     };
     let raw = unpack("PointDataLink")?;
@@ -112,14 +115,11 @@ pub(crate) fn parse(b: Bytes<'_>) -> Result<Contents<'_>, ReadError> {
 }
 
 /// A link is relative to `main.xml`; some writers start it at the top folder.
-fn member(archive: &Archive<'_>, folder: &str, link: &str) -> Result<String, ReadError> {
+fn member(archive: &Archive<'_>, folder: &str, link: &str) -> Option<String> {
     let link = link.trim().trim_start_matches("./").replace('\\', "/");
     [format!("{folder}{link}"), link.trim_start_matches('/').to_owned()]
         .into_iter()
         .find(|name| archive.names.contains(name))
-        .ok_or_else(|| {
-            archive.b.field("PointDataLink", format!("the archive has no member {link:?}"))
-        })
 }
 
 /// `main.xml`, flattened: the text of every element by its path below the root, every Datum, and the refusal of the

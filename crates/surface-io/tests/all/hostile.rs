@@ -100,6 +100,13 @@ fn sizes_that_claim_terabytes() {
     }
 }
 
+#[test]
+fn a_mask_that_is_not_there() {
+    let link = LINK.replace("</DataLink>", "<ValidPointsLink>m</ValidPointsLink></DataLink>");
+    let file = zip(&[("main.xml", x3p_main("D", "", &link).as_bytes()), ("d", &[0; 280])]);
+    assert_refused(unaided(&file), &["ValidPointsLink: the archive has no member \"m\""]);
+}
+
 /// 64 MiB of zeros in 64 KiB: refused at the limit, not unpacked.
 #[test]
 fn decompression_bomb() {

@@ -74,7 +74,7 @@ fn several_traces_stand_beside_their_positions() {
 /// A tester's workbook is a profile; another workbook is refused with its sheets.
 #[test]
 fn a_workbook_of_a_roughness_tester() {
-    let file = common::microscopes::mitutoyo();
+    let file = common::microscopes::mitutoyo(&[]);
     let found = unaided(&file).unwrap();
     assert!(found.is_profile() && found.uneven.is_none());
     assert_eq!(found.grid().shape(), [1, 5]);
@@ -83,11 +83,14 @@ fn a_workbook_of_a_roughness_tester() {
     for length in 0..file.len() {
         let _ = unaided(&file[..length]);
     }
+    let shifted = common::microscopes::mitutoyo(&["E3", "F4"]);
+    assert_refused(unaided(&shifted), &["4 positions in column E, 4 heights in F: every row"]);
+    let sheets = b"<workbook><sheets><sheet name=\"R&amp;D\" id=\"1\"/></sheets></workbook>";
     let other = common::binary::zip(&[
-        ("xl/workbook.xml", b"<workbook/>"),
-        ("xl/_rels/workbook.xml.rels", b"<Relationships/>"),
+        ("xl/workbook.xml", sheets),
+        ("xl/_rels/workbook.xml.rels", b"<r><Relationship Id=\"1\" Target=\"a\"/></r>"),
     ]);
-    assert_refused(unaided(&other), &["DATA", "CSV"]);
+    assert_refused(unaided(&other), &["DATA", "this has R&D;", "CSV"]);
 }
 
 /// Channels are chosen by what they are, and one that cannot be read does not cost the others.

@@ -306,9 +306,12 @@ pub fn hdf5(packed: &[u8]) -> Vec<u8> {
     file
 }
 
-/// A workbook as Mitutoyo's testers write it: a profile of five points.
-pub fn mitutoyo() -> Vec<u8> {
-    let cell = |place: &str, value: &str| format!("<c r=\"{place}\"><v>{value}</v></c>");
+/// A workbook as Mitutoyo's testers write it: a profile of five points, with these cells empty.
+pub fn mitutoyo(empty: &[&str]) -> Vec<u8> {
+    let cell = |place: &str, value: &str| {
+        let value = if empty.contains(&place) { "" } else { value };
+        format!("<c r=\"{place}\"><v>{value}</v></c>")
+    };
     let mut rows = String::from("<row r=\"1\"><c r=\"A1\" t=\"s\"><v>0</v></c>");
     for i in 0..5 {
         if i > 0 {
