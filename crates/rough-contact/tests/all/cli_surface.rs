@@ -81,7 +81,8 @@ fn statistics_have_all_their_keys() {
     let at = &folder();
     let q = std::f64::consts::TAU * 3.0 / 60.0; // per column
     at.matrix("wave.txt", 8, 60, |_, ix| (q * ix as f64).cos());
-    let stats = at.answer(&format!("stats wave.txt --level mean {UNITS} --boundary periodic"));
+    let line = format!("stats wave.txt --level mean {UNITS} --boundary periodic --iso");
+    let stats = at.answer(&line);
     has_keys(
         &stats,
         "shape pixel level boundary missing rms_height mean_abs_height skewness kurtosis \
@@ -100,6 +101,7 @@ fn statistics_have_all_their_keys() {
         close(number(&stats[key]), expected, 1e-12);
     }
     assert!(number(&stats["m2_y"]).abs() < 1e-28);
+    assert_eq!(stats["iso25178"]["Sdq"], stats["rms_gradient"]);
 }
 
 #[test]

@@ -1,9 +1,10 @@
 //! All areal parameters of a map, under the symbols of the standard.
 
-use super::hybrid::{hybrid, seven_point_gradient};
+use super::hybrid::{developed_area, seven_point_gradient};
 use super::material_ratio::MaterialRatioCurve;
 use super::spatial::{spatial, texture_direction};
-use crate::{Edges, HeightStatistics, StatsError};
+use crate::differences::by_differences;
+use crate::{Edges, StatsError};
 use contact_types::HeightMap;
 
 /// A parameter of ISO 25178-2.
@@ -20,12 +21,11 @@ pub struct IsoParameter {
 /// Height, hybrid, spatial, material-ratio and volume parameters of a levelled map.
 ///
 /// # Errors
-/// [`StatsError::TooFewPoints`] below 10 points, [`StatsError::TooSmall`] below 2 x 2, [`StatsError::OutOfRange`],
+/// [`StatsError::TooFewPoints`] below 10 points, [`StatsError::TooSmall`] below 3 x 3, [`StatsError::OutOfRange`],
 /// [`StatsError::Surface`] if an open map is too large to be continued by zeros.
 pub fn parameters(map: &HeightMap, edges: Edges) -> Result<Vec<IsoParameter>, StatsError> {
     let curve = MaterialRatioCurve::of(map)?;
-    let heights = HeightStatistics::of(map);
-    let [sdq, sdr] = hybrid(map)?;
+    let (moments, heights, _) = by_differences(map, edges)?;
     let [sal, aspect] = spatial(map, edges)?;
     let direction = texture_direction(map)?;
     let [sk, spk, svk, smr1, smr2] = curve.core();
@@ -39,9 +39,9 @@ pub fn parameters(map: &HeightMap, edges: Edges) -> Result<Vec<IsoParameter>, St
         ("Sp", "m", Some(peak)),
         ("Sv", "m", Some(pit)),
         ("Sz", "m", Some(peak + pit)),
-        ("Sdq", "", Some(sdq)),
+        ("Sdq", "", Some(moments.rms_gradient())),
         ("Sdq_seven_point", "", seven_point_gradient(map)),
-        ("Sdr", "%", Some(sdr)),
+        ("Sdr", "%", Some(developed_area(map))),
         ("Sal", "m", sal),
         ("Str", "", aspect),
         ("Std", "°", direction),

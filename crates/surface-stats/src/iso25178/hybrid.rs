@@ -1,31 +1,18 @@
 //! Gradient and developed area.
 
-use crate::StatsError;
 use contact_types::HeightMap;
 
-/// Hybrid parameters of an open map (ISO 25178-2:2021, 4.4):
-/// - Sdq by forward differences: `√(<(Δx z/dx)²> + <(Δy z/dy)²>)`, each mean over all pairs (-);
-/// - Sdr: area over projected area, minus 1 (-): mean of the two ways to cut each cell of four pixels into triangles.
-pub(super) fn hybrid(map: &HeightMap) -> Result<[f64; 2], StatsError> {
-    let ([ny, nx], [dy, dx]) = (map.grid().shape(), map.grid().pixel());
-    StatsError::require_shape("a developed area", [ny, nx], [2, 2])?;
-    let (mut slope_x, mut slope_y, mut excess) = (0.0, 0.0, 0.0);
-    for iy in 0..ny {
-        let row = &map.heights()[iy * nx..(iy + 1) * nx];
-        slope_x += row.windows(2).map(|z| ((z[1] - z[0]) / dx).powi(2)).sum::<f64>();
-        if iy + 1 < ny {
-            let next = &map.heights()[(iy + 1) * nx..(iy + 2) * nx];
-            slope_y += row.iter().zip(next).map(|(a, b)| ((b - a) / dy).powi(2)).sum::<f64>();
-            excess += row
-                .windows(2)
-                .zip(next.windows(2))
-                .map(|(a, b)| cell_excess([a[0], a[1], b[0], b[1]], [dy, dx]))
-                .sum::<f64>();
-        }
+/// Sdr, area over projected area, minus 1 (-), of an open map (ISO 25178-2:2021, 4.4): mean of the two ways to cut each cell
+/// of four pixels into triangles.
+pub(super) fn developed_area(map: &HeightMap) -> f64 {
+    let ([ny, nx], pixel) = (map.grid().shape(), map.grid().pixel());
+    let mut excess = 0.0;
+    for iy in 0..ny - 1 {
+        let (row, next) = map.heights()[iy * nx..(iy + 2) * nx].split_at(nx);
+        let cells = row.windows(2).zip(next.windows(2));
+        excess += cells.map(|(a, b)| cell_excess([a[0], a[1], b[0], b[1]], pixel)).sum::<f64>();
     }
-    let (ny, nx) = (ny as f64, nx as f64);
-    let mean_square = slope_x / (ny * (nx - 1.0)) + slope_y / ((ny - 1.0) * nx);
-    Ok([mean_square.sqrt(), excess / ((ny - 1.0) * (nx - 1.0))])
+    excess / ((ny - 1) as f64 * (nx - 1) as f64)
 }
 
 /// Area over projected area, minus 1, of a cell with corners 00, 01, 10, 11 (row, column): mean
@@ -70,7 +57,8 @@ pub(super) fn seven_point_gradient(map: &HeightMap) -> Option<f64> {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::close;
+    use crate::differences::by_differences;
+    use crate::{Edges, close};
     use approx::assert_relative_eq;
     use contact_types::Grid;
 
@@ -82,10 +70,10 @@ mod tests {
         for (scale, excess, error) in [(1.0, 1.25f64.sqrt() - 1.0, 1e-13), (2e-9, 5e-19, 1e-9)] {
             let plane = |y: f64, x: f64| scale * (0.3 * x - 0.4 * y);
             let map = HeightMap::from_fn(grid, plane).unwrap();
-            let [gradient, ratio] = hybrid(&map).unwrap();
-            close(gradient, 0.5 * scale, 1e-13);
+            let (moments, ..) = by_differences(&map, Edges::Open).unwrap();
+            close(moments.rms_gradient(), 0.5 * scale, 1e-13);
             close(seven_point_gradient(&map).unwrap(), 0.5 * scale, 1e-13);
-            close(ratio, excess, error);
+            close(developed_area(&map), excess, error);
         }
     }
 
