@@ -79,10 +79,10 @@ pub(crate) fn of(
         let text = "Heights stand there that nobody measured: a smooth surface through the rims, or the nearest point.";
         add("note", claim, text, "fill", "Fill", None);
     }
-    let rows = row_offsets(grid, heights).map_err(|e| Failure::from(&e))?;
-    if remedies.rows || rows.warning.is_some() {
+    let (_, jump, warning) = row_offsets(grid, heights).map_err(|e| Failure::from(&e))?;
+    if remedies.rows || warning.is_some() {
         let numbers = remedied.both("rows")?;
-        let claim = format!("Scan lines: rows jump by {} rms.", length(rows.jump));
+        let claim = format!("Scan lines: rows jump by {} rms.", length(jump));
         let text = "Slopes across them are those of the scan, not of the surface.";
         add("check", claim, text, "rows", "Put the rows in line", Some(numbers));
     }

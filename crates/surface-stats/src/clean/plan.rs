@@ -2,8 +2,7 @@
 
 use super::form::take_form_off;
 use super::{
-    Form, FormParameters, Outliers, RowOffsets, find_outliers, gaussian_filter, row_offsets,
-    short_waves,
+    Form, FormParameters, Outliers, find_outliers, gaussian_filter, row_offsets, short_waves,
 };
 use crate::StatsError;
 use crate::numbers::{METRES, plain, quantity};
@@ -85,7 +84,7 @@ pub fn apply(
     for &step in steps {
         records.push(match step {
             Step::Rows => {
-                let RowOffsets { offsets, jump, .. } = row_offsets(grid, heights)?;
+                let (offsets, jump, _) = row_offsets(grid, heights)?;
                 for (row, offset) in heights.chunks_exact_mut(grid.shape()[1]).zip(&offsets) {
                     for h in row {
                         *h -= offset;

@@ -5,21 +5,6 @@ use crate::polynomial::Polynomial;
 use crate::{StatsError, Warning, scale};
 use contact_types::Grid;
 
-/// How rows of a map stand against each other, by the median of the differences of neighbouring rows. A probe that loses
-/// or catches something between two rows, or drifts, makes that median jump from row to row; a surface makes it small
-/// (its slopes cancel along a row) or smooth (a lay along the rows, sampled by several of them).
-#[derive(Debug, Clone, PartialEq)]
-#[non_exhaustive]
-pub struct RowOffsets {
-    /// Height of each row (m): the sum of the medians, less the straight line through them, a tilt, which stays.
-    pub(super) offsets: Vec<f64>,
-    /// Rms of the jumps from row to row (m).
-    pub jump: f64,
-    /// That the rows jump: their offsets make a good part of the slope across them, far more than those of columns, and
-    /// are neither waves nor a few edges. A lay along the rows that is as fine as the rows looks the same.
-    pub warning: Option<Warning>,
-}
-
 /// Share of the differences from which rows are said to jump.
 const LEAST_SHARE: f64 = 0.25;
 
@@ -36,11 +21,22 @@ const LEAST_JUMPING: [f64; 2] = [6.0, 0.125];
 /// Rows and columns below which medians say nothing.
 const FEWEST: usize = 32;
 
-/// Compares neighbouring rows of `heights` (m, row-major, NaN = missing).
+/// How rows of a map of `heights` (m, row-major, NaN = missing) stand against each other, by the median of the differences
+/// of neighbouring rows. A probe that loses or catches something between two rows, or drifts, makes that median jump from
+/// row to row; a surface makes it small (its slopes cancel along a row) or smooth (a lay along the rows, sampled by several
+/// of them).
+///
+/// - the height of each row (m): the sum of the medians, less the straight line through them, a tilt, which stays;
+/// - the rms of the jumps from row to row (m);
+/// - that the rows jump: their offsets make a good part of the slope across them, far more than those of columns, and are
+///   neither waves nor a few edges. A lay along the rows that is as fine as the rows looks the same.
 ///
 /// # Errors
 /// [`StatsError::Shape`]; [`StatsError::Surface`] for infinite heights; [`StatsError::OutOfRange`].
-pub fn row_offsets(grid: Grid, heights: &[f64]) -> Result<RowOffsets, StatsError> {
+pub fn row_offsets(
+    grid: Grid,
+    heights: &[f64],
+) -> Result<(Vec<f64>, f64, Option<Warning>), StatsError> {
     scale::check_measured(grid, heights)?;
     let [ny, nx] = grid.shape();
     let (jumps_of_rows, share) = jumps(ny, nx, |line, i| heights[line * nx + i]);
@@ -58,7 +54,7 @@ pub fn row_offsets(grid: Grid, heights: &[f64]) -> Result<RowOffsets, StatsError
         && share >= LEAST_RATIO * jumps(nx, ny, |line, i| heights[i * nx + line]).1;
     let jump = (square / jumps_of_rows.len().max(1) as f64).sqrt();
     let warning = rows_jump.then_some(Warning::RowsJump { jump, share });
-    Ok(RowOffsets { offsets, jump, warning })
+    Ok((offsets, jump, warning))
 }
 
 /// Whether many jumps make up the sum of their squares, (Σ jump²)² / Σ jump⁴; more, if all go one way as of a staircase.
@@ -130,7 +126,7 @@ mod tests {
     #[test]
     fn planted_offsets_come_off() {
         let (grid, mut heights) = relief(3);
-        assert!(row_offsets(grid, &heights).unwrap().warning.is_none());
+        assert!(row_offsets(grid, &heights).unwrap().2.is_none());
         let align = |heights: &mut Vec<f64>| {
             let records = apply(grid, heights, &[Step::Rows]).unwrap();
             let Record::Rows { jump, largest } = records[0] else { panic!("{records:?}") };
@@ -145,7 +141,7 @@ mod tests {
             }
         }
         heights[5000..5100].fill(f64::NAN);
-        assert!(row_offsets(grid, &heights).unwrap().warning.is_some());
+        assert!(row_offsets(grid, &heights).unwrap().2.is_some());
         let [jump, largest] = align(&mut heights);
         // The difference of two numbers between -1 and 1 has the variance 2/3.
         assert!((jump / 30e-9 - (2.0f64 / 3.0).sqrt()).abs() < 0.1, "{jump:e}");
@@ -163,7 +159,7 @@ mod tests {
                 assert_abs_diff_eq!(*h, w + left[i / nx], epsilon = 1e-15);
             }
         }
-        assert!(row_offsets(grid, &heights).unwrap().warning.is_none());
+        assert!(row_offsets(grid, &heights).unwrap().2.is_none());
     }
 
     /// A lay that several rows show, along or across them, a tilt, a step edge and terraces are no scan lines.
@@ -187,7 +183,7 @@ mod tests {
                     .map(|(i, h)| h + shape((i / SHAPE[1]) as f64, (i % SHAPE[1]) as f64))
                     .collect();
                 let found = row_offsets(grid, &heights).unwrap();
-                assert!(found.warning.is_none(), "{seed} {k}: {found:?}");
+                assert!(found.2.is_none(), "{seed} {k}: {found:?}");
             }
         }
     }
@@ -198,8 +194,8 @@ mod tests {
             [([1, 50], 1.0), ([50, 1], 1.0), ([40, 40], 76e-3), ([40, 40], f64::NAN)]
         {
             let grid = Grid::new(shape, [1e-6, 1e-6]).unwrap();
-            let found = row_offsets(grid, &vec![height; grid.len()]).unwrap();
-            assert!(found.warning.is_none() && found.jump == 0.0);
+            let (_, jump, warning) = row_offsets(grid, &vec![height; grid.len()]).unwrap();
+            assert!(warning.is_none() && jump == 0.0);
         }
     }
 }
