@@ -7,7 +7,7 @@ use contact_compare::{
 use contact_types::Named;
 use std::path::Path;
 use surface_io::{Fill, FillError, HeightUnit, Measurement, Need, ReadError, ReadOptions};
-use surface_stats::clean::{self, Record};
+use surface_stats::clean::{self, Form, Record};
 use surface_stats::profile::Trace;
 use surface_stats::{StatsError, height_step};
 
@@ -30,6 +30,12 @@ pub enum Incomplete {
     /// A single line of points, or a single point.
     #[error("{} x {} points are no surface, which needs at least 2 x 2 points", .0[0], .0[1])]
     Line([usize; 2]),
+    /// Rows of a profile.
+    #[error("rows are put in line on a map, and this is a profile")]
+    Rows,
+    /// A form of maps, asked of a profile.
+    #[error("sphere and cylinder are forms of maps, and this is a profile")]
+    Form,
     /// Cleaning that cannot be done.
     #[error(transparent)]
     Cleaning(#[from] StudyError),
@@ -51,7 +57,9 @@ impl Incomplete {
     /// One word for the kind of trouble.
     pub fn failure(&self) -> Failure {
         match self {
-            Self::Line(_) => Failure::refused("profile", self.to_string()),
+            Self::Line(_) | Self::Rows | Self::Form => {
+                Failure::refused("profile", self.to_string())
+            }
             Self::Spikes(_) => Failure::refused("missing", self.to_string()),
             Self::Cleaning(e) => Failure::from(e),
             Self::Clean(e) | Self::Short(e) => Failure::from(e),
@@ -160,6 +168,12 @@ pub fn traces(
     mut file: FileOrigin,
     fill: Fill,
 ) -> Result<ProfileSurface, Incomplete> {
+    if file.cleaning.align_rows {
+        return Err(Incomplete::Rows);
+    }
+    if let Some(Form::Sphere | Form::Cylinder) = file.cleaning.form {
+        return Err(Incomplete::Form);
+    }
     measurements.first().map_or("", |m| m.format).clone_into(&mut file.format);
     (file.crop, file.missing) = (measurements.first().and_then(|m| m.cropped), 0);
     // λs and λc act on the profile after its form is off, with their own ends.

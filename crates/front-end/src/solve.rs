@@ -9,8 +9,8 @@ use crate::study::unmet;
 use crate::work::{Point, SolvedLoads, Watch};
 use contact_accuracy::{Aim, Ladder, LadderError, Task, climb};
 use contact_compare::{
-    AccuracyRequest, Adhesion, EdgesName, Finding, Hardness, Inputs, Joint, Level, PairOrigin,
-    Reached, Scene, Settings, Solved, Spikes, Surface,
+    AccuracyRequest, Adhesion, Cleaning, EdgesName, Finding, Hardness, Inputs, Joint, Level,
+    Origin, PairOrigin, Reached, Scene, Settings, Solved, Spikes, Surface,
 };
 use contact_types::{ContactModulus, HeightMap, Named, SpectralMoments};
 use fft_bem_solver::{Boundary, Load, Maps};
@@ -28,6 +28,9 @@ const NO_SEAL: &str = "a leak is that of a map which touches all over, from one 
 
 const NO_PART: &str = "an isolated contact is the whole part: no area but that of its map carries a force or has a \
                        resistance; leave the area out, or solve with a periodic boundary";
+
+const NO_PERIOD: &str =
+    "the S- and L-filter cut the ends of a trace off, which is then no period; leave them out";
 
 /// What is asked, and how it is to be solved.
 #[derive(Clone, Debug, Deserialize)]
@@ -111,6 +114,10 @@ impl SolveRequest {
         let modulus =
             ContactModulus::from_pascals(settings.modulus).map_err(|e| Failure::from(&e))?;
         let Subject { path, surface: Surface { origin, heights, .. }, cleaned, fill } = subject;
+        let is_cut = |c: &Cleaning| c.s_filter.or(c.l_filter).is_some();
+        if self.plane_strain && matches!(&origin, Origin::File(file) if is_cut(&file.cleaning)) {
+            return Err(Failure::refused("profile", format!("{}: {NO_PERIOD}", path.display())));
+        }
         let (pair, asked) = (origin.pair(), origin.level(settings.level));
         let refused = |e: StatsError| Failure::in_file(path, &e);
         let mut solved = Solved {

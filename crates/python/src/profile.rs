@@ -18,7 +18,6 @@ use pyo3::prelude::*;
 use std::collections::BTreeMap;
 use std::path::Path;
 use surface_io::Measurement;
-use surface_stats::clean::Form;
 use surface_stats::profile::Trace;
 
 /// Traces (m), one in each row; their spacing (m); the format; what is known of them; what `rough-contact stats` answers, as
@@ -62,21 +61,9 @@ fn traces(
 ) -> Result<(ProfileSurface, String), Unread> {
     let measurements = given.map_or_else(|| how.measurements(), Ok)?;
     let path = Path::new(&how.file.path);
-    let refused = |why: &str| {
-        Err(Unread::Other(Failure::refused("profile", format!("{}: {why}", path.display()))))
-    };
     if measurements.first().is_some_and(|m| !m.is_profile()) {
-        return refused("this is a map; read it with rc.read");
-    }
-    if how.file.cleaning.align_rows {
-        return refused(
-            "align_rows puts the rows of a map in line, and this is a profile; leave it out",
-        );
-    }
-    if let Some(Form::Sphere | Form::Cylinder) = how.file.cleaning.form {
-        return refused(
-            "sphere and cylinder are forms of maps, and this is a profile; give form='polynomial:2', or another degree",
-        );
+        let why = format!("{}: this is a map; read it with rc.read", path.display());
+        return Err(Unread::Other(Failure::refused("profile", why)));
     }
     let (_, fill) = contact_front_end::reading(&how.file)?;
     let traces = contact_front_end::traces(measurements, how.file.clone(), fill)

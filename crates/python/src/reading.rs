@@ -117,6 +117,8 @@ fn needs(needs: &[surface_io::Need]) -> String {
 pub(crate) fn unmade(path: &Path, error: &Incomplete, how: &FileReading) -> Failure {
     let way_out = match error {
         Incomplete::Line(_) => "of a profile, one row, see rc.read_profile".to_owned(),
+        Incomplete::Rows => "leave align_rows out".to_owned(),
+        Incomplete::Form => "give form='polynomial:2', or another degree".to_owned(),
         Incomplete::Short(_) => "measure a longer trace".to_owned(),
         Incomplete::Spikes(_) => "give fill='harmonic', or a higher threshold".to_owned(),
         Incomplete::Fill(FillError::NotConverged { .. }) => "give fill='nearest'".to_owned(),

@@ -5,7 +5,7 @@ use crate::surface::{LaidBody, Second, array, subject, surface_of};
 use crate::watched::{News, Reporter, quietly, watched};
 use contact_accuracy::Ladder;
 use contact_compare::AccuracyRequest as Accuracy;
-use contact_compare::{Iteration, Load, Origin, Solution, Surface, contact_spots};
+use contact_compare::{Iteration, Load, Solution, contact_spots};
 use contact_front_end::loads::Spread;
 use contact_front_end::{Failure, SolveRequest, Watch};
 use contact_types::{ContactModulus, Grid};
@@ -141,23 +141,6 @@ fn busy() -> PyErr {
     PyRuntimeError::new_err("this Solver is at work on another thread; make one for each")
 }
 
-/// Refuses traces that are no section of ridges.
-fn one_trace(surface: &Surface) -> Result<(), Failure> {
-    let refused =
-        |message: &str| Err(Failure::refused("profile", format!("{}: {message}", surface.name)));
-    if surface.heights.grid().shape()[0] > 1 {
-        return refused("several traces are several solutions; choose one with channel=");
-    }
-    match &surface.origin {
-        Origin::File(file) if file.cleaning.s_filter.or(file.cleaning.l_filter).is_some() => {
-            refused(
-                "s_filter and l_filter cut the ends of a trace off, which is then no period; leave them out",
-            )
-        }
-        _ => Ok(()),
-    }
-}
-
 /// Elastic displacement (m), positive into the body, of a pressure (Pa) that repeats or, if `free`, is alone.
 #[pyfunction]
 pub(crate) fn displacement<'py>(
@@ -211,8 +194,9 @@ pub(crate) fn solve<'py>(
 ) -> PyResult<SolveAnswer<'py>> {
     let request: SolveArguments = serde_json::from_str(request).map_err(|e| bug(&e))?;
     let (surface, facts) = surface_of(&heights, facts)?;
-    if request.request.plane_strain {
-        one_trace(&surface).map_err(|e| raise(&e))?;
+    if request.request.plane_strain && surface.heights.grid().shape()[0] > 1 {
+        let why = "several traces are several solutions; choose one with channel=";
+        return Err(raise(&Failure::refused("profile", format!("{}: {why}", surface.name))));
     }
     // Of a pair the area of their common part, which is known when they lie on each other.
     let laid = LaidBody::of(against.as_ref())?;

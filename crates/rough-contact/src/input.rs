@@ -2,7 +2,7 @@
 
 use crate::outcome::{self, Failure, unfit};
 use crate::units::Dimension::{self, Length};
-use crate::{args, profiles, quantity};
+use crate::{args, quantity};
 use clap::Args;
 use clap::builder::{PossibleValue, PossibleValuesParser, TypedValueParser};
 use rough_contact::compare::{Cleaning, FileOrigin, Origin, ProfileSurface, Surface, sha256_hex};
@@ -144,7 +144,6 @@ pub(crate) fn from_file(
         tell_of(path, &reading(ambiguity));
     }
     let made = if all[0].is_profile() {
-        profiles::refuse(path, file.cleaning)?;
         front_end::traces(all, file, fill).map(|traces| One::Profile(Box::new(traces)))
     } else {
         front_end::complete(all.swap_remove(0), file, fill).map(|map| One::Map(Box::new(map)))
@@ -273,6 +272,10 @@ fn unmade(path: &Path, error: &Incomplete) -> Failure {
                  harmonic or --fill nearest, or raise the threshold"
             );
             unfit(path, "missing", why)
+        }
+        Incomplete::Rows => unfit(path, "profile", error).adding("leave --align-rows out"),
+        Incomplete::Form => {
+            unfit(path, "profile", error).adding("give --form polynomial:2, or another degree")
         }
         Incomplete::Cleaning(e) => Failure::in_file(path, e),
         Incomplete::Clean(e) => Failure::in_file(path, e),

@@ -2,10 +2,9 @@
 
 use crate::outcome::{Failure, Reply, unfit};
 use crate::text::{self, Columns, TwoColumns, plain};
-use rough_contact::compare::{Cleaning, Level, Origin, ProfileSurface, Surface, Unevenness};
-use rough_contact::surface_stats::clean::Form;
+use rough_contact::compare::{Level, Origin, ProfileSurface, Unevenness};
 use rough_contact::surface_stats::profile::{ProfileStatistics, Trace};
-use rough_contact::{HeightMap, SpectralMoments, front_end, report};
+use rough_contact::{SpectralMoments, front_end, report};
 use std::fmt::Write as _;
 use std::path::Path;
 
@@ -39,34 +38,6 @@ pub(crate) fn add(
     }
     all.uneven = all.uneven.or(other.uneven);
     Ok(())
-}
-
-/// The one trace that is solved in plane strain.
-pub(crate) fn only(all: ProfileSurface, path: &Path) -> Result<Surface, Failure> {
-    let ProfileSurface { name, origin, traces, .. } = all;
-    let filter = |c: &Cleaning| c.s_filter.or(c.l_filter);
-    let message = if traces.len() > 1 {
-        "several traces are several solutions; choose one with --channel NAME"
-    } else if matches!(&origin, Origin::File(file) if filter(&file.cleaning).is_some()) {
-        "--s-filter and --l-filter cut the ends of a trace off, which is then no period; leave them \
-         out"
-    } else {
-        return Ok(Surface { name, origin, heights: HeightMap::clone(&traces[0]) });
-    };
-    Err(unfit(path, "profile", message))
-}
-
-/// Cleaning that is for maps only.
-pub(crate) fn refuse(path: &Path, cleaning: Cleaning) -> Result<(), Failure> {
-    let message = if cleaning.align_rows {
-        "--align-rows puts the rows of a map in line, and this is a profile; leave it out"
-    } else if let Some(Form::Sphere | Form::Cylinder) = cleaning.form {
-        "--form sphere and cylinder are forms of maps, and this is a profile; give --form polynomial:2, \
-         or another degree"
-    } else {
-        return Ok(());
-    };
-    Err(unfit(path, "profile", message))
 }
 
 /// A line for every trace that was put at equal distances.

@@ -11,11 +11,11 @@ use crate::loads::{Loads, carried, rising, shown};
 use crate::outcome::{Failure, Reply, unfit};
 use crate::progress::ProgressDisplay;
 use crate::text::{self, Columns};
-use crate::{conduction, leak, profiles};
+use crate::{conduction, leak};
 use clap::Args;
 use rough_contact::compare::{
-    BULK_YIELD, DeterministicAnswer, EdgesName, Hardness, Joint, Origin, Settings, Surface,
-    on_threads,
+    BULK_YIELD, DeterministicAnswer, EdgesName, Hardness, Joint, Origin, ProfileSurface, Settings,
+    Surface, on_threads,
 };
 use rough_contact::contact_accuracy::{Estimate, NoUncertainty};
 use rough_contact::contact_types::{Grid, HeightMap, Named};
@@ -256,11 +256,16 @@ impl Solve {
                 "--accuracy, --fast, --stiffness, --resistivity, --conductivity, --leak and \
                  --work-of-adhesion are for maps; give --tolerance with --plane-strain",
             ),
+            (
+                traces.traces.len() > 1,
+                "several traces are several solutions; choose one with --channel NAME",
+            ),
         ];
-        match wrong.iter().find(|(is_given, _)| *is_given) {
-            Some((_, message)) => Err(refused(message)),
-            None => profiles::only(*traces, path),
+        if let Some((_, message)) = wrong.iter().find(|(is_given, _)| *is_given) {
+            return Err(refused(message));
         }
+        let ProfileSurface { name, origin, traces, .. } = *traces;
+        Ok(Surface { name, origin, heights: HeightMap::clone(&traces[0]) })
     }
 
     fn reply(&self, answer: SolveResult, question: &SolveRequest, origin: &Origin) -> Reply {
