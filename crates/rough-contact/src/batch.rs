@@ -182,7 +182,7 @@ fn one<C: PerFile>(
         return outcome(command.answer(file, common).map(digest), None);
     };
     let content = match std::fs::read(file) {
-        Ok(content) => sha256_hex(&content) + &command.beside(),
+        Ok(content) => sha256_hex(&content) + &store.beside,
         Err(e) => return outcome(Err(unfit(file, "io", e)), None),
     };
     let name = store.name(file, &content);
@@ -206,6 +206,8 @@ pub(crate) struct Store {
     resume: bool,
     /// How the names of answers to these options end.
     ending: String,
+    /// Content of other files that all answers depend on, as a hash.
+    beside: String,
 }
 
 impl Store {
@@ -225,7 +227,8 @@ impl Store {
         let folder = Folder::prepare(out, &names, force || (resume && is_known));
         let why = "--resume goes on with answers to the same options, and here are none: give another --out";
         let folder = folder.map_err(|e| e.adding(if resume { why } else { "" }))?;
-        Ok(Self { folder, answers: Folder::prepare(&answers, &[], true)?, resume, ending })
+        let (answers, beside) = (Folder::prepare(&answers, &[], true)?, command.beside());
+        Ok(Self { folder, answers, resume, ending, beside })
     }
 
     pub(crate) fn whole(&self, outcome: &FileOutcome) -> std::io::Result<Value> {
