@@ -28,7 +28,9 @@ impl<'e> Entries<'e> {
     }
 
     pub(crate) fn number(self, key: &str) -> Result<f64, ReadError> {
-        self.parsed(key, "number")
+        let number = self.parsed::<f64>(key, "number")?;
+        let fault = || ReadError::at(self.format, key.to_owned(), format!("{number} is no number"));
+        Some(number).filter(|number| number.is_finite()).ok_or_else(fault)
     }
 
     pub(crate) fn number_or(self, key: &str, default: f64) -> Result<f64, ReadError> {

@@ -56,7 +56,7 @@ pub(crate) fn parse(b: Bytes<'_>) -> Result<Contents<'_>, ReadError> {
 
     let pixel = Pixel::Metres([tags.number("PixelSizeYMeter")?, tags.number("PixelSizeXMeter")?]);
     // Printed with about 11 digits, stored as f32.
-    let invalid = tags.number("InvalidPixelValue").ok().filter(|value| value.is_finite());
+    let invalid = tags.number("InvalidPixelValue").ok();
     let convert = move |z: f64| match invalid {
         Some(invalid) if (z - invalid).abs() <= 1.5e-7 * invalid.abs() => f64::NAN,
         _ => z,

@@ -60,15 +60,10 @@ pub(crate) fn parse(mut b: Bytes<'_>) -> Result<Contents<'_>, ReadError> {
     }
     let side = |key: &str| entries.parsed::<usize>(key, "whole number");
     let shape = [side("ypixels")?, side("xpixels")?];
-    let size = |length: &str, unit: &str| {
-        let unit = entries.get(unit).unwrap_or("nm");
-        let scale = metres_per(unit).ok_or_else(|| b.field("unit", format!("{unit:?}")))?;
-        Ok::<f64, ReadError>(entries.number(length)? * scale)
-    };
-    let pixel = Pixel::Metres([
-        size("ylength", "yunit")? / shape[0] as f64,
-        size("xlength", "xunit")? / shape[1] as f64,
-    ]);
+    let unit = |key: &str| entries.get(key).unwrap_or("nm");
+    let size = [entries.number("ylength")?, entries.number("xlength")?];
+    let steps = [size[0] / shape[0] as f64, size[1] / shape[1] as f64];
+    let pixel = Pixel::in_units(steps, [unit("yunit"), unit("xunit")]);
     let step = entries.number_or("bit2nm", 1.0)?;
     let (sample, default) =
         if is_float { (Sample::F32, f64::from(f32::MAX)) } else { (Sample::I16, 32767.0) };
@@ -78,9 +73,8 @@ pub(crate) fn parse(mut b: Bytes<'_>) -> Result<Contents<'_>, ReadError> {
         let is_void = marks.iter().any(|mark| is_mark(raw, *mark));
         if is_void || raw >= f64::from(f32::MAX) { f64::NAN } else { raw * step }
     };
-    let unit = entries.get("zunit").unwrap_or("nm");
     let raster = b.raster(start, shape, sample)?;
-    let channel = Channel::raster("Height", unit, pixel, raster, convert);
+    let channel = Channel::raster("Height", unit("zunit"), pixel, raster, convert);
     Ok(Contents { channels: vec![channel], metadata })
 }
 

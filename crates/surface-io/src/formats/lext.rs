@@ -27,11 +27,15 @@ pub(crate) fn sniff(bytes: &[u8]) -> bool {
 pub(crate) fn parse(b: Bytes<'_>) -> Result<Contents<'_>, ReadError> {
     let pages = tiff::pages(b, usize::MAX)?;
     let first = pages.first().ok_or_else(|| b.fault(4, "there is no directory"))?;
-    let fields = document(b, first, IMAGE_DESCRIPTION)?;
+    let document = |page: &Page<'_>, tag| {
+        let (_, raw) = page.raw(tag)?;
+        xml::fields(b.with(text(raw).as_bytes()), "XML")
+    };
+    let fields = document(first, IMAGE_DESCRIPTION)?;
     // Calibration that is there and cannot be read is no reason to go without it.
     let exif = if first.has(EXIF) { Some(first.sub_page(EXIF)?) } else { None };
     let device = match exif {
-        Some(exif) if exif.has(DEVICE) => document(b, &exif, DEVICE)?,
+        Some(exif) if exif.has(DEVICE) => document(&exif, DEVICE)?,
         _ => BTreeMap::new(),
     };
     let (fields, device) = (Entries::new(b, &fields), Entries::new(b, &device));
@@ -57,15 +61,4 @@ pub(crate) fn parse(b: Bytes<'_>) -> Result<Contents<'_>, ReadError> {
     }
     contents.note([("software", first.text(305)), ("date", first.text(306))]);
     Ok(contents)
-}
-
-/// The fields of the XML in an entry.
-fn document(
-    b: Bytes<'_>,
-    page: &Page<'_>,
-    tag: u16,
-) -> Result<BTreeMap<String, String>, ReadError> {
-    let (_, raw) = page.raw(tag)?;
-    let end = raw.iter().position(|&byte| byte == 0).unwrap_or(raw.len());
-    xml::fields(b.with(&raw[..end]), "XML")
 }

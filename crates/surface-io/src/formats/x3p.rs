@@ -48,8 +48,8 @@ pub(crate) fn parse(b: Bytes<'_>) -> Result<Contents<'_>, ReadError> {
     };
     let raw = unpack("PointDataLink")?;
     let mask = if raw.is_some() { unpack("ValidPointsLink")? } else { None };
-    let offset = finite(b, entries, "Record1/Axes/CZ/Offset", 0.0)?;
-    let increment = finite(b, entries, "Record1/Axes/CZ/Increment", 1.0)?;
+    let offset = entries.number_or("Record1/Axes/CZ/Offset", 0.0)?;
+    let increment = entries.number_or("Record1/Axes/CZ/Increment", 1.0)?;
     let (sample, factor) = match entries.text("Record1/Axes/CZ/DataType")? {
         "I" => (Sample::I16, increment),
         "L" => (Sample::I32, increment),
@@ -154,14 +154,6 @@ fn main_xml(b: Bytes<'_>) -> Result<MainXml, ReadError> {
     Ok((fields, list, bad))
 }
 
-fn finite(b: Bytes<'_>, entries: Entries<'_>, path: &str, default: f64) -> Result<f64, ReadError> {
-    let value = entries.number_or(path, default)?;
-    if value.is_finite() {
-        return Ok(value);
-    }
-    Err(b.field(path.to_owned(), format!("{value} is no number")))
-}
-
 /// `[SizeX, SizeY, SizeZ]`.
 fn size(b: Bytes<'_>, entries: Entries<'_>) -> Result<[usize; 3], ReadError> {
     let feature = entries.text("Record1/FeatureType")?;
@@ -190,9 +182,7 @@ fn pixel(b: Bytes<'_>, entries: Entries<'_>, ny: usize) -> Result<[f64; 2], Read
             let feature = format!("axis {axis} of type {kind} (evenly spaced axes, I, are)");
             return Err(b.unsupported(feature));
         }
-        let path = format!("Record1/Axes/{axis}/Increment");
-        entries.text(&path)?;
-        finite(b, entries, &path, 0.0)
+        entries.number(&format!("Record1/Axes/{axis}/Increment"))
     };
     let dx = step("CX")?;
     // The y axis of a profile has no steps.
