@@ -151,13 +151,9 @@ impl SeparationModel for ChangEtsionBogy {
 
 impl ContactModel for ChangEtsionBogy {
     fn citation(&self) -> Citation {
-        Citation {
-            authors: "Chang, Etsion & Bogy".into(),
-            year: 1987,
-            title: "An elastic-plastic model for the contact of rough surfaces".into(),
-            journal: "Journal of Tribology 109, 257-263".into(),
-            doi: "10.1115/1.3261348".into(),
-        }
+        let title = "An elastic-plastic model for the contact of rough surfaces";
+        let journal = "Journal of Tribology 109, 257-263";
+        Citation::new("Chang, Etsion & Bogy", 1987, title, journal, "10.1115/1.3261348")
     }
 
     /// The contact at a mean pressure, by bisection of α. At 0 nothing touches and there is no finite

@@ -49,24 +49,22 @@ impl SummitLaw {
     }
 
     pub(crate) fn citation(self) -> Citation {
-        let (authors, year, title, journal, doi) = match self {
-            Self::BushGibsonThomas => (
+        match self {
+            Self::BushGibsonThomas => Citation::new(
                 "Bush, Gibson & Thomas",
                 1975,
                 "The elastic contact of a rough surface",
                 "Wear 35, 87-111",
                 "10.1016/0043-1648(75)90145-3",
             ),
-            Self::GreenwoodElliptical => (
+            Self::GreenwoodElliptical => Citation::new(
                 "Greenwood",
                 2006,
                 "A simplified elliptic model of rough surface contact",
                 "Wear 261, 191-200",
                 "10.1016/j.wear.2005.09.031",
             ),
-        };
-        let [authors, title, journal, doi] = [authors, title, journal, doi].map(Into::into);
-        Citation { authors, year, title, journal, doi }
+        }
     }
 
     /// ∫ 4 t^{7/2} φ W_P dt to four digits: load at full overlap, for starting values.

@@ -92,15 +92,15 @@ impl ConductanceCorrelation {
 
 impl ContactModel for ConductanceCorrelation {
     fn citation(&self) -> Citation {
-        let (authors, year, title, place, doi) = if self.is_elastic {
+        if self.is_elastic {
             let title = "Thermal contact conductance; theoretical considerations";
-            ("Mikic", 1974, title, "17, 205", "10.1016/0017-9310(74)90082-9")
+            let journal = "Int. J. Heat Mass Transfer 17, 205";
+            Citation::new("Mikic", 1974, title, journal, "10.1016/0017-9310(74)90082-9")
         } else {
-            let (authors, doi) = ("Cooper, Mikic & Yovanovich", "10.1016/0017-9310(69)90011-8");
-            (authors, 1969, "Thermal contact conductance", "12, 279", doi)
-        };
-        let journal = format!("Int. J. Heat Mass Transfer {place}").into();
-        Citation { authors: authors.into(), year, title: title.into(), journal, doi: doi.into() }
+            let (authors, title) = ("Cooper, Mikic & Yovanovich", "Thermal contact conductance");
+            let journal = "Int. J. Heat Mass Transfer 12, 279";
+            Citation::new(authors, 1969, title, journal, "10.1016/0017-9310(69)90011-8")
+        }
     }
 
     fn at_pressure(&self, mean_pressure: f64) -> Result<ContactState, ModelError> {

@@ -102,9 +102,7 @@ mod tests {
     #[test]
     fn names_and_labels_are_unique() {
         let card = |name: &'static str, title: &'static str| {
-            let source = ["me", "title", "journal", ""].map(std::borrow::Cow::from);
-            let [authors, title_, journal, doi] = source;
-            let citation = Citation { authors, year: 2026, title: title_, journal, doi };
+            let citation = Citation::new("me", 2026, "title", "journal", "");
             let point = CurvePoint { mean_pressure: 1.0, area_fraction: 0.5, mean_gap: None };
             Tabulated::new(Card::new(name, title, citation), vec![point]).unwrap()
         };

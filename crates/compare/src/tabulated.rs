@@ -131,14 +131,7 @@ mod tests {
     use contact_types::ContactModulus;
 
     fn card() -> Card {
-        let [authors, title, journal, doi] = ["A. Nother", "Elsewhere", "J. 1, 1", ""];
-        let citation = Citation {
-            authors: authors.into(),
-            year: 2025,
-            title: title.into(),
-            journal: journal.into(),
-            doi: doi.into(),
-        };
+        let citation = Citation::new("A. Nother", 2025, "Elsewhere", "J. 1, 1", "");
         Card::new("elsewhere", "Elsewhere", citation)
     }
 

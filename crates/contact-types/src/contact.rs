@@ -21,6 +21,25 @@ pub struct Citation {
     pub doi: Cow<'static, str>,
 }
 
+impl Citation {
+    /// A paper; an empty `doi` if it has none.
+    pub const fn new(
+        authors: &'static str,
+        year: u16,
+        title: &'static str,
+        journal: &'static str,
+        doi: &'static str,
+    ) -> Self {
+        Self {
+            authors: Cow::Borrowed(authors),
+            year,
+            title: Cow::Borrowed(title),
+            journal: Cow::Borrowed(journal),
+            doi: Cow::Borrowed(doi),
+        }
+    }
+}
+
 /// An answer was given, but something about it must be known.
 #[derive(Debug, Clone, PartialEq)]
 #[cfg_attr(

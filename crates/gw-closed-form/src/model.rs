@@ -141,13 +141,9 @@ impl GreenwoodWilliamson {
 
 impl ContactModel for GreenwoodWilliamson {
     fn citation(&self) -> Citation {
-        Citation {
-            authors: "Greenwood & Williamson".into(),
-            year: 1966,
-            title: "Contact of nominally flat surfaces".into(),
-            journal: "Proceedings of the Royal Society of London A 295, 300-319".into(),
-            doi: "10.1098/rspa.1966.0242".into(),
-        }
+        let title = "Contact of nominally flat surfaces";
+        let journal = "Proceedings of the Royal Society of London A 295, 300-319";
+        Citation::new("Greenwood & Williamson", 1966, title, journal, "10.1098/rspa.1966.0242")
     }
 
     /// The contact at a mean pressure. At 0 nothing touches and there is no finite separation.

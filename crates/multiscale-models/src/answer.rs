@@ -1,23 +1,6 @@
-//! What the answers of all models share: citations, caveats, and the state where the area alone is known.
+//! What the answers of all models share: caveats, and the state where the area alone is known.
 
-use contact_types::{Caveat, Citation, ContactState};
-
-/// The paper of a model; an empty `doi` if it has none.
-pub(crate) fn citation(
-    authors: &'static str,
-    year: u16,
-    title: &'static str,
-    journal: &'static str,
-    doi: &'static str,
-) -> Citation {
-    Citation {
-        authors: authors.into(),
-        year,
-        title: title.into(),
-        journal: journal.into(),
-        doi: doi.into(),
-    }
-}
+use contact_types::{Caveat, ContactState};
 
 /// Above this rms gradient a half-space with small slopes is no longer meant.
 const STEEP: f64 = 1.0;

@@ -1,6 +1,6 @@
 //! Archard's spheres on spheres on spheres.
 
-use crate::answer::{beyond, citation, underflow};
+use crate::answer::{beyond, underflow};
 use crate::wide::Wide;
 use contact_types::{
     Caveat, Citation, ContactModel, ContactModulus, ContactState, ModelError, require,
@@ -134,7 +134,7 @@ fn repeated_cbrt(x: Wide, times: usize) -> Wide {
 impl ContactModel for Archard {
     fn citation(&self) -> Citation {
         let title = "Elastic deformation and the laws of friction";
-        citation("Archard", 1957, title, "Proc. R. Soc. A 243, 190", "10.1098/rspa.1957.0214")
+        Citation::new("Archard", 1957, title, "Proc. R. Soc. A 243, 190", "10.1098/rspa.1957.0214")
     }
 
     fn at_pressure(&self, mean_pressure: f64) -> Result<ContactState, ModelError> {

@@ -103,13 +103,9 @@ impl Equation {
 
 impl ContactModel for Equation {
     fn citation(&self) -> Citation {
-        Citation {
-            authors: "The rough-contact authors".into(),
-            year: 2026,
-            title: "rough-contact: real area of contact between rough surfaces".into(),
-            journal: format!("software, version {}", env!("CARGO_PKG_VERSION")).into(),
-            doi: "".into(),
-        }
+        let title = "rough-contact: real area of contact between rough surfaces";
+        let journal = concat!("software, version ", env!("CARGO_PKG_VERSION"));
+        Citation::new("The rough-contact authors", 2026, title, journal, "")
     }
 
     fn formula(&self) -> Option<String> {

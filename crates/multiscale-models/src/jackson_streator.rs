@@ -1,6 +1,6 @@
 //! Jackson and Streator's recursion over the sinusoids of a profile.
 
-use crate::answer::{citation, up_to_complete};
+use crate::answer::up_to_complete;
 use crate::stacked::complete_contact_pressure;
 use crate::wide::Wide;
 use contact_types::{
@@ -65,7 +65,7 @@ impl ContactModel for JacksonStreator {
     fn citation(&self) -> Citation {
         let title = "A multi-scale model for contact between rough surfaces";
         let doi = "10.1016/j.wear.2006.03.015";
-        citation("Jackson & Streator", 2006, title, "Wear 261, 1337", doi)
+        Citation::new("Jackson & Streator", 2006, title, "Wear 261, 1337", doi)
     }
 
     fn at_pressure(&self, mean_pressure: f64) -> Result<ContactState, ModelError> {

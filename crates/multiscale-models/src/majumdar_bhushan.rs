@@ -1,6 +1,5 @@
 //! Majumdar and Bhushan's fractal model, elastic part.
 
-use crate::answer::citation;
 use crate::spots::{FractalContact, PlasticSpots};
 use crate::wide::Wide;
 use contact_types::{
@@ -84,7 +83,7 @@ impl ContactModel for MajumdarBhushan {
     fn citation(&self) -> Citation {
         let title = "Fractal model of elastic-plastic contact between rough surfaces";
         let (journal, doi) = ("J. Tribol. 113, 1", "10.1115/1.2920588");
-        citation("Majumdar & Bhushan", 1991, title, journal, doi)
+        Citation::new("Majumdar & Bhushan", 1991, title, journal, doi)
     }
 
     fn at_pressure(&self, mean_pressure: f64) -> Result<ContactState, ModelError> {

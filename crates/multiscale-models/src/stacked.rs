@@ -1,6 +1,6 @@
 //! The stacked multiscale model: complete contact at the steepest scale decides.
 
-use crate::answer::{citation, up_to_complete};
+use crate::answer::up_to_complete;
 use crate::wide::Wide;
 use contact_types::{Citation, ContactModel, ContactModulus, ContactState, ModelError, require};
 use std::f64::consts::PI;
@@ -63,7 +63,7 @@ impl ContactModel for Stacked {
     fn citation(&self) -> Citation {
         let title = "A study of the average real contact pressure between rough surfaces";
         let journal = "STLE/ASME International Joint Tribology Conference, Miami";
-        citation("Jackson, Wilson & Angadi", 2008, title, journal, "")
+        Citation::new("Jackson, Wilson & Angadi", 2008, title, journal, "")
     }
 
     fn at_pressure(&self, mean_pressure: f64) -> Result<ContactState, ModelError> {

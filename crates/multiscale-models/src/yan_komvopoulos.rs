@@ -1,6 +1,5 @@
 //! Yan and Komvopoulos' fractal surface in three dimensions.
 
-use crate::answer::citation;
 use crate::spots::{FractalContact, PlasticSpots};
 use crate::wide::Wide;
 use contact_types::{Citation, ContactModel, ContactModulus, ContactState, ModelError};
@@ -86,7 +85,7 @@ impl ContactModel for YanKomvopoulos {
     fn citation(&self) -> Citation {
         let title = "Contact analysis of elastic-plastic fractal surfaces";
         let (journal, doi) = ("J. Appl. Phys. 84, 3617", "10.1063/1.368536");
-        citation("Yan & Komvopoulos", 1998, title, journal, doi)
+        Citation::new("Yan & Komvopoulos", 1998, title, journal, doi)
     }
 
     fn at_pressure(&self, mean_pressure: f64) -> Result<ContactState, ModelError> {

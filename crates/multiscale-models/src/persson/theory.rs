@@ -3,7 +3,7 @@
 use super::scales::Scales;
 use super::self_affine::SelfAffineSpectrum;
 use super::span::MODEL;
-use crate::answer::{citation, saturated, steep, underflow};
+use crate::answer::{saturated, steep, underflow};
 use crate::special::{erf, half_e1_of_square, squared_erf_tail};
 use crate::wide::Wide;
 use contact_types::{
@@ -152,7 +152,7 @@ impl Persson {
 impl ContactModel for Persson {
     fn citation(&self) -> Citation {
         let title = "Theory of rubber friction and contact mechanics";
-        citation("Persson", 2001, title, "J. Chem. Phys. 115, 3840", "10.1063/1.1388626")
+        Citation::new("Persson", 2001, title, "J. Chem. Phys. 115, 3840", "10.1063/1.1388626")
     }
 
     fn at_pressure(&self, mean_pressure: f64) -> Result<ContactState, ModelError> {

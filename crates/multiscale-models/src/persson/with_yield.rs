@@ -1,6 +1,6 @@
 //! Persson's theory with a hardness: the pressure distribution diffuses between two walls.
 
-use crate::answer::{citation, underflow};
+use crate::answer::underflow;
 use crate::special::{erf, erfc};
 use contact_types::{Citation, ContactModel, ContactModulus, ContactState, ModelError, require};
 use std::f64::consts::PI;
@@ -99,7 +99,7 @@ impl ContactModel for PerssonWithYield {
         let title = "Elastoplastic contact between randomly rough surfaces";
         let (journal, doi) =
             ("Physical Review Letters 87, 116101", "10.1103/PhysRevLett.87.116101");
-        citation("Persson", 2001, title, journal, doi)
+        Citation::new("Persson", 2001, title, journal, doi)
     }
 
     /// The area is the elastic and the plastic part. From the hardness on everything has yielded, and no load above

@@ -5,25 +5,8 @@ use crate::figures::maps::limited;
 use crate::numbers::{percent, power_of_ten, significant};
 use contact_compare::{Comparison, Section, SurfaceComparison};
 use contact_types::Citation;
-use std::borrow::Cow;
 
-const fn paper(
-    authors: &'static str,
-    year: u16,
-    title: &'static str,
-    journal: &'static str,
-    doi: &'static str,
-) -> Citation {
-    Citation {
-        authors: Cow::Borrowed(authors),
-        year,
-        title: Cow::Borrowed(title),
-        journal: Cow::Borrowed(journal),
-        doi: Cow::Borrowed(doi),
-    }
-}
-
-pub(crate) const DETERMINISTIC: Citation = paper(
+pub(crate) const DETERMINISTIC: Citation = Citation::new(
     "The discrete problem, whose iteration its row names: Stanley & Kato",
     1997,
     "An FFT-based method for rough surface contact",
@@ -31,7 +14,7 @@ pub(crate) const DETERMINISTIC: Citation = paper(
     "10.1115/1.2833523",
 );
 
-pub(crate) const CONDUCTANCE: Citation = paper(
+pub(crate) const CONDUCTANCE: Citation = Citation::new(
     "Barber",
     2003,
     "Bounds on the electrical resistance between contacting elastic rough bodies",
@@ -39,7 +22,7 @@ pub(crate) const CONDUCTANCE: Citation = paper(
     "",
 );
 
-pub(crate) const AREA_CORRECTION: Citation = paper(
+pub(crate) const AREA_CORRECTION: Citation = Citation::new(
     "Yastrebov, Anciaux & Molinari",
     2017,
     "On the accurate computation of the true contact-area in mechanical contact of random rough surfaces",

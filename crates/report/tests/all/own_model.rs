@@ -11,13 +11,8 @@ use std::f64::consts::TAU;
 use std::ops::ControlFlow;
 
 fn citation(authors: &str) -> Citation {
-    Citation {
-        authors: authors.to_owned().into(),
-        year: 2031,
-        title: "Half & half".into(),
-        journal: "J. 1, 1".into(),
-        doi: "10.1000/own".into(),
-    }
+    let of_all = Citation::new("", 2031, "Half & half", "J. 1, 1", "10.1000/own");
+    Citation { authors: authors.to_owned().into(), ..of_all }
 }
 
 /// Half of everything touches.
