@@ -1,6 +1,6 @@
 //! Slopes and curvatures by finite differences.
 
-use crate::clean::row_offsets;
+use crate::clean::row_jumps;
 use crate::linear::sum;
 use crate::{HeightStatistics, StatsError, Warning};
 use contact_types::{HeightMap, Named, SpectralMoments};
@@ -163,7 +163,7 @@ impl DirectionalMoments {
     /// That the rows of this map jump, whose slopes are then no lay; or that there is one.
     pub(crate) fn uneven(&self, map: &HeightMap) -> Option<Warning> {
         // Levelling may take heights at the end of the range beyond it: then rows are not compared.
-        let rows = row_offsets(map.grid(), map.heights()).ok().and_then(|(_, _, warning)| warning);
+        let rows = row_jumps(map.grid(), map.heights()).ok().and_then(|(_, _, warning)| warning);
         let lay = self.anisotropy().filter(|r| *r > 2.0);
         rows.or(lay.map(|ratio| Warning::Anisotropic { ratio }))
     }

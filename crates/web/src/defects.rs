@@ -10,7 +10,7 @@ use contact_report::numbers::significant;
 use contact_types::SpectralMoments;
 use serde_json::{Value, json};
 use surface_io::Measurement;
-use surface_stats::clean::{Outliers, find_outliers, row_offsets};
+use surface_stats::clean::{Outliers, find_outliers, row_jumps};
 use surface_stats::{SurfaceStatistics, Warning, repeats, seam_jump};
 
 /// A tilt is worth a word from this many times the roughness on.
@@ -79,7 +79,7 @@ pub(crate) fn of(
         let text = "Heights stand there that nobody measured: a smooth surface through the rims, or the nearest point.";
         add("note", claim, text, "fill", "Fill", None);
     }
-    let (_, jump, warning) = row_offsets(grid, heights).map_err(|e| Failure::from(&e))?;
+    let (_, jump, warning) = row_jumps(grid, heights).map_err(|e| Failure::from(&e))?;
     if remedies.rows || warning.is_some() {
         let numbers = remedied.both("rows")?;
         let claim = format!("Scan lines: rows jump by {} rms.", length(jump));

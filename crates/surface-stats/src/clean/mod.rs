@@ -15,4 +15,4 @@ pub(crate) use gaussian::{gaussian_filter, short_waves};
 pub use outliers::{Outliers, find_outliers};
 pub use plan::{Record, Step, apply};
 pub use resample::{mirrored, resample};
-pub use rows::row_offsets;
+pub use rows::row_jumps;

@@ -1,8 +1,9 @@
 //! Several cleaning steps in a row, with a record of what each did.
 
 use super::form::take_form_off;
+use super::rows::offsets;
 use super::{
-    Form, FormParameters, Outliers, find_outliers, gaussian_filter, row_offsets, short_waves,
+    Form, FormParameters, Outliers, find_outliers, gaussian_filter, row_jumps, short_waves,
 };
 use crate::StatsError;
 use crate::numbers::{METRES, plain, quantity};
@@ -84,7 +85,8 @@ pub fn apply(
     for &step in steps {
         records.push(match step {
             Step::Rows => {
-                let (offsets, jump, _) = row_offsets(grid, heights)?;
+                let (jumps, jump, _) = row_jumps(grid, heights)?;
+                let offsets = offsets(&jumps)?;
                 for (row, offset) in heights.chunks_exact_mut(grid.shape()[1]).zip(&offsets) {
                     for h in row {
                         *h -= offset;

@@ -26,25 +26,20 @@ const FEWEST: usize = 32;
 /// row to row; a surface makes it small (its slopes cancel along a row) or smooth (a lay along the rows, sampled by several
 /// of them).
 ///
-/// - the height of each row (m): the sum of the medians, less the straight line through them, a tilt, which stays;
-/// - the rms of the jumps from row to row (m);
-/// - that the rows jump: their offsets make a good part of the slope across them, far more than those of columns, and are
+/// - the jumps from row to row (m): these medians less their own, that of a tilt;
+/// - their rms (m);
+/// - that the rows jump: their jumps make a good part of the slope across them, far more than those of columns, and are
 ///   neither waves nor a few edges. A lay along the rows that is as fine as the rows looks the same.
 ///
 /// # Errors
 /// [`StatsError::Shape`]; [`StatsError::Surface`] for infinite heights; [`StatsError::OutOfRange`].
-pub fn row_offsets(
+pub fn row_jumps(
     grid: Grid,
     heights: &[f64],
 ) -> Result<(Vec<f64>, f64, Option<Warning>), StatsError> {
     scale::check_measured(grid, heights)?;
     let [ny, nx] = grid.shape();
     let (jumps_of_rows, share) = jumps(ny, nx, |line, i| heights[line * nx + i]);
-    let mut offsets = vec![0.0; ny];
-    for i in 1..ny {
-        offsets[i] = offsets[i - 1] + jumps_of_rows[i - 1];
-    }
-    line(&offsets)?.remove_from(&mut offsets);
     let change: f64 = jumps_of_rows.windows(2).map(|j| (j[1] - j[0]).powi(2)).sum();
     let square: f64 = jumps_of_rows.iter().map(|j| j * j).sum();
     let rows_jump = ny >= FEWEST
@@ -54,7 +49,7 @@ pub fn row_offsets(
         && share >= LEAST_RATIO * jumps(nx, ny, |line, i| heights[i * nx + line]).1;
     let jump = (square / jumps_of_rows.len().max(1) as f64).sqrt();
     let warning = rows_jump.then_some(Warning::RowsJump { jump, share });
-    Ok((offsets, jump, warning))
+    Ok((jumps_of_rows, jump, warning))
 }
 
 /// Whether many jumps make up the sum of their squares, (Σ jump²)² / Σ jump⁴; more, if all go one way as of a staircase.
@@ -66,9 +61,15 @@ fn are_many(jumps: &[f64]) -> bool {
     count * (1.0 - one_way * one_way) >= both_ways || count >= part * jumps.len() as f64
 }
 
-/// The straight line through the offsets of rows.
-fn line(offsets: &[f64]) -> Result<Polynomial, StatsError> {
-    Polynomial::fit(Grid::new([1, offsets.len()], [1.0, 1.0])?, offsets, 1)
+/// Height of each row (m): the sum of the jumps, less the straight line through them, a tilt, which stays.
+pub(super) fn offsets(jumps: &[f64]) -> Result<Vec<f64>, StatsError> {
+    let mut offsets = vec![0.0; jumps.len() + 1];
+    for (i, jump) in jumps.iter().enumerate() {
+        offsets[i + 1] = offsets[i] + jump;
+    }
+    let grid = Grid::new([1, offsets.len()], [1.0, 1.0])?;
+    Polynomial::fit(grid, &offsets, 1)?.remove_from(&mut offsets);
+    Ok(offsets)
 }
 
 /// Median difference of each of `lines` lines of `points` points to the one before, less the median
@@ -126,7 +127,7 @@ mod tests {
     #[test]
     fn planted_offsets_come_off() {
         let (grid, mut heights) = relief(3);
-        assert!(row_offsets(grid, &heights).unwrap().2.is_none());
+        assert!(row_jumps(grid, &heights).unwrap().2.is_none());
         let align = |heights: &mut Vec<f64>| {
             let records = apply(grid, heights, &[Step::Rows]).unwrap();
             let Record::Rows { jump, largest } = records[0] else { panic!("{records:?}") };
@@ -141,15 +142,15 @@ mod tests {
             }
         }
         heights[5000..5100].fill(f64::NAN);
-        assert!(row_offsets(grid, &heights).unwrap().2.is_some());
+        assert!(row_jumps(grid, &heights).unwrap().2.is_some());
         let [jump, largest] = align(&mut heights);
         // The difference of two numbers between -1 and 1 has the variance 2/3.
         assert!((jump / 30e-9 - (2.0f64 / 3.0).sqrt()).abs() < 0.1, "{jump:e}");
         assert!((25e-9..45e-9).contains(&largest), "{largest:e}");
         // What is left differs from the relief by a tilt, which is not ours to take.
         let left: Vec<f64> = (0..SHAPE[0]).map(|iy| heights[iy * nx] - wanted[iy * nx]).collect();
-        let mut bent = left.clone();
-        line(&bent).unwrap().remove_from(&mut bent);
+        let steps: Vec<f64> = left.windows(2).map(|l| l[1] - l[0]).collect();
+        let bent = offsets(&steps).unwrap();
         for (i, (h, w)) in heights.iter().zip(&wanted).enumerate() {
             if (5000..5100).contains(&i) {
                 assert!(h.is_nan());
@@ -159,7 +160,7 @@ mod tests {
                 assert_abs_diff_eq!(*h, w + left[i / nx], epsilon = 1e-15);
             }
         }
-        assert!(row_offsets(grid, &heights).unwrap().2.is_none());
+        assert!(row_jumps(grid, &heights).unwrap().2.is_none());
     }
 
     /// A lay that several rows show, along or across them, a tilt, a step edge and terraces are no scan lines.
@@ -182,7 +183,7 @@ mod tests {
                     .enumerate()
                     .map(|(i, h)| h + shape((i / SHAPE[1]) as f64, (i % SHAPE[1]) as f64))
                     .collect();
-                let found = row_offsets(grid, &heights).unwrap();
+                let found = row_jumps(grid, &heights).unwrap();
                 assert!(found.2.is_none(), "{seed} {k}: {found:?}");
             }
         }
@@ -194,7 +195,7 @@ mod tests {
             [([1, 50], 1.0), ([50, 1], 1.0), ([40, 40], 76e-3), ([40, 40], f64::NAN)]
         {
             let grid = Grid::new(shape, [1e-6, 1e-6]).unwrap();
-            let (_, jump, warning) = row_offsets(grid, &vec![height; grid.len()]).unwrap();
+            let (_, jump, warning) = row_jumps(grid, &vec![height; grid.len()]).unwrap();
             assert!(warning.is_none() && jump == 0.0);
         }
     }
