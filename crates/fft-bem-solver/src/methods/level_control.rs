@@ -68,10 +68,11 @@ impl LevelControl {
             let change = (load / last_load).ln();
             let secant = (level - last_level) / change;
             let certainty = (change / (NOISE * residual)).powi(2);
-            if secant > 0.0 && certainty.is_finite() {
+            if secant > 0.0 && certainty > 0.0 {
                 let secant = secant.clamp(0.25 * *slope, 4.0 * *slope);
-                *slope = (*slope * *weight + secant * certainty) / (*weight + certainty);
-                *weight += certainty;
+                // A single pixel in contact leaves no residual: its secant is all there is to know.
+                *slope += (secant - *slope) / (1.0 + *weight / certainty);
+                *weight += if certainty.is_finite() { certainty } else { 0.0 };
             }
         }
         self.error = (level - self.target) / *slope;

@@ -4,7 +4,7 @@
 use crate::common;
 
 use common::{curve, measured_like, self_affine, solve, solver, to, unit_grid};
-use fft_bem_solver::{Boundary, Method, Solver};
+use fft_bem_solver::{Boundary, Load, Method, Solver};
 
 /// Convolutions to 1e-4 by chord, Polonsky-Keer, Stanley-Kato, and with the free boundary.
 #[test]
@@ -50,6 +50,21 @@ fn a_light_load_from_nothing_takes_no_more_pairs() {
             let found = solve(map, Solver::builder().tolerance(1e-4), load).diagnostics;
             assert!(found.transforms < 7.5, "{load}: {:.2} convolutions", found.transforms);
         }
+    }
+}
+
+/// A single pixel leaves no residual at any load: only the gap says what is wrong with the iterate.
+#[test]
+fn a_gap_at_which_one_pixel_touches_takes_few_pairs() {
+    let map = self_affine(unit_grid(128, 128), 0.8, 32.0, 8.0, 1);
+    for load in [1e-10, 1e-9, 1e-7, 1e-6] {
+        let one = solve(&map, Solver::builder(), load);
+        let gap = Load::MeanGap(one.state.mean_gap.unwrap());
+        let found = solver(map.grid(), Solver::builder()).solve(&map, gap).unwrap();
+        let pixels = [&one, &found].map(|found| found.diagnostics.contact_pixels);
+        assert_eq!(pixels, [1, 1], "{load}");
+        assert!((found.state.mean_pressure / load - 1.0).abs() < 1e-4, "{load}");
+        assert!(found.diagnostics.transforms < 25.0, "{load}: {}", found.diagnostics.transforms);
     }
 }
 
