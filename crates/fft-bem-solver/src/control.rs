@@ -9,13 +9,9 @@ use crate::{End, Real, certificate, fields};
 /// Iterations a method may try to control the level itself before the secant takes over.
 const NATIVE_ITERATIONS: usize = 60;
 
-/// Near full contact the rise is no more than this times the gap that is left.
-const LEVELLING_OFF: f64 = 1.5;
-
-/// Loads to try before giving up, elastic and under a ceiling; a few are enough but for rounding.
-const MOST_LOADS: usize = 100;
-const MOST_YIELDING: usize = 60;
-/// Largest change of the logarithm of the load, or of y under a ceiling, from one load to the next.
+/// Loads to try before giving up; a few are enough but for rounding.
+const MOST_LOADS: usize = 60;
+/// Largest change of y from one load to the next.
 const FARTHEST: f64 = 2.0;
 
 /// Solves `task`: by the method alone where it can, by loads where it cannot or does not succeed.
@@ -25,15 +21,10 @@ pub(crate) fn solve<T: Real>(
     means: Means<'_, '_, T>,
 ) -> Outcome {
     let (Means { operator, state, watch }, mut spent) = (means, Outcome::NOTHING);
-    let (level, guess) = match task.target {
-        Target::Pressure(_) => return method.solve(&task, Means { operator, state, watch }),
-        Target::OpenGap(gap, guess) => {
-            let means = Means { operator, state, watch };
-            return Search { method, task, means, spent }.yielding(gap, guess);
-        }
-        Target::Level(level, guess) => (level, guess),
+    let Target::Gap(gap, guess) = task.target else {
+        return method.solve(&task, Means { operator, state, watch });
     };
-    if method.controls_level() {
+    if method.controls_level() && task.ceiling.is_infinite() {
         let most = task.max_iterations.min(NATIVE_ITERATIONS);
         let native = ContactTask { max_iterations: most, ..task };
         spent = method.solve(&native, Means { operator, state, watch });
@@ -45,7 +36,7 @@ pub(crate) fn solve<T: Real>(
             fields::sum(&state.pressure) > 0.0 && fields::sum(&state.displacement).is_finite();
         task.start = if is_sound { Start::Warm } else { Start::Cold };
     }
-    Search { method, task, means: Means { operator, state, watch }, spent }.elastic(level, guess)
+    Search { method, task, means: Means { operator, state, watch }, spent }.run(gap, guess)
 }
 
 struct Search<'a, 'w, T: Real> {
@@ -56,13 +47,6 @@ struct Search<'a, 'w, T: Real> {
 }
 
 impl<T: Real> Search<'_, '_, T> {
-    fn first(&self, guess: f64) -> f64 {
-        match self.task.start {
-            Start::Warm => fields::mean(&self.means.state.pressure),
-            Start::Cold => guess,
-        }
-    }
-
     /// Solves for one load. An iterate that fits its load is no answer yet while its level is another: observers see
     /// what is still `missing`.
     fn under(
@@ -95,99 +79,23 @@ impl<T: Real> Search<'_, '_, T> {
         found
     }
 
-    /// By how much the level of elastic bodies rises per logarithm of the load, about: as the mean indentation does.
-    fn rise(&self) -> f64 {
-        let State { pressure, displacement, .. } = &*self.means.state;
-        RISE * (fields::dot(pressure, displacement) / fields::sum(pressure)).abs()
-    }
-
-    /// A secant in the logarithm of the load.
-    fn elastic(mut self, level: f64, guess: f64) -> Outcome {
-        let task = self.task;
-        let mut load = self.first(guess);
-        let (mut low, mut high) = (0.0_f64, f64::INFINITY); // loads known to be too small, too large
-        let mut last: Option<(f64, f64, f64)> = None; // ln load, level reached, relative accuracy
-        let mut accuracy: f64 = 0.1;
-        let finest = 0.25 * task.tolerance; // so that the level is known better than it is asked for
-        let mut last_slope: Option<f64> = None;
-        let (mut damping, mut last_missing) = (1.0, 0.0);
-        let mut loads = 0;
-        loop {
-            loads += 1;
-            let tolerance = accuracy.max(finest);
-            let known_slope = last_slope;
-            let outcome = self.under(load, tolerance, |state| {
-                known_slope.map_or(f64::INFINITY, |slope| {
-                    let reached = certificate::level(state, &task.problem.heights, task.ceiling);
-                    ((level - reached) / slope).abs()
-                })
-            });
-            // Near full contact it levels off with the gap that is left.
-            let gap_left = -level - task.problem.mean_height;
-            let natural = self.rise().min(LEVELLING_OFF * gap_left);
-            let reached = self.means.state.level;
-            let mut slope = last_slope.unwrap_or(natural).max(f64::MIN_POSITIVE);
-            if let Some((ln_load, last_reached, accuracy)) = last {
-                // A secant between points closer than their errors would tell nothing.
-                let apart = load.ln() - ln_load;
-                let secant = (reached - last_reached) / apart;
-                let is_telling = apart.abs() > 3.0 * (accuracy + outcome.residual);
-                if is_telling && secant.is_finite() && secant > 0.0 {
-                    slope = secant.clamp(1e-6 * natural, 4.0 * natural);
-                    last_slope = Some(slope);
-                    damping = 1.0;
-                }
-            }
-            let missing = (level - reached) / slope; // in ln load
-            let residual = outcome.residual.max(missing.abs());
-            if !matches!(outcome.end, End::Converged | End::Rounding) {
-                return Outcome { end: outcome.end, residual, ..self.spent };
-            }
-            if tolerance <= finest && missing.abs() <= task.tolerance {
-                let end = if residual <= task.tolerance { End::Converged } else { End::Rounding };
-                return Outcome { end, residual, ..self.spent };
-            }
-            if self.spent.iterations >= task.max_iterations || loads >= MOST_LOADS {
-                return Outcome { end: End::Exhausted, residual, ..self.spent };
-            }
-            // Only an answer clearly on one side of the target may narrow the bracket; one that leaves
-            // no room for the target was a mistake.
-            if missing > 2.0 * outcome.residual {
-                low = low.max(load);
-            } else if missing < -2.0 * outcome.residual {
-                high = high.min(load);
-            }
-            if (high / low).ln() < 0.5 * missing.abs() {
-                (low, high) = (0.0, f64::INFINITY);
-            }
-            // A change of sides means that the slope was underestimated.
-            let is_overshoot = last_missing * missing < 0.0;
-            damping = if is_overshoot { 0.7 * damping } else { damping };
-            last_missing = missing;
-            last = Some((load.ln(), reached, outcome.residual));
-            let mut next = load * (damping * missing).clamp(-FARTHEST, FARTHEST).exp();
-            if next <= low || next >= high {
-                next = if high.is_finite() && low > 0.0 { (low * high).sqrt() } else { next };
-            }
-            accuracy = (0.1 * missing.abs()).min(accuracy);
-            load = next;
-        }
-    }
-
-    /// Under a ceiling H, where the open gap is prescribed. What stands at the ceiling may not be scaled, so that the
-    /// iteration cannot change the load on its way. The unknown is `y = ln(P / (H - P))`, with which the gap falls.
-    fn yielding(mut self, gap: f64, guess: f64) -> Outcome {
+    /// A secant in `y = -ln(1/P - 1/H)`, with which the gap falls; `ln P` without a ceiling.
+    fn run(mut self, gap: f64, guess: f64) -> Outcome {
         let task = self.task;
         let h = task.ceiling;
-        let load_of = |y: f64| h / (1.0 + (-y).exp());
-        let y_of = |load: f64| (load / (h - load)).ln();
-        let mut y = y_of(self.first(guess).clamp(1e-9 * h, 0.9 * h));
+        let load_of = |y: f64| 1.0 / (1.0 / h + (-y).exp());
+        let y_of = |load: f64| -(1.0 / load - 1.0 / h).ln();
+        let first = match task.start {
+            Start::Warm => fields::mean(&self.means.state.pressure),
+            Start::Cold => guess,
+        };
+        let mut y = y_of(first.min(0.9 * h));
         let finest = 0.25 * task.tolerance;
         let mut accuracy: f64 = 0.05;
         let [mut low, mut high] = [f64::NEG_INFINITY, f64::INFINITY];
         let mut last: Option<[f64; 2]> = None; // y, gap
         let mut slope = None;
-        for _ in 0..MOST_YIELDING {
+        for _ in 0..MOST_LOADS {
             let load = load_of(y);
             let tolerance = accuracy.max(finest);
             let known = slope;
@@ -197,7 +105,9 @@ impl<T: Real> Search<'_, '_, T> {
                 })
             });
             let reached = open_gap(&task, self.means.state);
-            let natural = self.rise() * (1.0 - load / h); // the logarithm of the load changes by that per y
+            let State { pressure, displacement, .. } = &*self.means.state;
+            let indentation = fields::dot(pressure, displacement) / fields::sum(pressure);
+            let natural = RISE * indentation.abs() * (1.0 - load / h); // d ln P / dy = 1 - P/H
             let secant = last.map(|[y0, reached0]| (reached0 - reached) / (y - y0));
             let rise = secant.filter(|s| *s > 0.0 && s.is_finite()).or(slope).unwrap_or(natural);
             let rise = rise.max(1e-6 * natural).max(f64::MIN_POSITIVE);
@@ -240,11 +150,11 @@ impl<T: Real> Search<'_, '_, T> {
     }
 }
 
-/// Mean gap under a ceiling: what overlaps there is flattened and no gap.
+/// Mean gap: what overlaps under a ceiling is flattened and no gap.
 fn open_gap<T: Real>(task: &ContactTask<'_, T>, state: &State<T>) -> f64 {
     let (p, u, heights) = (&state.pressure, &state.displacement, &task.problem.heights);
     let level = certificate::level(state, heights, task.ceiling);
-    let open = |i: usize| (u[i] - heights[i]).wide() - level;
+    let open = |i: usize| u[i].wide() - heights[i].wide() - level;
     let top = T::of(task.ceiling);
     let gap = |i: usize| if p[i] >= top { 0.0 } else { open(i) };
     fields::sum_of(u.len(), gap) / u.len() as f64

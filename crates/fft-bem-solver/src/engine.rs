@@ -202,14 +202,12 @@ impl<T: Real> Engine<T> {
                 let level = most - gap;
                 if level <= 0.0 {
                     Ok(LoadMeaning::Apart(level))
-                } else if yields {
-                    let guess = first_guess(problem, level.min(0.999 * most));
-                    Ok(LoadMeaning::Target(Target::OpenGap(gap, guess)))
-                } else if level >= most {
+                } else if level >= most && !yields {
                     bad("it would take the flat deeper than where every gap is closed; \
                          prescribe the mean pressure instead")
                 } else {
-                    Ok(LoadMeaning::Target(Target::Level(level, first_guess(problem, level))))
+                    let guess = first_guess(problem, level.min(0.999 * most));
+                    Ok(LoadMeaning::Target(Target::Gap(gap, guess)))
                 }
             }
         }

@@ -15,8 +15,8 @@
 //! - `watch` is called once per iteration and may end the run.
 //! - `transforms` counts applications of `K` (or `K^-1`) at full size as 1; work on coarser grids
 //!   in proportion `m log m / (n log n)`.
-//! - A method that does not control the level itself (`controls_level`) is driven by
-//!   [`control`](crate::control): a secant in the logarithm of the load.
+//! - Under a ceiling, and where it does not control the level itself (`controls_level`), a method is driven by
+//!   [`control`](crate::control) to a prescribed gap.
 
 use super::compliance::Compliance;
 use crate::problem::Problem;
@@ -28,12 +28,8 @@ use std::ops::ControlFlow;
 pub(crate) enum Target {
     /// Mean pressure.
     Pressure(f64),
-    /// `displacement - heights` in contact. The number beside it is a first guess of the mean
-    /// pressure.
-    Level(f64, f64),
-    /// Mean of the gap where it is open, under a ceiling. [`control`](crate::control) makes loads of it; no method
-    /// is asked for it. A first guess of the mean pressure beside it.
-    OpenGap(f64, f64),
+    /// Mean of the gap where it is open. Beside it a first guess of the mean pressure.
+    Gap(f64, f64),
 }
 
 /// One problem to solve.
@@ -150,7 +146,7 @@ pub(crate) trait ContactMethod<T: Real>: Send + Sync {
     /// Solves the task, see the module documentation.
     fn solve(&mut self, task: &ContactTask<'_, T>, means: Means<'_, '_, T>) -> Outcome;
 
-    /// Whether [`Target::Level`] is understood.
+    /// Whether [`Target::Gap`] is understood, without a ceiling.
     fn controls_level(&self) -> bool {
         false
     }

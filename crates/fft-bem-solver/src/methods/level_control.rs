@@ -39,8 +39,8 @@ pub(crate) struct LevelControl {
 }
 
 impl LevelControl {
-    pub(crate) fn new(target: f64, mean_height: f64) -> Self {
-        let mean_gap = -target - mean_height;
+    pub(crate) fn new(mean_gap: f64, mean_height: f64) -> Self {
+        let target = -mean_height - mean_gap;
         Self { target, mean_gap, slope: None, last: None, error: f64::INFINITY }
     }
 

@@ -38,9 +38,9 @@ impl<'a, T: Real, C: Ceiling<T>> Run<'a, T, C> {
         iterate: &'a mut State<T>,
     ) -> Self {
         let (load, control) = match task.target {
-            Target::Pressure(load) | Target::OpenGap(_, load) => (load, None),
-            Target::Level(level, guess) => {
-                (guess, Some(LevelControl::new(level, task.problem.mean_height)))
+            Target::Pressure(load) => (load, None),
+            Target::Gap(gap, guess) => {
+                (guess, Some(LevelControl::new(gap, task.problem.mean_height)))
             }
         };
         Self {
