@@ -11,8 +11,6 @@ use fft_bem_solver::{Boundary, End, Load, SetStiffness, Solution};
 #[cfg_attr(feature = "serde", derive(serde::Serialize))]
 #[non_exhaustive]
 pub struct Budget {
-    /// Whether the mean gap was prescribed, and not the load: what was prescribed has no uncertainty.
-    pub gap_is_given: bool,
     /// Load over nominal area (Pa).
     pub mean_pressure: Estimate,
     /// Area fraction, with the perimeter correction (-). Where the contact yields it is at least load over
@@ -83,8 +81,7 @@ impl Budget {
             }
         }
         let mean_pressure = Estimate::exact(load);
-        let (gap_is_given, indicator) = (false, None);
-        Self { gap_is_given, mean_pressure, area, mean_gap, stiffness, gas, indicator }
+        Self { mean_pressure, area, mean_gap, stiffness, gas, indicator: None }
             .under(given, solution, uncertain)
     }
 
@@ -108,7 +105,6 @@ impl Budget {
         self.area.least = [0.0; 2]; // it moves with the load
         self.mean_pressure = pressure;
         self.mean_gap = Some(Estimate::exact(gap.value));
-        self.gap_is_given = true;
         self
     }
 
