@@ -28,7 +28,7 @@ pub(crate) fn love_coefficients(grid: Grid, e_star: f64) -> ([usize; 2], Vec<f64
 /// `kx` in `0..=nx/2` running fastest. An even field has a real transform.
 pub(crate) fn love_transform([ny, nx]: [usize; 2], [dy, dx]: [f64; 2], e_star: f64) -> Vec<f64> {
     let distance = |i: usize, n: usize| i.min(n - i) as f64;
-    let mut fft = GridFft::<f64>::new([ny, nx]);
+    let mut fft = GridFft::new([ny, nx]);
     let mut coefficients = vec![0.0; ny * nx];
     for iy in 0..=ny / 2 {
         for ix in 0..=nx / 2 {

@@ -11,23 +11,23 @@ const COLUMN_BLOCK: usize = 8;
 
 /// A planned transform for fields of `ny * nx` real numbers. Plan once, run many: running
 /// allocates nothing.
-pub struct GridFft<T: Float> {
+pub struct GridFft {
     shape: [usize; 2],
-    plans: Plans<T>,
-    rows: RowScratch<T>,
+    plans: Plans<f64>,
+    rows: RowScratch<f64>,
     /// Two rows.
-    pair: Vec<T>,
-    columns: Vec<Complex<T>>,
-    scratch: Vec<Complex<T>>,
+    pair: Vec<f64>,
+    columns: Vec<Complex<f64>>,
+    scratch: Vec<Complex<f64>>,
 }
 
-impl<T: Float> std::fmt::Debug for GridFft<T> {
+impl std::fmt::Debug for GridFft {
     fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
         f.debug_struct("GridFft").field("shape", &self.shape).finish_non_exhaustive()
     }
 }
 
-impl<T: Float> GridFft<T> {
+impl GridFft {
     /// Plans transforms for `shape = [ny, nx]`.
     ///
     /// # Panics
@@ -35,13 +35,13 @@ impl<T: Float> GridFft<T> {
     pub fn new(shape: [usize; 2]) -> Self {
         let [ny, nx] = shape;
         assert!(ny > 0 && nx > 0, "a transform needs at least one pixel along each axis");
-        let plans = T::plan(shape);
+        let plans = f64::plan(shape);
         let scratch = plans.column_scratch_len();
-        let zero = Complex::new(T::zero(), T::zero());
+        let zero = Complex::new(0.0, 0.0);
         Self {
             shape,
             rows: plans.rows.scratch(),
-            pair: vec![T::zero(); 2 * nx],
+            pair: vec![0.0; 2 * nx],
             plans,
             columns: vec![zero; ny * COLUMN_BLOCK],
             scratch: vec![zero; scratch],
@@ -54,16 +54,16 @@ impl<T: Float> GridFft<T> {
     }
 
     /// A spectrum of zeros.
-    pub fn new_spectrum(&self) -> Vec<Complex<T>> {
+    pub fn new_spectrum(&self) -> Vec<Complex<f64>> {
         let [ny, nq] = self.spectrum_shape();
-        vec![Complex::new(T::zero(), T::zero()); ny * nq]
+        vec![Complex::new(0.0, 0.0); ny * nq]
     }
 
     /// `spectrum[ky, kx] = sum field[iy, ix] exp(-i (qy y + qx x))`, for `kx` in `0..=nx/2`.
     ///
     /// # Panics
     /// If a slice does not have the length planned for.
-    pub fn forward(&mut self, field: &[T], spectrum: &mut [Complex<T>]) {
+    pub fn forward(&mut self, field: &[f64], spectrum: &mut [Complex<f64>]) {
         let [ny, nx] = self.shape;
         let nq = nx / 2 + 1;
         assert!(field.len() == ny * nx && spectrum.len() == ny * nq, "field or spectrum length");
@@ -76,8 +76,8 @@ impl<T: Float> GridFft<T> {
     /// If the spectrum does not have the length planned for.
     pub fn forward_rows(
         &mut self,
-        mut row: impl FnMut(usize, &mut [T]),
-        spectrum: &mut [Complex<T>],
+        mut row: impl FnMut(usize, &mut [f64]),
+        spectrum: &mut [Complex<f64>],
     ) {
         let ([ny, nq], nx) = (self.spectrum_shape(), self.shape[1]);
         assert!(spectrum.len() == ny * nq, "spectrum length");
@@ -94,22 +94,22 @@ impl<T: Float> GridFft<T> {
     ///
     /// # Panics
     /// If a slice does not have the length planned for.
-    pub fn inverse(&mut self, spectrum: &mut [Complex<T>], field: &mut [T]) {
+    pub fn inverse(&mut self, spectrum: &mut [Complex<f64>], field: &mut [f64]) {
         let [ny, nx] = self.shape;
         let nq = nx / 2 + 1;
         assert!(field.len() == ny * nx && spectrum.len() == ny * nq, "field or spectrum length");
         self.transform_columns(spectrum, &self.plans.column_inverse.clone());
-        let scale = T::one() / T::from_usize(ny * nx).expect("a pixel count fits a float");
+        let scale = 1.0 / (ny * nx) as f64;
         // By pairs of rows, scaled while they are in cache.
         for (waves, rows) in spectrum.chunks_mut(2 * nq).zip(field.chunks_mut(2 * nx)) {
             self.plans.rows.inverse(waves, rows, &mut self.rows);
             for value in rows {
-                *value = *value * scale;
+                *value *= scale;
             }
         }
     }
 
-    fn transform_columns(&mut self, spectrum: &mut [Complex<T>], fft: &Arc<dyn Fft<T>>) {
+    fn transform_columns(&mut self, spectrum: &mut [Complex<f64>], fft: &Arc<dyn Fft<f64>>) {
         let [ny, nq] = self.spectrum_shape();
         for first in (0..nq).step_by(COLUMN_BLOCK) {
             let width = COLUMN_BLOCK.min(nq - first);

@@ -8,7 +8,7 @@ fn field(n: usize, seed: u64) -> Vec<f64> {
     (0..n).map(|i| ((i as f64 + 1.3) * (seed as f64 + 0.7) * 12.9898).sin()).collect()
 }
 
-fn transformed(shape: [usize; 2], field: &[f64]) -> (GridFft<f64>, Vec<Complex<f64>>) {
+fn transformed(shape: [usize; 2], field: &[f64]) -> (GridFft, Vec<Complex<f64>>) {
     let mut fft = GridFft::new(shape);
     let mut spectrum = fft.new_spectrum();
     fft.forward(field, &mut spectrum);
