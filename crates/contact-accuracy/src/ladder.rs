@@ -167,7 +167,11 @@ impl Ladder {
         let clock = Clock::now();
         let mut finer = None;
         if self.needs_finer(&found) {
-            finer = self.on_finer(load, &solution, observer);
+            let numbers = self.on_finer(load, &solution, observer);
+            if let Some(Err(SolverError::Stopped(_))) = numbers {
+                return Err(SolverError::Stopped(solution.into()));
+            }
+            finer = numbers.and_then(|numbers| numbers.ok()?.pop());
             found = budget(Beside { finer: finer.as_ref(), ..beside });
         }
         let seconds = [coarse_seconds, clock.elapsed().as_secs_f64()];
@@ -200,7 +204,7 @@ impl Ladder {
         load: Load,
         given: &Solution,
         observer: impl FnMut(&Iteration<'_>) -> A + Send,
-    ) -> Option<Numbers> {
+    ) -> Option<Result<Vec<Numbers>, SolverError>> {
         if self.finer.is_none() {
             let shape = self.given.grid().shape().map(|n| 2 * n);
             let map = regrid(&self.given, shape, self.repeats()).ok()?;
@@ -208,7 +212,7 @@ impl Ladder {
             let setup = Setup { leak: Vec::new(), ..self.setup.clone() };
             self.finer = Some(RungMaps::of(vec![map], setup).ok()?);
         }
-        self.finer.as_mut()?.solve(load, (given, self.known.repeats), observer).ok()?.pop()
+        Some(self.finer.as_mut()?.solve(load, (given, self.known.repeats), observer))
     }
 }
 

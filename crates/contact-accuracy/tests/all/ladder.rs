@@ -137,8 +137,15 @@ fn too_few_points_and_no_contact_say_so() {
 #[test]
 fn an_answer_that_depends_on_interpolation_is_solved_on_twice_the_points() {
     let heights = family("cut", 34).unwrap();
-    let mut ladder = Ladder::new(map(128, &heights), setup(Solver::builder())).unwrap();
-    let found = ladder.solve(Load::MeanPressure(1.0), |_| ()).unwrap();
+    let ladder = || Ladder::new(map(128, &heights), setup(Solver::builder())).unwrap();
+    let (load, mut calls) = (Load::MeanPressure(1.0), 0);
+    let found = ladder().solve(load, |_| calls += 1).unwrap();
+    // The last map to be solved is the finer one.
+    let stopped = ladder().solve(load, |_| {
+        calls -= 1;
+        if calls > 0 { ControlFlow::Continue(()) } else { ControlFlow::Break(()) }
+    });
+    assert!(matches!(stopped, Err(SolverError::Stopped(_))));
     let [low, high] = found.budget.area.interval().unwrap();
     assert!(found.budget.indicator.unwrap() > contact_accuracy::INDICATOR_LIMIT);
     assert!((low..=high).contains(&found.finer.unwrap().area));
