@@ -3,7 +3,7 @@
 use crate::distribution::{Distributions, contact_spots};
 use crate::pressure_maps::{FirstContact, PressureMaps};
 use crate::progress::{Listener, Progress};
-use crate::result::{DeterministicAnswer, DeterministicPoint, SurfaceComparison};
+use crate::result::{DeterministicAnswer, DeterministicPoint, Section, SurfaceComparison};
 use crate::{EdgesName, MaterialUse};
 use contact_accuracy::{Answered, Leaks, Map, Sink};
 use contact_types::HeightMap;
@@ -23,6 +23,8 @@ pub(crate) struct Curve<'a, 'b> {
     pub(crate) pressures: &'a [f64],
     /// Materials of the table that were used.
     pub(crate) materials: &'a [MaterialUse],
+    /// Row of the given map that is kept of every solution, at its place on another grid.
+    pub(crate) row: usize,
     /// Index of the load of the headline, if it was asked for.
     pub(crate) wanted: Option<usize>,
     /// How far the headline so far is from the one wanted.
@@ -74,7 +76,12 @@ impl Sink for Curve<'_, '_> {
         let (point, mut solution) = solved(mean_pressure, result, self.materials, &self.found.map);
         let score = self.distance(index, point.answer.as_ref());
         let found = &mut self.found;
-        found.sections.push(solution.as_mut().and_then(|s| s.section.take()));
+        found.sections.push(solution.as_ref().map(|solution| {
+            let [ny, nx] = solution.grid.shape();
+            let row = self.row * ny / found.surface.grid().shape()[0];
+            let along = |field: &[f64]| field[row * nx..][..nx].to_vec();
+            Section { row, pressure: along(&solution.pressure), gap: along(&solution.gap) }
+        }));
         let (first, maps) = (found.first_contact.take(), found.pressure_maps.take());
         let repeats = found.edges == EdgesName::Periodic;
         let fields = solution.as_ref().map(|s| (&s.pressure[..], &s.gap[..], s.grid));

@@ -43,8 +43,8 @@ pub use distribution::{
     Distributions, GapDistribution, PressureHistogram, Spot, SpotDistribution, contact_spots,
 };
 pub use fft_bem_solver::{
-    Diagnostics, End, Iteration, Load, Method, ObserverResult, Precision, Section, Solution,
-    Solver, SolverError, Yielded,
+    Diagnostics, End, Iteration, Load, Method, ObserverResult, Precision, Solution, Solver,
+    SolverError, Yielded,
 };
 pub use finding::{
     Applies, Fact, Finding, Passed, Pressed, Reason, Seam, Unevenness, Verdict, Weight, Yielding,
@@ -62,7 +62,7 @@ pub use progress::{Listener, Progress, StudyError};
 pub use registry::{Registry, built_in, find};
 pub use result::{
     ChoiceKind, Coarser, Comparison, DeterministicAnswer, DeterministicPoint, ModelComparison,
-    ModelCurve, Refused, Spectral, SurfaceComparison,
+    ModelCurve, Refused, Section, Spectral, SurfaceComparison,
 };
 pub use scene::{
     BULK_YIELD, Hardness, PlasticityIndices, Scene, elastic_holds, elastic_limit, hardness_of,

@@ -11,7 +11,7 @@ use crate::theory::{BuildError, Card};
 use crate::{EdgesName, Origin, Settings, Spikes};
 use contact_accuracy::{Answered, Budget, Leaks, Map, Numbers, Reached};
 use contact_types::{ContactModel, ContactState, HeightMap, ModelError, SpectralMoments};
-use fft_bem_solver::{Diagnostics, Section, Solution, SolverError};
+use fft_bem_solver::{Diagnostics, Solution, SolverError};
 use serde::Serialize;
 use surface_stats::SurfaceStatistics;
 
@@ -105,6 +105,18 @@ pub struct SurfaceComparison {
     pub distributions: Vec<Option<Distributions>>,
     /// Every model of the list.
     pub models: Vec<ModelComparison>,
+}
+
+/// What lies along one row of the map, signs and units as in [`Solution`].
+#[derive(Debug, Clone, PartialEq, Serialize)]
+#[non_exhaustive]
+pub struct Section {
+    /// The row, counted from 0.
+    pub row: usize,
+    /// Pressure (Pa), `nx` of them.
+    pub pressure: Vec<f64>,
+    /// Gap (m), `nx` of them.
+    pub gap: Vec<f64>,
 }
 
 /// What the spectrum of a map says.

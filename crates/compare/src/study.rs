@@ -148,7 +148,7 @@ fn compare(
     let loads = pressures.len();
     tell(progress, Progress::Surface { name: &name, index, count, loads })?;
 
-    let solver = settings.solver().maps(Maps::PressureAndGap).section(Some(telling_row(&map)));
+    let solver = settings.solver().maps(Maps::PressureAndGap);
     let setup = settings.setup(solver, modulus);
     let mirrored = setup.mirrored;
     let aim = match (settings.accuracy, settings.fast) {
@@ -190,7 +190,8 @@ fn compare(
     };
     let materials = &settings.materials[..];
     let (pressures, score) = (&pressures[..], f64::INFINITY);
-    let mut curve = Curve { found, pressures, materials, wanted, score, progress };
+    let row = telling_row(&map);
+    let mut curve = Curve { found, pressures, materials, row, wanted, score, progress };
     let plan = climb(Task { map, setup, loads: &loads, aim, kept: &mut None }, &mut curve);
     let Curve { mut found, progress, .. } = curve;
     let refused = |e| refused_ladder(e, &found.name);

@@ -39,8 +39,7 @@ impl Aim {
 pub struct Task<'a> {
     /// Heights as given.
     pub map: HeightMap,
-    /// How to solve; an accuracy chooses tolerance and precision itself. On another rung the section is along the row at
-    /// its place.
+    /// How to solve; an accuracy chooses tolerance and precision itself.
     pub setup: Setup,
     /// Mean pressures, rising, or mean gaps, falling.
     pub loads: &'a [Load],
@@ -194,8 +193,7 @@ fn attempt(
     sink: &mut dyn Sink,
 ) -> Result<(Reached, bool), LadderError> {
     let (begun, grid) = (Clock::now(), map.grid());
-    let row = |row: usize| ((factor * row as f64) as usize).min(grid.shape()[0] - 1);
-    let mut builder = setup.builder.clone().section(setup.builder.section.map(row));
+    let mut builder = setup.builder.clone();
     if let Aim::Within(request) = aim {
         builder = builder.tolerance(request.tolerance()).precision(request.precision());
     }

@@ -139,7 +139,7 @@ impl RungMaps {
 
     /// Of these maps, such as [`both`] thinned ones.
     pub(crate) fn of(maps: Vec<HeightMap>, setup: Setup) -> Result<Self, SolverError> {
-        let builder = setup.builder.clone().section(None).maps(setup.maps());
+        let builder = setup.builder.clone().maps(setup.maps());
         let builder = builder.method(Method::Auto).certified(false);
         let solver = |map: &HeightMap| {
             Ok((builder.clone().build(map.grid(), setup.modulus)?, map.grid().shape()))

@@ -247,10 +247,6 @@ fn on_given(result: Result<Solution, SolverError>, given: Grid) -> Result<Soluti
                 *field = rows.flat_map(|row| row[..nx].iter().copied()).collect();
             }
         }
-        if let Some(section) = &mut solution.section {
-            section.pressure.truncate(nx);
-            section.gap.truncate(nx);
-        }
         // Rounded: the images may differ by what the iteration left.
         solution.diagnostics.contact_pixels = (solution.diagnostics.contact_pixels + 2) / 4;
         solution

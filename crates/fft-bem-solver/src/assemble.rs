@@ -7,7 +7,7 @@ use crate::simd::vectorised;
 use crate::tally::tally;
 use crate::{
     Boundary, Diagnostics, Load, Maps, PERIMETER_CORRECTION, Real, Residuals, Solution, Yielded,
-    certificate, fields, solution::Section,
+    certificate, fields,
 };
 use contact_types::{Clock, ContactState, Grid};
 use grid_fft::parallel::prelude::*;
@@ -113,12 +113,6 @@ impl<T: Real> Engine<T> {
             Maps::Pressure => (map(&pressure), Vec::new()),
             Maps::PressureAndGap => (map(&pressure), map(&gap)),
         };
-        let section = settings.section.map(|row| {
-            let nx = grid.shape()[1];
-            let along =
-                |value: &dyn Fn(usize) -> f64| (row * nx..(row + 1) * nx).map(value).collect();
-            Section { row, pressure: along(&pressure), gap: along(&gap) }
-        });
         let state = ContactState {
             mean_pressure,
             area_fraction: (touching - PERIMETER_CORRECTION * cut).max(least),
@@ -129,7 +123,7 @@ impl<T: Real> Engine<T> {
         };
         let approach = self.state.level * units.height;
         let (pressure, gap) = (pressure_map, gap_map);
-        Solution { grid, state, approach, pressure, gap, section, coarse_gap, diagnostics }
+        Solution { grid, state, approach, pressure, gap, coarse_gap, diagnostics }
     }
 }
 

@@ -16,8 +16,6 @@ pub struct SolverBuilder {
     pub(crate) certified: bool,
     /// As set with [`maps`](Self::maps).
     pub maps: Maps,
-    /// As set with [`section`](Self::section).
-    pub section: Option<usize>,
     /// Pa; infinite for elastic bodies.
     pub(crate) hardness: f64,
     /// Whether the pressure answered is the one that the next step would try, without the convolution for its displacement:
@@ -35,7 +33,6 @@ impl Default for SolverBuilder {
             threads: None,
             certified: false,
             maps: Maps::default(),
-            section: None,
             hardness: f64::INFINITY,
             ends_on_trial: false,
         }
@@ -96,13 +93,6 @@ impl SolverBuilder {
     #[must_use]
     pub fn maps(mut self, maps: Maps) -> Self {
         self.maps = maps;
-        self
-    }
-
-    /// Row whose pressure and gap each solution carries, whatever its [maps](Self::maps); default none.
-    #[must_use]
-    pub fn section(mut self, row: Option<usize>) -> Self {
-        self.section = row;
         self
     }
 

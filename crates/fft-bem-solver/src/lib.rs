@@ -61,7 +61,7 @@ pub use observer::{Iteration, ObserverResult};
 pub use perimeter_correction::PERIMETER_CORRECTION;
 pub use real::Real;
 pub use settings::{Boundary, Load, Maps, Method, Precision};
-pub use solution::{Diagnostics, End, Residuals, Section, Solution, Yielded};
+pub use solution::{Diagnostics, End, Residuals, Solution, Yielded};
 pub use solver::Solver;
 
 #[cfg(test)]

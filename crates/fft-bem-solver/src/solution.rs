@@ -23,25 +23,10 @@ pub struct Solution {
     /// Gap (m), likewise, its pressure-weighted mean 0. In contact it is the residual of the iteration; where the
     /// pressure is the [hardness](crate::SolverBuilder::hardness), minus the depth by which the surface was flattened.
     pub gap: Vec<f64>,
-    /// Pressure and gap along one row, if the solver was [asked](crate::SolverBuilder::section) for one.
-    pub section: Option<Section>,
     /// Mean gap (m) of blocks, at most 32 along each side, row-major behind their shape; in contact it counts as 0.
     pub coarse_gap: ([usize; 2], Vec<f64>),
     /// How the answer was found and how accurate it is.
     pub diagnostics: Diagnostics,
-}
-
-/// What lies along one row of the map, signs and units as in [`Solution`].
-#[derive(Debug, Clone, PartialEq)]
-#[cfg_attr(feature = "serde", derive(serde::Serialize))]
-#[non_exhaustive]
-pub struct Section {
-    /// The row, counted from 0.
-    pub row: usize,
-    /// Pressure (Pa), `nx` of them.
-    pub pressure: Vec<f64>,
-    /// Gap (m), `nx` of them.
-    pub gap: Vec<f64>,
 }
 
 impl Solution {

@@ -31,9 +31,6 @@ impl SolverBuilder {
         if (cfg!(test) || !cfg!(feature = "single")) && self.precision == Precision::Single {
             return bad("precision", 32.0, "enable the feature `single`, or use double");
         }
-        if let Some(row) = self.section.filter(|row| *row >= grid.shape()[0]) {
-            return bad("section", row as f64, "it must be a row of the map, counted from 0");
-        }
         if self.hardness.is_nan() || self.hardness <= 0.0 {
             return bad("hardness", self.hardness, "it must be a pressure above 0 Pa, or infinite");
         }

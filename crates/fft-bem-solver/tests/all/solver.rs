@@ -4,7 +4,7 @@ use crate::common;
 
 use common::{self_affine, solve, to, unit_grid, unit_modulus};
 use fft_bem_solver::{
-    Boundary, End, Grid, HeightMap, Iteration, Load, Maps, Method, Precision, Solver, SolverError,
+    Boundary, End, Grid, HeightMap, Iteration, Load, Method, Precision, Solver, SolverError,
 };
 use std::ops::ControlFlow;
 use std::panic::{AssertUnwindSafe, catch_unwind};
@@ -62,22 +62,6 @@ fn a_grid_that_does_not_fit_is_refused() {
         let SolverError::Memory { shape, bytes, .. } = error else { panic!("{error}") };
         assert_eq!(shape, [1 << 20; 2]);
         assert!(bytes > 28 << 40, "{bytes}"); // at least 7 numbers of 4 bytes
-    }
-}
-
-/// Along a row a solution says what its maps say there, without them as well.
-#[test]
-fn a_section_is_a_row_of_the_maps() {
-    let map = surface();
-    let [ny, nx] = map.grid().shape();
-    let with = |maps, row| solve(&map, Solver::builder().maps(maps).section(row), 0.05);
-    let whole = with(Maps::PressureAndGap, None);
-    assert_eq!(whole.section, None);
-    for row in [0, ny / 3, ny - 1] {
-        let section = with(Maps::None, Some(row)).section.unwrap();
-        let along = row * nx..(row + 1) * nx;
-        assert_eq!((section.row, &section.pressure[..]), (row, &whole.pressure[along.clone()]));
-        assert_eq!(section.gap, whole.gap[along]);
     }
 }
 
