@@ -51,30 +51,22 @@ impl EqualCells {
     #[inline(always)]
     pub(super) fn add_means(&self, factor: f32, pixels: &[f32], means: &mut [f32]) {
         let factor = factor * self.share;
-        match self.whole {
-            Some(4) => {
-                for (m, x) in means.iter_mut().zip(pixels.as_chunks::<4>().0) {
-                    *m += factor * ((x[0] + x[1]) + (x[2] + x[3]));
-                }
+        if self.whole == Some(4) {
+            for (m, x) in means.iter_mut().zip(pixels.as_chunks::<4>().0) {
+                *m += factor * ((x[0] + x[1]) + (x[2] + x[3]));
             }
-            Some(n) => {
-                for (m, x) in means.iter_mut().zip(pixels.chunks_exact(n)) {
-                    *m += factor * x.iter().sum::<f32>();
-                }
-            }
-            None => {
-                let mut here = 0.0; // the part of the first pixel that belongs to the cell before
-                for (j, m) in means.iter_mut().enumerate() {
-                    let (from, to) = (self.start[j], self.start[j + 1]);
-                    let next = pixels.get(to).map_or(0.0, |x| self.before[j + 1] * x);
-                    let inside = match pixels[from..to] {
-                        [a, b, c, d] => (a + b) + (c + d), // most cells
-                        ref others => others.iter().sum::<f32>(),
-                    };
-                    *m += factor * (inside - here + next);
-                    here = next;
-                }
-            }
+            return;
+        }
+        let mut here = 0.0; // the part of the first pixel that belongs to the cell before
+        for (j, m) in means.iter_mut().enumerate() {
+            let (from, to) = (self.start[j], self.start[j + 1]);
+            let next = pixels.get(to).map_or(0.0, |x| self.before[j + 1] * x);
+            let inside = match pixels[from..to] {
+                [a, b, c, d] => (a + b) + (c + d), // most cells
+                ref others => others.iter().sum::<f32>(),
+            };
+            *m += factor * (inside - here + next);
+            here = next;
         }
     }
 
