@@ -45,9 +45,6 @@ impl<T: Real, C: Ceiling<T>> Run<'_, T, C> {
             let fields = [&p[..], &u[..], self.heights];
             return level::level_under(self.ceiling, fields, &mut self.work.partial);
         }
-        if let (true, Some(level)) = (self.memory.is_first, self.first_level) {
-            return level;
-        }
         level::level([p, u, self.heights], &mut self.work.partial)
     }
 

@@ -6,7 +6,7 @@ use crate::methods::ceiling::Ceiling;
 use crate::methods::compliance::Compliance;
 use crate::methods::contract::{ContactTask, State, Target};
 use crate::methods::level_control::LevelControl;
-use crate::{Boundary, Real, fields, projection};
+use crate::{Real, fields, projection};
 
 /// A run in progress. Its steps are in files of their own, in the order in which the
 /// [loop](super::iteration) takes them.
@@ -22,8 +22,6 @@ pub(crate) struct Run<'a, T: Real, C: Ceiling<T>> {
     /// If the level is prescribed and not the load.
     pub(super) control: Option<LevelControl>,
     pub(super) memory: Memory,
-    /// Level of the iterate that it began with, where that is a constant pressure without displacement.
-    pub(super) first_level: Option<f64>,
     /// Pairs spent.
     pub(super) transforms: f64,
 }
@@ -53,7 +51,6 @@ impl<'a, T: Real, C: Ceiling<T>> Run<'a, T, C> {
             load,
             control,
             memory: Memory::new(),
-            first_level: None,
             transforms: 0.0,
         }
     }
@@ -65,8 +62,6 @@ impl<'a, T: Real, C: Ceiling<T>> Run<'a, T, C> {
 
     pub(super) fn begin_constant(&mut self) {
         self.transforms += self.iterate.fill(self.load, self.operator);
-        let is_periodic = self.operator.boundary() == Boundary::Periodic;
-        self.first_level = is_periodic.then_some(-self.mean_height);
     }
 
     /// Begins with the iterate there is, scaled to the load: K is linear. Where the level is prescribed, the
