@@ -26,7 +26,7 @@ pub struct SolverBuilder {
 impl Default for SolverBuilder {
     fn default() -> Self {
         Self {
-            method: Method::Auto,
+            method: Method::Chord,
             boundary: Boundary::Periodic,
             precision: Precision::Double,
             tolerance: 1e-4,
@@ -43,7 +43,7 @@ impl SolverBuilder {
     /// How to solve; default [`Method::Auto`].
     #[must_use]
     pub fn method(mut self, method: Method) -> Self {
-        self.method = method;
+        self.method = if method == Method::Auto { Method::Chord } else { method };
         self
     }
 

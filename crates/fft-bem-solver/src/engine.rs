@@ -52,18 +52,17 @@ pub(crate) trait AnyEngine: Send + Sync {
 
 impl<T: Real> Engine<T> {
     pub(crate) fn new(
-        mut settings: SolverBuilder,
+        settings: SolverBuilder,
         modulus: ContactModulus,
         scaled: Grid,
     ) -> Result<Self, SolverError> {
-        let (method, iteration) = methods::build(settings.method, scaled, settings.boundary)?;
-        settings.method = method;
+        let method = methods::build(settings.method, scaled, settings.boundary)?;
         let operator = HalfSpace::scaled(scaled, settings.boundary);
         Ok(Self {
             settings,
             modulus,
             scaled,
-            method: iteration,
+            method,
             operator,
             state: State::new(scaled.len()),
             problem: None,

@@ -32,12 +32,12 @@ pub(crate) fn bytes(settings: &SolverBuilder, grid: Grid) -> u128 {
     // Residual, nodes, pyramid, sweep, grids of S: in single precision whatever the fields are.
     let preconditioner = 4.0 + 1.0 + 2.7 + 1.1 + 0.6;
     let method = match (settings.method, settings.boundary) {
-        (Method::Auto | Method::Chord, Boundary::Periodic) => trial_and_before + preconditioner,
+        (Method::PolonskyKeer | Method::StanleyKato, _) => 3.0 * t,
+        (_, Boundary::Periodic) => trial_and_before + preconditioner,
         // On a grid a quarter larger each way, heights and iterate there as well; and a pair.
-        (Method::Auto | Method::Chord, Boundary::Free) => {
+        (_, Boundary::Free) => {
             1.5625 * (heights + iterate + trial_and_before + preconditioner) + 2.0 * t
         }
-        (Method::PolonskyKeer | Method::StanleyKato, _) => 3.0 * t,
     };
     // The coefficients of the free half space are transformed on a doubled grid in f64.
     let (half_space, building) = match settings.boundary {

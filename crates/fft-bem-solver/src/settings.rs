@@ -11,7 +11,7 @@ use contact_types::Named;
 )]
 #[non_exhaustive]
 pub enum Method {
-    /// The fastest method available for the problem.
+    /// [`Chord`](Self::Chord), the fastest.
     #[default]
     Auto,
     /// Extension-preconditioned chord iteration: about one FFT convolution and one digit per step.

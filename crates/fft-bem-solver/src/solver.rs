@@ -34,7 +34,7 @@ impl SolverBuilder {
         if self.hardness.is_nan() || self.hardness <= 0.0 {
             return bad("hardness", self.hardness, "it must be a pressure above 0 Pa, or infinite");
         }
-        if self.hardness.is_finite() && !matches!(self.method, Method::Auto | Method::Chord) {
+        if self.hardness.is_finite() && self.method != Method::Chord {
             return Err(SolverError::Combination {
                 first: "a hardness",
                 second: "a method other than chord",

@@ -10,14 +10,14 @@ use super::thin_pixels;
 use crate::{Boundary, Method, Real, SolverError};
 use contact_types::Grid;
 
-/// The method asked for, with its memory; and which one `Auto` became.
+/// The method asked for, with its memory.
 pub(crate) fn build<T: Real>(
     method: Method,
     scaled: Grid,
     boundary: Boundary,
-) -> Result<(Method, Box<dyn ContactMethod<T>>), SolverError> {
+) -> Result<Box<dyn ContactMethod<T>>, SolverError> {
     let ratio = thin_pixels::ratio(scaled.shape(), scaled.pixel());
-    if matches!(method, Method::Auto | Method::Chord) && ratio > thin_pixels::LARGEST_RATIO {
+    if method == Method::Chord && ratio > thin_pixels::LARGEST_RATIO {
         return Err(SolverError::Range {
             quantity: "ratio of the pixel sides",
             value: ratio,
@@ -26,17 +26,9 @@ pub(crate) fn build<T: Real>(
         });
     }
     Ok(match (method, boundary) {
-        (Method::Auto | Method::Chord, Boundary::Periodic) => {
-            (Method::Chord, Box::new(Chord::new(scaled, false)))
-        }
-        (Method::Auto | Method::Chord, Boundary::Free) => {
-            (Method::Chord, Box::new(FreeChord::new(scaled)?))
-        }
-        (Method::PolonskyKeer, _) => {
-            (Method::PolonskyKeer, Box::new(Baseline::<T, PolonskyKeer>::new(scaled.len())))
-        }
-        (Method::StanleyKato, _) => {
-            (Method::StanleyKato, Box::new(Baseline::<T, StanleyKato>::new(scaled.len())))
-        }
+        (Method::PolonskyKeer, _) => Box::new(Baseline::<T, PolonskyKeer>::new(scaled.len())),
+        (Method::StanleyKato, _) => Box::new(Baseline::<T, StanleyKato>::new(scaled.len())),
+        (_, Boundary::Periodic) => Box::new(Chord::new(scaled, false)),
+        (_, Boundary::Free) => Box::new(FreeChord::new(scaled)?),
     })
 }
