@@ -118,7 +118,7 @@ impl<T: Real> Engine<T> {
             area_fraction: (touching - PERIMETER_CORRECTION * cut).max(least),
             separation: Some(-(problem.mean_height + state.level) * units.height),
             // Near full contact what is left of the residual may outweigh the gap; bodies do not overlap.
-            mean_gap: Some((open * units.height / n).max(0.0)),
+            mean_gap: Some(if touching < 1.0 { (open * units.height / n).max(0.0) } else { 0.0 }),
             caveat: None,
         };
         let approach = self.state.level * units.height;
