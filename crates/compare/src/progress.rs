@@ -148,7 +148,7 @@ pub enum StudyError {
     NoConductance,
     /// A hardness with profiles, whose contact is not solved.
     #[error(
-        "a hardness is for maps: of profiles no contact is solved, in which anything could yield; leave it out"
+        "a hardness is for maps: of profiles no contact is solved, in which anything could yield; leave it out, of table materials by `elastic`"
     )]
     YieldingProfiles,
     /// A work of adhesion with profiles.

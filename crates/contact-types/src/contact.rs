@@ -80,7 +80,7 @@ impl std::fmt::Display for Caveat {
             Self::Saturated { quantity } => write!(f, "{quantity} reached its upper limit"),
             Self::BeyondModel { quantity, value, limit, reason } => {
                 let short = format!("{value:.3e}").parse().unwrap_or(*value);
-                write!(f, "{quantity} = {} is beyond {}: {reason}", number(short), number(*limit))
+                write!(f, "{quantity} = {}, limit {}: {reason}", number(short), number(*limit))
             }
             Self::Underflow { quantity } => {
                 write!(f, "{quantity} is smaller than the smallest double")

@@ -53,8 +53,8 @@ pub enum SolverError {
     },
     /// The mean pressure is above the hardness: no contact can carry it.
     #[error(
-        "mean pressure {mean_pressure:e} Pa is above the hardness {hardness:e} Pa: even full contact carries \
-         no more than that; lower the load or raise the hardness"
+        "mean pressure {mean_pressure:.5e} Pa is above the hardness {hardness:.5e} Pa: even full contact carries \
+         no more than that; lower the load"
     )]
     AboveHardness {
         /// What was asked for (Pa).

@@ -51,9 +51,10 @@ impl ConductionOptions {
         let mut of = |both: Option<Both>, property, option: &str| match both {
             None => Ok(None),
             Some(Both::Given(values)) => Ok(Some(values)),
-            Some(Both::Table) => bodies.of_both(property).map(Some).map_err(|failure| {
-                failure.adding(&format!("give --material twice, or {option} in numbers"))
-            }),
+            Some(Both::Table) => bodies
+                .of_both(property)
+                .map(Some)
+                .map_err(|failure| failure.adding(&format!("give {option} in numbers"))),
         };
         let joint = Joint {
             resistivities: of(self.resistivity, Property::Resistivity, "--resistivity")?,
@@ -92,7 +93,7 @@ impl ConductionOptions {
         if self.is_asked() {
             return self.asked(bodies, area);
         }
-        let mut of = |property| bodies.of_both(property).is_ok().then_some(Both::Table);
+        let mut of = |property| bodies.of_both(property).ok().map(Both::Given);
         let resistivity = of(Property::Resistivity);
         let conductivity = of(Property::Conductivity);
         Self { resistivity, conductivity, ..self }.asked(bodies, area)

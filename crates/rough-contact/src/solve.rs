@@ -404,7 +404,7 @@ fn yield_lines(given: Hardness, highest: f64) -> String {
     if let Some(ratio) = given.indices(None).modulus_gradient_over_hardness {
         let _ = write!(
             out,
-            ": E* g/H = {}; the area of elastic contact holds while that is below about 1",
+            ": E* h′rms/H = {}; the area of elastic contact holds while that is below about 1",
             text::number(ratio)
         );
     }

@@ -229,7 +229,7 @@ fn forecast(modulus: f64, hardness: Option<f64>, s: &SurfaceStatistics) -> (Stri
     let Some(pascals) = hardness else {
         let text = if yields {
             format!(
-                "E* g = {}: for a hardness of that or more the area of elastic contact is right to 2 %\n",
+                "E* h′rms = {}: for a hardness of that or more the area of elastic contact is right to 2 %\n",
                 text::pressure(limit)
             )
         } else {
@@ -251,8 +251,8 @@ fn forecast(modulus: f64, hardness: Option<f64>, s: &SurfaceStatistics) -> (Stri
         "the contact yields: solve and compare take --hardness"
     };
     let mut lines = format!(
-        "E* g/H = {}: {verdict}\nplasticity indices: Greenwood–Williamson {} (summits elastic below 0.6, plastic above 1: \
-         1966), Mikic {} (E* m/H, = E* g/H over √π; no limit of it could be read)\n",
+        "E* h′rms/H = {}: {verdict}\nplasticity indices: Greenwood–Williamson {} (summits elastic below 0.6, plastic above 1: \
+         1966), Mikic {} (E* m/H, = E* h′rms/H over √π)\n",
         number(found.modulus_gradient_over_hardness),
         number(found.greenwood_williamson),
         number(found.mikic)

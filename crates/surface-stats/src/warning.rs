@@ -231,7 +231,7 @@ impl Warning {
             Self::FewWaves { count: None } => worded(
                 "No roll-off within what was measured.",
                 "The longest waves are not sampled: rms height and everything made of it grow with \
-                 the measured length, beyond what the ± says. m₂ and m₄ hardly do.",
+                 the measured length. m₂ and m₄ hardly do.",
             ),
             Self::FewWaves { count: Some(count) } => worded(
                 format!("The map is only {} roll-off wavelengths wide.", ratio(count)),

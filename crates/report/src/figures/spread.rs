@@ -61,7 +61,7 @@ pub(crate) fn curves(curves: &Curves) -> Figure {
     let shared = curves.shared.map(|(name, units)| (name, unit_for((low * high).sqrt(), units)));
     let scale = shared.map_or(1.0, |(_, unit)| unit.scale);
     let x_title = shared.map_or_else(
-        || "Load p / (E* g)".to_owned(),
+        || "Load p / (E* h′rms)".to_owned(),
         |(name, unit)| format!("{name} ({})", unit.name),
     );
     let [x_low, x_high] = [low, high].map(|x| x / scale);

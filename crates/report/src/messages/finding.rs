@@ -146,7 +146,7 @@ fn beyond_yield(at: Pressed, [low, high]: [f64; 2], full: Option<f64>) -> Words 
         } else {
             "a few points far steeper than the rest carry the load"
         };
-        format!(" That is more than E* g = {shown}: {why}.")
+        format!(" That is more than E* h′rms = {shown}: {why}.")
     });
     let (nominal, mean) = (show(nominal), show(mean));
     words(
@@ -269,10 +269,7 @@ fn cleaned(records: &[Record], filled: f64, how: &str) -> [Option<Words>; 2] {
     let filled = (filled > 0.0).then(|| {
         words(
             format!("{} of the points were {spikes}.", percent(filled)),
-            format!(
-                "They were filled ({how}) from their neighbours, which makes them smoother than \
-                 the surface; contact there is a guess."
-            ),
+            format!("They were filled ({how}) from their neighbours; contact there is a guess."),
         )
     });
     [filled, steps]

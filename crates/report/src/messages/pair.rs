@@ -58,7 +58,7 @@ pub(crate) fn excess(found: &Independence) -> String {
 
 fn chance(found: &Independence) -> String {
     let [a, b, c] = found.chance.map(|x| significant(100.0 * x, 2));
-    format!("chance alone makes ± {a}, {b} and {c}{SPACE}%")
+    format!("standard deviation by chance {a}, {b} and {c}{SPACE}%")
 }
 
 /// Whose moments the models have, as plain text.

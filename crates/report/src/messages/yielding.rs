@@ -47,7 +47,7 @@ pub(crate) fn bulk(highest: f64, hardness: f64) -> [String; 2] {
 pub(crate) fn elastic_line(surface: &SurfaceComparison) -> Option<String> {
     let limit = quantity(elastic_limit(surface)?, PASCALS, 2).replace(SPACE, " ");
     Some(format!(
-        "elastic area right to 2 % for a hardness of {limit} or more (E* g); softer bodies need their hardness"
+        "elastic area right to 2 % for a hardness of {limit} or more (E* h′rms); softer bodies need their hardness"
     ))
 }
 

@@ -65,14 +65,14 @@ fn what_the_table_does_not_know_is_asked_for() {
         line,
         &[
             ("--material pmma", &["Poisson", "--poisson"]),
-            ("--material copper --conductivity table", &["--material twice", "--conductivity"]),
+            ("--material copper --conductivity table", &["give two", "--conductivity"]),
             (
                 "--material silicon --poisson 0.2 --material copper --poisson 0.34 --resistivity table",
                 &["resistivity of silicon", "--resistivity"],
             ),
             ("--material copper,gold --young 100GPa", &["--young given 1", "2 times"]),
             ("--material copper --material gold --material tin", &["3 times", "two bodies"]),
-            ("--conductivity table --modulus 1GPa", &["--material twice", "--conductivity"]),
+            ("--conductivity table --modulus 1GPa", &["give two", "--conductivity"]),
         ],
     );
     let known = at.answer(&format!("{line} --material pmma --poisson 0.37"));

@@ -119,9 +119,9 @@ pub fn apply(
     Ok(records)
 }
 
-/// A radius with four digits, in the unit that suits it.
-fn shown(radius: f64) -> String {
-    if radius < 1e7 { plain(&quantity(radius, METRES, 4)) } else { format!("{radius:.3e} m") }
+/// A length with four digits, in the unit that suits it.
+fn shown(length: f64) -> String {
+    if length < 1e7 { plain(&quantity(length, METRES, 4)) } else { format!("{length:.3e} m") }
 }
 
 impl fmt::Display for Record {
@@ -129,23 +129,23 @@ impl fmt::Display for Record {
         match *self {
             Self::Rows { jump, largest } => write!(
                 f,
-                "rows put in line by the median of their differences: they jumped by {:.4} µm rms, \
-                 the largest offset was {:.4} µm",
-                1e6 * jump,
-                1e6 * largest
+                "rows put in line by the median of their differences: they jumped by {} rms, \
+                 the largest offset was {}",
+                shown(jump),
+                shown(largest)
             ),
             Self::Outliers { threshold, count, limit, largest } => {
-                let (limit, largest) = (1e6 * limit, 1e6 * largest);
+                let (limit, largest) = (shown(limit), shown(largest));
                 let rule = format!("({threshold} robust standard deviations, 5 × 5 pixels)");
                 if count == 0 {
                     let text = "no spikes: no point is more than";
-                    return write!(f, "{text} {limit:.4} µm off its neighbours {rule}");
+                    return write!(f, "{text} {limit} off its neighbours {rule}");
                 }
                 let ending = if count == 1 { "" } else { "s" };
                 write!(
                     f,
-                    "{count} spike{ending} removed: more than {limit:.4} µm off the neighbours \
-                     {rule}, the farthest by {largest:.4} µm"
+                    "{count} spike{ending} removed: more than {limit} off the neighbours \
+                     {rule}, the farthest by {largest}"
                 )
             }
             Self::Form { parameters, points } => {
@@ -174,8 +174,8 @@ impl fmt::Display for Record {
 }
 
 fn filter(f: &mut fmt::Formatter<'_>, what: &str, nesting_index: f64) -> fmt::Result {
-    let micrometres = 1e6 * nesting_index;
-    write!(f, "{what} than {micrometres:.4} µm taken off (Gaussian, ISO 16610-61)")
+    let length = shown(nesting_index);
+    write!(f, "{what} than {length} taken off (Gaussian, ISO 16610-61)")
 }
 
 fn way(radius: f64) -> &'static str {
