@@ -60,7 +60,12 @@ impl Budget {
             area.uncertainty = Err(NoUncertainty::NoContact);
         }
         let mut mean_gap = own.mean_gap.map(|gap| uncertain.gap(gap, &area));
-        let mut gas = own.gas.map(|gas| uncertain.gas(gas, mean_gap.as_ref(), &area));
+        // What the contact line cuts of the points in contact is open, and closed to the gas.
+        let cut = solution.touching_fraction() - own.area;
+        let mut gas = own
+            .gas
+            .zip(jump)
+            .map(|(gas, jump)| uncertain.gas(gas, mean_gap.as_ref(), (&area, cut / jump)));
         let residual = set.map_or(0.0, |set| set.residual);
         let mut stiffness = own.stiffness.map(|k| uncertain.stiffness(k, residual, &area));
         // An isolated contact is no sample of a surface that goes on.
@@ -68,7 +73,7 @@ impl Budget {
         if let Some([of_area, of_gap, of_stiffness]) =
             goes_on.then(|| sampling(solution, map.height_scatter)).flatten()
         {
-            // What is at the hardness is its load over that on every map.
+            // The part at the hardness is left out: most of it is its load over that on every map.
             let [_, yielded] = at_hardness(solution);
             area.sampling = Some(of_area * answering(area.value) * (1.0 - yielded));
             // Where the gap is wide beside the temperature jumps the gas scatters as it does, elsewhere less.
@@ -80,7 +85,8 @@ impl Budget {
                 }
             }
         }
-        let mean_pressure = Estimate::exact(load);
+        let most = found.yielded.map_or(f64::INFINITY, |yielded| yielded.hardness);
+        let mean_pressure = Estimate { most, ..Estimate::exact(load) };
         Self { mean_pressure, area, mean_gap, stiffness, gas, indicator: None }
             .under(given, solution, uncertain)
     }
@@ -88,7 +94,8 @@ impl Budget {
     /// The same where `load` prescribed a gap: the gap is exact, the pressure is not.
     fn under(mut self, load: Load, solution: &Solution, uncertain: &Uncertain<'_>) -> Self {
         let (Load::MeanGap(_), Some(gap)) = (load, self.mean_gap) else { return self };
-        let mut pressure = uncertain.pressure(self.mean_pressure.value, &self.area);
+        let pressure = uncertain.pressure(self.mean_pressure.value, &self.area);
+        let mut pressure = Estimate { most: self.mean_pressure.most, ..pressure };
         // By one sampling variability of the gap the load moves by as much as the gap falls per e-fold load: at
         // least by the elastic energy over the load, while most is out of contact.
         let fall = solution.diagnostics.elastic_energy / self.mean_pressure.value;
@@ -120,6 +127,7 @@ impl Budget {
         let of_modulus = (1.0 - area) * modulus * answering(self.area.value);
         self.area.materials = of_modulus.hypot(load * hardness * self.area.value);
         self.area.least[1] = self.area.least[0] * (-hardness).exp();
+        self.mean_pressure.most *= hardness.exp();
         self
     }
 
@@ -132,14 +140,20 @@ impl Budget {
         Self::of(load, solution, (None, None), map, beside)
     }
 
-    /// Mean real pressure, load over area (Pa): its intervals are those of the area, inverted. `None` if nothing touches.
+    /// Mean real pressure, load over area (Pa), at most the hardness: how far the ends of load and area move it adds in
+    /// squares. `None` if nothing touches.
     pub fn real_pressure(&self) -> Option<Inverse> {
-        let load = self.mean_pressure.value;
-        let inverted = |[low, high]: [f64; 2]| [high, low].map(|area| load / area);
-        (self.area.value > 0.0).then(|| Inverse {
-            value: load / self.area.value,
-            interval: self.area.interval().ok().map(inverted),
-            prediction: self.area.prediction().map(inverted),
+        let Self { mean_pressure: load, area, .. } = self;
+        let value = load.value / area.value;
+        let within = |([low, high], [least, most]): ([f64; 2], [f64; 2])| {
+            let below = (value - load.value / most).hypot((load.value - low) / area.value);
+            let above = (load.value / least - value).hypot((high - load.value) / area.value);
+            [(value - below).max(0.0), (value + above).min(load.most)]
+        };
+        (area.value > 0.0).then(|| Inverse {
+            value,
+            interval: load.interval().ok().zip(area.interval().ok()).map(within),
+            prediction: load.prediction().zip(area.prediction()).map(within),
         })
     }
 }

@@ -125,11 +125,22 @@ impl<'a> Uncertain<'a> {
     }
 
     /// Of the gas in the gap, with that of the gap: where the gap is wide beside the temperature jumps it is as its inverse.
-    pub(crate) fn gas(&self, value: f64, gap: Option<&Estimate>, area: &Estimate) -> Estimate {
+    /// What the contact line `cut` conducts too.
+    pub(crate) fn gas(
+        &self,
+        value: f64,
+        gap: Option<&Estimate>,
+        (area, cut): (&Estimate, f64),
+    ) -> Estimate {
         let of_gap = gap.filter(|gap| gap.value > 0.0);
         let of_gap = of_gap.and_then(|gap| Some(gap.uncertainty.ok()?.iteration / gap.value));
         let line = (area, [GAP, 1.0 - area.value, 1.0]);
-        self.other(value, line, |n| n.gas, |_| of_gap.unwrap_or(0.0) * value)
+        let mut found = self.other(value, line, |n| n.gas, |_| of_gap.unwrap_or(0.0) * value);
+        found
+            .uncertainty
+            .iter_mut()
+            .for_each(|parts| parts.contact_line = parts.contact_line.hypot(cut));
+        found
     }
 
     /// Of the stiffness of the contact set, known to `residual` (-), with that of the area.
