@@ -148,8 +148,9 @@ impl Joint {
     pub fn of_budget(&self, stiffness: f64, budget: &Budget, modulus: ContactModulus) -> Conducted {
         let mut estimate = budget.stiffness.filter(|_| stiffness > 0.0 && stiffness.is_finite());
         // At a load the conductance answers to E* and H as the area does, about.
-        let spread = budget.area.materials / budget.area.value;
-        estimate.iter_mut().for_each(|k| k.materials = stiffness * spread);
+        if let Some(k) = &mut estimate {
+            k.materials = stiffness * budget.area.materials / budget.area.value;
+        }
         let set = Conductance { value: stiffness, estimate }.times(1.0 / modulus.pascals());
         let gas = budget.gas.map(Conductance::from);
         self.conducted(set, gas, budget.mean_pressure.value)

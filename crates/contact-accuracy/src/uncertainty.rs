@@ -136,10 +136,9 @@ impl<'a> Uncertain<'a> {
         let of_gap = of_gap.and_then(|gap| Some(gap.uncertainty.ok()?.iteration / gap.value));
         let line = (area, [GAP, 1.0 - area.value, 1.0]);
         let mut found = self.other(value, line, |n| n.gas, |_| of_gap.unwrap_or(0.0) * value);
-        found
-            .uncertainty
-            .iter_mut()
-            .for_each(|parts| parts.contact_line = parts.contact_line.hypot(cut));
+        if let Ok(parts) = &mut found.uncertainty {
+            parts.contact_line = parts.contact_line.hypot(cut);
+        }
         found
     }
 
