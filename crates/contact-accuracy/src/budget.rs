@@ -61,11 +61,8 @@ impl Budget {
         }
         let mut mean_gap = own.mean_gap.map(|gap| uncertain.gap(gap, &area));
         // What the contact line cuts of the points in contact is open, and closed to the gas.
-        let cut = solution.touching_fraction() - own.area;
-        let mut gas = own
-            .gas
-            .zip(jump)
-            .map(|(gas, jump)| uncertain.gas(gas, mean_gap.as_ref(), (&area, cut / jump)));
+        let cut = jump.map_or(0.0, |jump| (solution.touching_fraction() - own.area) / jump);
+        let mut gas = own.gas.map(|gas| uncertain.gas(gas, mean_gap.as_ref(), (&area, cut)));
         let residual = set.map_or(0.0, |set| set.residual);
         let mut stiffness = own.stiffness.map(|k| uncertain.stiffness(k, residual, &area));
         // An isolated contact is no sample of a surface that goes on.

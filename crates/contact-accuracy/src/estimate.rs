@@ -158,10 +158,8 @@ impl Estimate {
     #[must_use]
     pub fn plus(self, other: Self) -> Self {
         let both = |a: Option<f64>, b: Option<f64>| Some(a? + b?);
-        let lows = |e: &Self| {
-            [e.interval().ok(), e.prediction()].map(|ends| ends.map_or(0.0, |[low, _]| low))
-        };
-        let (own, others) = (lows(&self), lows(&other));
+        let low = |ends: Option<[f64; 2]>| ends.map_or(0.0, |[low, _]| low);
+        let [own, others] = [self, other].map(|e| [low(e.interval().ok()), low(e.prediction())]);
         Self {
             value: self.value + other.value,
             uncertainty: self

@@ -52,9 +52,10 @@ pub(crate) fn walk(
                     return Err(broken(format!(": elements nested deeper than {DEEPEST}")));
                 }
                 path.push(tag.local_name().as_ref().to_owned());
-                let own = tag.attributes().filter_map(Result::ok).filter_map(|a| {
-                    let value = a.normalized_value(XmlVersion::Implicit1_0).ok()?.into_owned();
-                    Some((a.key.local_name().as_ref().to_owned(), value))
+                let own = tag.attributes().filter_map(Result::ok).map(|a| {
+                    let value = a.normalized_value(XmlVersion::Implicit1_0);
+                    let value = value.unwrap_or_else(|_| a.value.clone()).into_owned();
+                    (a.key.local_name().as_ref().to_owned(), value)
                 });
                 attributes.push(own.collect());
                 value.clear();
